@@ -22,21 +22,16 @@ class Knowing(NamedTuple):
         n = self.possible.shape[1]
         if state == n:
             return int(self.notes[self.place[0]])
-        seen, door = 0, 0
-        for other in range(n):
-            if self.possible[state, other]:
-                seen += 1
-                if rng.random() * seen < 1.0:
-                    door = other
-        return door
+        doors = np.flatnonzero(self.possible[state])
+        return int(doors[rng.integers(len(doors))])
 
     def learn(self, state: int, action: int, reward: float, terminated: bool, truncated: bool) -> None:
         """Note the door, and what its sign can mean."""
         n = self.possible.shape[1]
         if state < n:
             if reward > 0:
-                for other in range(n):
-                    self.possible[state, other] = self.possible[other, action] = 0
+                self.possible[state] = 0
+                self.possible[:, action] = 0
                 self.possible[state, action] = 1
             else:
                 self.possible[state, action] = 0

@@ -24,6 +24,7 @@ from edugym_course.lessons.stochasticity import exercises as stochasticity
 
 Made = dict[str, Any]
 """By the sentence that tells of it, what a mistake gives in all cases; "" is the right answer."""
+SCORED = [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0)]
 
 
 def rounded(values: Any) -> Any:
@@ -36,111 +37,60 @@ def by_rules(rules: Mapping[str, Callable[..., Any]], cases: list[Any]) -> Made:
     return {why: rounded([rule(*case) for case in cases]) for why, rule in rules.items()}
 
 
-def cut_at_exploring(seed: int) -> Made:
-    """Lesson 3: whole tables after the episodes."""
-    return {
-        why: rounded(
-            [*cutting.outcomes(cutting.cases(seed), {"learning_rate": 0.25, "discount": 0.5, **change})]
-        )
-        for why, change in {"": {}, **cutting.MISTAKES}.items()
-    }  # fmt: skip
-
-
-def linear_updates(seed: int) -> Made:
-    """Lesson 4: the weights after a step."""
-    return by_rules({"": linear.right_update, **linear.UPDATES}, [(step,) for step in linear.steps_for(seed)])
-
-
-def linear_values(seed: int) -> Made:
-    """Lesson 4: the value of each action."""
-    cases = [(step, action) for step in linear.steps_for(seed) for action in range(3)]
-    return by_rules({"": lambda step, action: float(step.x @ step.w[:, action]), **linear.VALUES}, cases)
-
-
-def network_targets(seed: int) -> Made:
-    """Lesson 4: the targets of DQN."""
+def all_made(seed: int) -> dict[str, Made]:
+    """Return what mistakes give in each exercise."""
+    half, steps = {"learning_rate": 0.25, "discount": 0.5}, linear.steps_for(seed)
     agent = DQN.create((2, 3), hidden=2, memory_size=4, batch_size=2, discount=0.5)
-    cases = [(case,) for _, case in targets.made_up_memories(agent, targets.drawn_for(agent, seed))]
-    right = {"": lambda case: targets._bootstrapped(case, float(case.old_next.max()))}
-    return by_rules({**right, **targets.TARGETS}, cases)
-
-
-def pushes(seed: int) -> Made:
-    """Lesson 5: a window without repetitions."""
-    right = {"": lambda window, action, seen: [*window[2:], action, seen]}
-    return by_rules({**right, **memory.PUSHES}, [(np.arange(7), 7, 8)])
-
-
-def rows(seed: int) -> Made:
-    """Lesson 5: the size of a table; lesson 7: the number of preferences."""
-    return {"": 5 ** window_law(4), **memory._row_mistakes(4, 4)}
-
-
-def preferences(seed: int) -> Made:
-    """Lesson 7: the number of preferences."""
-    return {"": 2 * 11**3 * 5**3, **continuous_actions._size_mistakes(3, 5, 11)}
-
-
-def scores(seed: int) -> Made:
-    """Lesson 7: the derivatives by the mean."""
-    return by_rules(continuous_actions.OF_MEAN, [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0)])
-
-
-def log_scores(seed: int) -> Made:
-    """Lesson 7: the derivatives by the logarithm of the spread."""
-    return by_rules(continuous_actions.OF_LOG_SPREAD, [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0)])
-
-
-def reinforce(seed: int) -> Made:
-    """Lesson 7: both tables after an episode."""
-    cases = episodes.cases(seed)
+    memories = [(case,) for _, case in targets.made_up_memories(agent, targets.drawn_for(agent, seed))]
+    cutting_cases, cases = cutting.cases(seed), episodes.cases(seed)
+    beating = {"": lambda players: stochasticity._unbeaten(players, stochasticity._beats)}
+    mornings = [((3, depth, chimes), action) for depth in range(3) for chimes in range(3) for action in range(3)]
+    lead = own_problem.UsedToChimes().transition
     return {
-        why: tuple(rounded(table) for case in cases for table in episodes.after(case, change))
-        for why, change in {"": {}, **episodes.MISTAKES}.items()
+        "tables where episodes are cut (lesson 3)": {
+            why: rounded([*cutting.outcomes(cutting_cases, {**half, **change})])
+            for why, change in {"": {}, **cutting.MISTAKES}.items()
+        },
+        "weights (lesson 4)": by_rules({"": linear.right_update, **linear.UPDATES}, [(step,) for step in steps]),
+        "values (lesson 4)": by_rules(
+            {"": lambda step, action: float(step.x @ step.w[:, action]), **linear.VALUES},
+            [(step, action) for step in steps for action in range(3)],
+        ),
+        "targets of DQN (lesson 4)": by_rules(
+            {"": lambda case: targets._bootstrapped(case, float(case.old_next.max())), **targets.TARGETS}, memories
+        ),
+        "windows (lesson 5)": by_rules(
+            {"": lambda window, action, seen: [*window[2:], action, seen], **memory.PUSHES}, [(np.arange(7), 7, 8)]
+        ),
+        "rows (lesson 5)": {"": 5 ** window_law(4), **memory._row_mistakes(4, 4)},
+        "preferences (lesson 7)": {"": 2 * 11**3 * 5**3, **continuous_actions._size_mistakes(3, 5, 11)},
+        "scores of the mean (lesson 7)": by_rules(continuous_actions.OF_MEAN, SCORED),
+        "scores of the spread (lesson 7)": by_rules(continuous_actions.OF_LOG_SPREAD, SCORED),
+        "tables of REINFORCE (lesson 7)": {
+            why: tuple(rounded(table) for case in cases for table in episodes.after(case, change))
+            for why, change in {"": {}, **episodes.MISTAKES}.items()
+        },
+        "players that no other beats (lesson 8)": {
+            why: tuple(frozenset(rule(players)) for players in stochasticity.made_up_players(seed))
+            for why, rule in {**beating, **stochasticity.FRONTIER_MISTAKES}.items()
+        },
+        "shaped rewards (lesson 10)": by_rules(
+            {"": own_problem._shaped, **own_problem.SHAPING_MISTAKES},
+            [(41.0, 3.0, 14.0, False, 0.5), (43.0, 5.0, 16.0, True, 0.75)],
+        ),
+        "where a step can lead (lesson 10)": {
+            mistake: tuple(tuple(branches(partial(lead, *step, mistake=mistake))) for step in mornings)
+            for mistake in ("", *own_problem.USED_MISTAKES.values())
+        },
     }
 
 
-def frontier(seed: int) -> Made:
-    """Lesson 8: the names of the players that no other one beats."""
-    right = {"": lambda players: stochasticity._unbeaten(players, stochasticity._beats)}
-    rules = {**right, **stochasticity.FRONTIER_MISTAKES}
-    return {
-        why: tuple(frozenset(rule(players)) for players in stochasticity.made_up_players(seed))
-        for why, rule in rules.items()
-    }
-
-
-def shaping(seed: int) -> Made:
-    """Lesson 10: a step in the middle and one at the end."""
-    steps = [(41.0, 3.0, 14.0, False, 0.5), (43.0, 5.0, 16.0, True, 0.75)]
-    return by_rules({"": own_problem._shaped, **own_problem.SHAPING_MISTAKES}, steps)
-
-
-def sleepers(seed: int) -> Made:
-    """Lesson 10: where each step can lead."""
-    task = own_problem.UsedToChimes()
-    steps = [((3, depth, chimes), action) for depth in range(3) for chimes in range(3) for action in range(3)]
-    return {
-        mistake: tuple(
-            tuple(branches(partial(task.transition, state, action, mistake=mistake))) for state, action in steps
-        )
-        for mistake in ("", *own_problem.USED_MISTAKES.values())
-    }
-
-
-MAKERS = [
-    cut_at_exploring, linear_updates, linear_values, network_targets, pushes, rows, preferences, scores, log_scores,
-    reinforce, frontier, shaping, sleepers,
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("make", MAKERS)
 @pytest.mark.parametrize("seed", [0, 1])
-def test_no_two_mistakes_look_alike(make: Callable[[int], Made], seed: int) -> None:
-    """In all cases together, with any seed."""
-    made = make(seed)
-    assert len(made) > 5
-    assert [(one, other) for one, other in combinations(made, 2) if made[one] == made[other]] == []
+def test_no_two_mistakes_look_alike(seed: int) -> None:
+    """In all cases of an exercise together, with any seed."""
+    for exercise, made in all_made(seed).items():
+        assert len(made) > 5, exercise
+        assert [(one, other) for one, other in combinations(made, 2) if made[one] == made[other]] == [], exercise
 
 
 def chances(change: Mapping[str, Any]) -> list[Any]:

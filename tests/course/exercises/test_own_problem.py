@@ -1,7 +1,6 @@
 """The exercises of lesson 10: the numbers in the checks are those of the exact model, and mistakes differ."""
 
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import NamedTuple
 
@@ -10,10 +9,10 @@ import pytest
 from gymnasium.spaces import Discrete
 
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.time_limit import LIMIT
 from edugym_course.lessons.own_problem import exercises
 from edugym_course.lessons.own_problem.exact import solve
 from edugym_course.lessons.own_problem.morning import Morning
+from tests.course.grading.test_checking import noted_limits
 
 
 @pytest.mark.parametrize(("late", "action"), [(exercises.LATE - 0.001, 0), (exercises.LATE + 0.001, 2)])
@@ -23,21 +22,27 @@ def test_where_the_policy_flips(late: float, action: int) -> None:
     assert values.Q[values.model.row((7, 2))].argmax() == action
 
 
-@pytest.mark.parametrize(("seed", "word"), [(59, "still has to be paid"), (130, "still has to be paid")])
-def test_the_shaping_mistake_is_the_one_that_fits_all_cases(seed: int, word: str) -> None:
+@pytest.mark.parametrize("seed", [59, 130])
+def test_the_shaping_mistake_is_the_one_that_fits_all_cases(seed: int) -> None:
     """Numbers are drawn so that no two mistakes give the same; with some seeds they once did."""
 
     def no_bill(r: float, potential: Callable[[str], float], s: str, s2: str, end: bool, g: float) -> float:
         return r if end else r + g * potential(s2) - potential(s)
 
-    with pytest.raises(WrongAnswer, match=word):
+    with pytest.raises(WrongAnswer, match="still has to be paid"):
         exercises.exercise_2(no_bill, seed)
 
 
-def test_a_class_in_place_of_a_value() -> None:
-    """The sentence says so, and nothing stands before it."""
+def test_problems_that_are_none() -> None:
+    """A class, one with too few states or actions, and one that the package refuses; the sentence is the same."""
     with pytest.raises(WrongAnswer, match=r"^my_problem must be a value, but is the class Mine: make one"):
         exercises.exercise_4(type("Mine", (exercises.UsedToChimes,), {"__slots__": ()}), 0)
+    for states, actions in ((3, 2), (4, 1)):
+        with pytest.raises(WrongAnswer, match=f"four states or more, but has {actions} and {states}$"):
+            exercises.exercise_4(Stairs(states, actions), 0)
+    broken = type("Broken", (Stairs,), {"__slots__": (), "observation": lambda self, state, rng: state + 1})
+    with pytest.raises(WrongAnswer, match=r"^(?!my_problem raises)"):
+        exercises.exercise_4(broken(), 0)
 
 
 class Stairs(NamedTuple):
@@ -91,29 +96,9 @@ def test_the_smallest_problem() -> None:
 
 def test_a_large_problem_has_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """Five minutes, and half a minute for what should be there at once."""
-    asked = []
-
-    def noted(what: str, limit: float = LIMIT) -> AbstractContextManager[None]:
-        asked.append((what, limit))
-        return nullcontext()
-
-    monkeypatch.setattr(exercises, "student_code", noted)
+    asked = noted_limits(monkeypatch, exercises)
     exercises.exercise_4(Stairs(), 0)
     assert asked == [("my_problem", 30.0), ("my_problem", 300.0)]
-
-
-@pytest.mark.parametrize(("states", "actions"), [(3, 2), (4, 1)])
-def test_a_problem_that_is_too_small(states: int, actions: int) -> None:
-    """Three states, or one action."""
-    with pytest.raises(WrongAnswer, match=f"four states or more, but has {actions} and {states}$"):
-        exercises.exercise_4(Stairs(states, actions), 0)
-
-
-def test_a_problem_that_is_refused() -> None:
-    """Its sentence is that of the package, with nothing before it."""
-    broken = type("Broken", (Stairs,), {"__slots__": (), "observation": lambda self, state, rng: state + 1})
-    with pytest.raises(WrongAnswer, match=r"^(?!my_problem raises)"):
-        exercises.exercise_4(broken(), 0)
 
 
 def test_where_a_step_can_lead_is_told() -> None:

@@ -1,5 +1,8 @@
 """What an answer must be before it is tried: each thing that it is not has its sentence."""
 
+from collections import namedtuple
+from collections.abc import Callable
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,76 +38,61 @@ class Player(NamedTuple):
         self.Q[state] = reward
 
 
-def test_a_class_and_a_function() -> None:
-    """Each is no other, and a placeholder is not solved yet."""
-    require_class("Mine", Player)
-    require_function("f", len, "a list")
-    with pytest.raises(WrongAnswer, match="Mine should be the class itself, but is of the type Player"):
-        require_class("Mine", Player(None))
-    with pytest.raises(WrongAnswer, match=r"Player should be the class itself, but is what Player\(...\) makes: leave"):
-        require_class("Player", Player(None))
-    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is the class Player"):
-        require_function("f", Player, "a list")
-    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is of the type float"):
-        require_function("f", 2.0, "a list")
-    with pytest.raises(Unsolved):
-        require_class("Mine", ...)
-    with pytest.raises(Unsolved):
-        require_function("f", None, "a list")
+class Plain:
+    """A student's agent that is no named tuple, and takes whatever settings there are."""
 
+    rate = 0.5
 
-def test_what_makes_no_agent() -> None:
-    """None, the class, something without `learn`, a class without `create`."""
-    assert isinstance(agent_created_by("QLearning", QLearning, "wall", (3, 2)), QLearning)
-    for make, says in (
-        (lambda task: None, "is a `return` missing"),
-        (lambda task: Player, r"gives the class Player: write Player\.create"),
-        (lambda task: object(), "of the type object, has no `act`"),
-        (lambda task: 1 / 0, "raises ZeroDivisionError"),
-    ):
-        with pytest.raises(WrongAnswer, match=says):
-            agent_made_by("mine(task)", make, None)
-    with pytest.raises(WrongAnswer, match="Player should keep its method `create`, which makes a new agent for a wall"):
-        agent_created_by("Player", Player, "wall", None)
-
-
-class Named:
-    """A student's agent that takes whatever settings there are."""
-
-    def __init__(self, w: Any, **settings: float) -> None:
-        """Keep them."""
-        self.w, self.settings = w, settings
+    def __init__(self, w: Any = None, **settings: float) -> None:
+        """Keep the table."""
+        self.w = w
 
     def learn(self) -> None:
         """Learn nothing."""
 
 
-def test_settings_of_create() -> None:
-    """A wrong one is refused in the words of the agent itself."""
-    assert agent_created_by("QLearning", QLearning, "wall", (3, 2), {"learning_rate": 0.25}).learning_rate == 0.25
-    with pytest.raises(WrongAnswer, match="QLearning has no setting 'speed'; it has learning_rate"):
-        agent_created_by("QLearning", QLearning, "wall", (3, 2), {"speed": 1})
+SIZE, RATE = (3, 2), {"rate": 0.25}
+REFUSED: list[tuple[Callable[[], Any], str]] = [
+    (lambda: require_class("Mine", Player(None)), "Mine should be the class itself, but is of the type Player"),
+    (lambda: require_class("Player", Player(0)), r"the class itself, but is what Player\(...\) makes: leave"),
+    (lambda: require_function("f", Player, "a list"), "f should be a function of a list, but is the class Player"),
+    (lambda: require_function("f", 2.0, "a list"), "f should be a function of a list, but is of the type float"),
+    (lambda: agent_made_by("mine(task)", lambda task: None, None), "is a `return` missing"),
+    (lambda: agent_made_by("mine(task)", lambda task: Player, None), r"gives the class Player: write Player\.create"),
+    (lambda: agent_made_by("mine(task)", lambda task: object(), None), "of the type object, has no `act`"),
+    (lambda: agent_made_by("mine(task)", lambda task: 1 / 0, None), "raises ZeroDivisionError"),
+    (
+        lambda: agent_created_by("A", Player, "wall", None),
+        "A should keep its method `create`, which makes a new agent for a wall",
+    ),
+    (lambda: agent_created_by("Q", QLearning, "wall", SIZE, {"speed": 1}), "no setting 'speed'; it has learning_rate"),
+    (lambda: with_settings("A", Player(0), {"speed": 1.0}, "learn"), "`speed`, from which `learn` reads the number"),
+    (lambda: agent_with_table("A", Player, SIZE, RATE, "w"), "keep its field `w`, the table that `learn` changes"),
+    (lambda: agent_with_table("A", Player, SIZE, {"speed": 1.0}), "A should keep its field `speed`"),
+    (lambda: agent_with_table("A", namedtuple("Table", "Q"), SIZE, {}), "^A should have a method `learn`$"),
+]
 
 
-def test_settings() -> None:
-    """They are given to a named tuple and to a plain object; a field that is gone is named."""
+@pytest.mark.parametrize(("make", "says"), REFUSED)
+def test_what_is_no_agent(make: Callable[[], Any], says: str) -> None:
+    """No class, no function, something without a method, a field that is gone, a setting that there is not."""
+    with pytest.raises(WrongAnswer, match=says):
+        make()
 
-    class Plain:
-        rate = 0.5
 
-    assert with_settings("Player", Player(None), {"rate": 0.25}, "learn").rate == 0.25
-    assert with_settings("Plain", Plain(), {"rate": 0.25}, "learn").rate == 0.25
-    with pytest.raises(WrongAnswer, match="Player should keep its field `speed`, from which `learn` reads the number"):
-        with_settings("Player", Player(None), {"speed": 1.0}, "learn")
-    made = agent_with_table("Player", Player, (3, 2), {"rate": 0.25})
-    assert made.Q.shape == (3, 2)
-    assert agent_with_table("Named", Named, (3, 2), {"rate": 0.25}, "w").w.shape == (3, 2)
-    with pytest.raises(WrongAnswer, match="Player should keep its field `w`, the table that `learn` changes"):
-        agent_with_table("Player", Player, (3, 2), {"rate": 0.25}, "w")
-    with pytest.raises(WrongAnswer, match="Player should keep its field `speed`"):
-        agent_with_table("Player", Player, (3, 2), {"speed": 1.0})
-    with pytest.raises(WrongAnswer, match=r"^Table should have a method `learn`$"):
-        agent_with_table("Table", NamedTuple("Table", [("Q", Any)]), (3, 2), {})
+def test_agents_and_placeholders() -> None:
+    """Settings are given to a named tuple and a plain object; a placeholder is not solved yet."""
+    require_class("Mine", Player)
+    require_function("f", len, "a list")
+    for make in (partial(require_class, "Mine", ...), partial(require_function, "f", None, "a list")):
+        with pytest.raises(Unsolved):
+            make()
+    for agent in (Player(None), Plain()):
+        assert with_settings("Mine", agent, RATE, "learn").rate == 0.25
+    assert agent_with_table("Player", Player, SIZE, RATE).Q.shape == SIZE
+    assert agent_with_table("Plain", Plain, SIZE, RATE, "w").w.shape == SIZE
+    assert isinstance(agent_created_by("QLearning", QLearning, "wall", SIZE), QLearning)
+    assert agent_created_by("QLearning", QLearning, "wall", SIZE, {"learning_rate": 0.25}).learning_rate == 0.25
 
 
 def test_a_step_is_told_by_names() -> None:

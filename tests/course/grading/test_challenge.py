@@ -1,7 +1,6 @@
 """The open challenge: seeds from names, scores against what is possible, and slips."""
 
 import math
-from contextlib import AbstractContextManager
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -13,9 +12,9 @@ from edugym import QLearning
 from edugym.experiments.results.statistics import Interval
 from edugym.experiments.results.tables import Results
 from edugym_course.grading import WrongAnswer, challenge, seed_from_name
-from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.exploration.exercises import CHALLENGE, best_average
 from edugym_course.lessons.exploration.methods import GO_EXPLORE, METHODS, best_return
+from tests.course.grading.test_checking import noted_limits
 
 
 class Systematic(NamedTuple):
@@ -25,10 +24,7 @@ class Systematic(NamedTuple):
 
     def act(self, state: int, rng: Any) -> int:
         """The first grip from which it did not fall yet."""
-        for action in range(self.fell.shape[1] - 1):
-            if self.fell[state, action] == 0:
-                return action
-        return int(self.fell.shape[1]) - 1
+        return int(self.fell[state].argmin())
 
     def learn(self, state: int, action: int, next_state: int) -> None:
         """Remember a fall."""
@@ -53,15 +49,6 @@ def test_seeds_from_names() -> None:
             seed_from_name(name)
 
 
-def test_an_agent_that_is_there_already_is_not_trained(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first steps, by which code that never ends is found, leave nothing in its table."""
-    agent = systematic(CHALLENGE._task(0))
-    monkeypatch.setattr(challenge, "repeat", lambda *arguments, **how: (_ for _ in ()).throw(WrongAnswer("enough")))
-    with pytest.raises(WrongAnswer, match="enough"):
-        CHALLENGE.score(lambda wall: agent, "Ada")
-    assert not agent.fell.any()
-
-
 def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
     """The student's agent and all baselines, on ten tasks of the name; the settings are those of the challenge."""
     asked: dict[str, Any] = {}
@@ -70,35 +57,15 @@ def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
         asked.update(how, environment=environment, methods=[*methods], n_steps=n_steps)
         raise WrongAnswer("enough")
 
-    limits = []
-
-    def noted(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
-        limits.append((what, limit))
-        return student_code(what, limit)
-
+    limits = noted_limits(monkeypatch, challenge)
     monkeypatch.setattr(challenge, "repeat", repeat)
-    monkeypatch.setattr(challenge, "student_code", noted)
+    agent = systematic(CHALLENGE._task(0))
     with pytest.raises(WrongAnswer, match="enough"):
-        CHALLENGE.score(systematic, "Ada Lovelace")
+        CHALLENGE.score(lambda wall: agent, "Ada Lovelace")
+    assert not agent.fell.any()  # the first steps, by which code that never ends is found, leave nothing in it
     assert limits == [("making your agent", 30.0), ("training your agent", 30.0), ("training your agent", math.inf)]
-    assert asked == {
-        "environment": "Boulder",
-        "methods": ["your agent", *CHALLENGE.baselines],
-        "n_steps": 5_000,
-        "repetitions": 10,
-        "seed": 2350958316,
-        "parameters": {"height": 60},
-    }
-
-
-def test_what_an_agent_is_told_of_a_task() -> None:
-    """Nothing but two spaces; who takes it for a table forgot `create`."""
-    sizes = challenge.Sizes("seen", "done")
-    assert (sizes.observation_space, sizes.action_space) == ("seen", "done")
-    with pytest.raises(AttributeError, match=r"where an array should, which has 'shape': is `\.create` missing"):
-        _ = sizes.shape
-    with pytest.raises(AttributeError, match="only, not 'height': it has to find out the rest"):
-        _ = sizes.height
+    settings = {"n_steps": 5_000, "repetitions": 10, "seed": 2350958316, "parameters": {"height": 60}}
+    assert asked == {"environment": "Boulder", "methods": ["your agent", *CHALLENGE.baselines], **settings}
 
 
 @pytest.mark.slow
@@ -114,22 +81,13 @@ def test_scores() -> None:
     assert none.ahead.high < 0
     assert none.rows[GO_EXPLORE] == best.rows[GO_EXPLORE]  # the same walls
     assert none.rows[GO_EXPLORE] != CHALLENGE.score(METHODS[GO_EXPLORE], "Grace").rows["your agent"]
-    text = repr(none)
-    assert "Ada: 0 of 100 points, behind" in text
-    assert "| your agent | 0.00 | 0.00 |" in none._repr_markdown_()
 
 
 @pytest.mark.parametrize(
     ("best", "average", "points"),
     [
-        (4.0, 3.0, 75.0),
-        (4.0, 5.0, 100.0),
-        (4.0, -1.0, 0.0),
-        (-2.0, -8.0, 25.0),
-        (-2.0, -1.0, 100.0),
-        (-2.0, 0.0, 100.0),
-        (4.0, math.nan, 0.0),
-        (-2.0, math.nan, 0.0),
+        *((4.0, 3.0, 75.0), (4.0, 5.0, 100.0), (4.0, -1.0, 0.0), (4.0, math.nan, 0.0)),
+        *((-2.0, -8.0, 25.0), (-2.0, -1.0, 100.0), (-2.0, 0.0, 100.0), (-2.0, math.nan, 0.0)),
     ],
 )
 def test_points(best: float, average: float, points: float) -> None:
@@ -142,27 +100,14 @@ def test_points(best: float, average: float, points: float) -> None:
     [(0.1, 0.7, "ahead of"), (-0.1, 0.9, "level with"), (0.0, 0.0, "level with"), (-0.9, -0.1, "behind")],
 )
 def test_the_table_of_a_score(low: float, high: float, where: str) -> None:
-    """As text and in a notebook, to the letter."""
+    """As text and in a notebook."""
     ahead = Interval((low + high) / 2, low, high, 10)
     rows = {"possible": (1.0, 0.8), "your agent": (12.5, 0.25)}
     score = challenge.Score("Ada", 62.4, rows, ahead, "novelty", Results(pandas.DataFrame()))
     verdict = f"Ada: 62 of 100 points, {where} novelty (difference {ahead.estimate:+.2f}, "
     verdict += f"95 % interval {low:+.2f} to {high:+.2f})."
-    assert repr(score).splitlines() == [
-        "            return at the end  average while learning",
-        "possible                 1.00                    0.80",
-        "your agent              12.50                    0.25",
-        "",
-        verdict,
-    ]
-    assert score._repr_markdown_().splitlines() == [
-        "| | return at the end | average while learning |",
-        "|---|---:|---:|",
-        "| possible | 1.00 | 0.80 |",
-        "| your agent | 12.50 | 0.25 |",
-        "",
-        verdict,
-    ]
+    assert repr(score).splitlines()[2:] == ["your agent              12.50                    0.25", "", verdict]
+    assert score._repr_markdown_().splitlines()[3:] == ["| your agent | 12.50 | 0.25 |", "", verdict]
 
 
 def test_what_is_possible() -> None:
@@ -173,23 +118,18 @@ def test_what_is_possible() -> None:
     assert best_average(60, 2, 100) == 0
 
 
-class Endless(Systematic):
-    """An explorer that waits for something that never happens."""
+def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is stopped in its first steps, with one sentence."""
 
-    __slots__ = ()
-
-    def act(self, state: int, rng: Any) -> int:
-        """Never."""
+    def act(self: Systematic, state: int, rng: Any) -> int:
         while state < 100:
             pass
         return 0
 
-
-def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is stopped in its first steps, with one sentence."""
+    endless = type("Endless", (Systematic,), {"__slots__": (), "act": act})
     monkeypatch.setattr(challenge, "LIMIT", 0.5)
     with pytest.raises(WrongAnswer, match=r"training your agent has not ended after 0\.5 seconds"):
-        CHALLENGE.score(lambda wall: Endless(systematic(wall).fell), "Ada")
+        CHALLENGE.score(lambda wall: endless(systematic(wall).fell), "Ada")
 
 
 @pytest.mark.parametrize(
@@ -203,6 +143,7 @@ def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
         (lambda wall: None, "gives None: is a `return` missing"),
         (lambda wall: QLearning, "must be an object with the methods act and learn"),
         (lambda wall: QLearning.create(wall, alpha=1), "has no setting 'alpha'"),
+        (lambda wall: np.zeros(wall.shape), r"where an array should, which has 'shape': is `\.create` missing"),
         (lambda wall: wall.unwrapped.mdp.grips, "told `observation_space` and `action_space` only, not 'unwrapped'"),
         (lambda wall: QLearning.create((3, 2)), r"must have a table Q of shape \(61, 2\)"),
     ],

@@ -2,6 +2,7 @@
 
 import math
 from contextlib import AbstractContextManager
+from types import ModuleType
 
 import nbformat
 import pytest
@@ -21,16 +22,12 @@ def exercise(answer: int, seed: int) -> str:
     return "two is even"
 
 
-def test_a_right_answer_prints_one_line(capsys: pytest.CaptureFixture[str]) -> None:
-    """And nothing when it is asked to be quiet."""
+def test_what_is_said_of_answers(capsys: pytest.CaptureFixture[str]) -> None:
+    """A right one prints one line, or nothing; a wrong one raises a sentence, without a chain of tracebacks."""
     check(exercise, 2)
     assert capsys.readouterr().out == "✓ two is even\n"
     check(exercise, 5, seed=3, quiet=True)
     assert capsys.readouterr().out == ""
-
-
-def test_a_wrong_answer_raises_a_sentence() -> None:
-    """Other errors of an answer become one as well, without a chain of tracebacks."""
     with pytest.raises(WrongAnswer, match="3 is not 2: add 2"):
         check(exercise, 3)
     with pytest.raises(Unsolved):
@@ -43,15 +40,21 @@ def test_a_wrong_answer_raises_a_sentence() -> None:
         check(exercise, 2, seed=-1)
 
 
-def test_a_whole_check_may_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Only each call of the student's code has a limit."""
+def noted_limits(monkeypatch: pytest.MonkeyPatch, module: ModuleType) -> list[tuple[str, float]]:
+    """Return a list in which the limits of all that a module runs of students will stand."""
     limits: list[tuple[str, float]] = []
 
     def noted(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
         limits.append((what, limit))
         return student_code(what, limit)
 
-    monkeypatch.setattr(checking, "student_code", noted)
+    monkeypatch.setattr(module, "student_code", noted)
+    return limits
+
+
+def test_a_whole_check_may_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only each call of the student's code has a limit."""
+    limits = noted_limits(monkeypatch, checking)
     check(exercise, 2, quiet=True)
     assert limits == [("your code", math.inf)]
 

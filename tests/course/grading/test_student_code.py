@@ -27,7 +27,7 @@ def run(code: str, **names: Any) -> str:
 
 
 def test_the_line_is_the_students() -> None:
-    """Also when the error is raised further down, in a library or in this package."""
+    """Also when the error is raised further down; each is one line, also a message of several lines."""
     assert run("def f():\n    x = 1\n    return x / 0") == (
         "the line `return x / 0` raises ZeroDivisionError: division by zero"
         " (the number below the line can be 0: is it a count that should grow first?)"
@@ -36,6 +36,9 @@ def test_the_line_is_the_students() -> None:
     assert said.startswith("the line `return np.zeros(2).reshape(3)` raises ValueError: cannot reshape")
     said = run("def f():\n    return QLearning.create((2, 2), alpha=1)\n", QLearning=QLearning)
     assert said.startswith("the line `return QLearning.create((2, 2), alpha=1)` raises ValueError: QLearning has no")
+    assert "raises KeyError: there is no key 'a'" in run("def f():\n    return {}['a']")
+    assert run("def f():\n    f()").endswith("raises RecursionError: a function calls itself for ever")
+    assert "\n" not in run("def f():\n    raise ValueError('one\\ntwo')")
 
 
 @pytest.mark.parametrize(
@@ -55,13 +58,6 @@ def test_without_a_line_of_the_students(code: str, says: str) -> None:
             {"student_code": student_code, "QLearning": QLearning, "random": random},
         )
     assert str(caught.value).startswith(says)
-
-
-def test_every_error_is_one_line() -> None:
-    """A key, an endless recursion, a message of several lines."""
-    assert "raises KeyError: there is no key 'a'" in run("def f():\n    return {}['a']")
-    assert run("def f():\n    f()").endswith("raises RecursionError: a function calls itself for ever")
-    assert "\n" not in run("def f():\n    raise ValueError('one\\ntwo')")
 
 
 class Pair(NamedTuple):
@@ -120,8 +116,8 @@ def test_every_hint_has_an_error() -> None:
         assert any(hint in told for _, hint in ERRORS), told
 
 
-def test_placeholders_are_not_solved_yet() -> None:
-    """Neither the lesson's nor that of nbgrader is an error of the student's."""
+def test_what_passes() -> None:
+    """Placeholders are not solved yet, warnings are not shown, a wrong answer stays, an interrupt ends the check."""
     for placeholder in (
         "raise NotImplementedError('not solved yet: replace this line')",
         "raise NotImplementedError()",
@@ -129,10 +125,6 @@ def test_placeholders_are_not_solved_yet() -> None:
         assert run(f"def f():\n    {placeholder}").startswith("Not solved yet")
     with pytest.raises(Unsolved), student_code("f()"):
         raise NotImplementedError
-
-
-def test_warnings_and_wrong_answers_pass() -> None:
-    """Warnings are not shown, a wrong answer stays as it is, and an interrupt ends the check."""
     with warnings.catch_warnings(record=True) as caught, student_code("f()"):
         warnings.warn("old", stacklevel=1)
         assert np.isinf(np.float64(1.0) / np.float64(0.0))

@@ -11,7 +11,7 @@ import pytest
 from edugym import QLearning
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.updates import Transition, Update
+from edugym_course.grading.updates import Case, Tables, Transition, Update
 from edugym_course.lessons.exploration.exercises import EXPLORER
 from edugym_course.lessons.on_off_policy.exercises import TWO_POLICIES
 from edugym_course.lessons.stochasticity.exercises import TWO_WEIGHTS
@@ -25,10 +25,7 @@ UPDATES = {
     "two weights": (TWO_WEIGHTS, {**RIGHT, "kappa": 0.6}),
 }
 
-ALIKE_WITH = {
-    2: ("only the first two actions", "the minimum stands where the mean"),
-    3: ("it divides by 3",),
-}
+ALIKE_WITH = {2: ("only the first two actions", "the minimum stands where the mean"), 3: ("it divides by 3",)}
 """Mistakes that are none with so many actions, or the same as another."""
 
 
@@ -54,41 +51,16 @@ def said_of(body: Callable[..., Any], Q: Any = None) -> str:
 
 def by_rule(update: Update, settings: dict[str, Any]) -> Callable[..., None]:
     """A `learn` that does what the rule does with some settings."""
-
-    def learn(
-        self: Any,
-        state: int,
-        action: int,
-        reward: float,
-        next_state: int,
-        next_action: int,
-        terminated: bool,
-        truncated: bool,
-    ) -> None:
-        now = (
-            update.cases(SIZE, 0)[0]
-            .transitions[0]
-            ._replace(
-                state=state,
-                action=action,
-                reward=reward,
-                next_state=next_state,
-                next_action=next_action,
-                terminated=terminated,
-                truncated=truncated,
-            )
-        )
-        update.rule({name: getattr(self, name) for name in self._fields}, now, **settings)
-
-    return learn
+    return lambda self, state, action, reward, next_state, next_action, terminated, truncated: update.rule(
+        self._asdict(), Transition(state, action, reward, next_state, next_action, terminated, truncated), **settings
+    )
 
 
 def test_the_packages_agent_is_right() -> None:
     """The rule agrees with Q-learning, with any settings, on any cases."""
-    for seed in range(5):
-        for learning_rate, discount in ((0.5, 0.75), (1.0, 0.0), (0.1, 1.0)):
-            settings = {"learning_rate": learning_rate, "discount": discount}
-            Q_LEARNING.check(partial(QLearning.create, SIZE, **settings), SIZE, settings, seed)
+    for seed, (learning_rate, discount) in enumerate([(0.5, 0.75), (1.0, 0.0), (0.1, 1.0)]):
+        settings = {"learning_rate": learning_rate, "discount": discount}
+        Q_LEARNING.check(partial(QLearning.create, SIZE, **settings), SIZE, settings, seed)
 
 
 @pytest.mark.parametrize("name", UPDATES)
@@ -109,24 +81,13 @@ def test_no_two_mistakes_look_the_same(name: str, seed: int) -> None:
             assert not np.allclose(first, second, equal_nan=True), (one, two)
 
 
-def kind(step: Transition) -> str:
-    """What is special about a transition."""
-    special = {"terminated": step.terminated, "truncated": step.truncated, "stays": step.state == step.next_state}
-    return " ".join(name for name, so in special.items() if so) or "ordinary"
-
-
 @pytest.mark.parametrize("seed", range(5))
 def test_cases_are_of_every_kind(seed: int) -> None:
     """The first is the simplest, for it is in the sentence where all fail; one case repeats a pair."""
     cases = [case.transitions for case in Q_LEARNING.cases(SIZE, seed)]
-    assert [[kind(step) for step in case] for case in cases] == 4 * [
-        ["ordinary"],
-        ["terminated"],
-        ["truncated"],
-        ["stays"],
-        ["ordinary"] * 3,
-        ["ordinary", "ordinary", "truncated", "terminated"],
-    ]
+    kinds = [[(now.terminated, now.truncated, now.state == now.next_state) for now in case] for case in cases]
+    plain, ends, cut_off, stays = (False,) * 3, (True, False, False), (False, True, False), (False, False, True)
+    assert kinds == 4 * [[plain], [ends], [cut_off], [stays], [plain] * 3, [plain, plain, cut_off, ends]]
     for first, second, third in cases[4::6]:
         assert first == second
         assert third == first._replace(reward=0.0) != first
@@ -174,11 +135,14 @@ def test_what_fits_no_mistake() -> None:
 
 
 def test_no_change_and_bad_parameters() -> None:
-    """A value that is returned is not learned; a parameter with another name is not passed."""
+    """A value that is returned is not learned; a parameter of another name is not passed; a table is missing."""
     assert said_of(lambda self, state: None).endswith("`learn` changes no table at all")
     assert said_of(lambda self, reward: reward).endswith("it returns something instead, which nobody reads")
     assert "is 'terminated' meant?" in said_of(lambda self, state, done: None)
     assert "raises IndexError" in said_of(lambda self, state: self.Q[state, 9])
+    kind = type("Agent", (), {"act": lambda self, state, rng: 0, "learn": lambda self, state: None})
+    with pytest.raises(WrongAnswer, match="should have a table `Q`, but Agent has none"):
+        Q_LEARNING.check(kind, SIZE, RIGHT, 0)
 
 
 @pytest.mark.parametrize(
@@ -192,13 +156,6 @@ def test_no_change_and_bad_parameters() -> None:
 def test_tables_that_are_none(table: Any, says: str) -> None:
     """A list, a wrong shape, whole numbers."""
     assert says in said_of(lambda self, state: None, table)
-
-
-def test_a_missing_table() -> None:
-    """It is named."""
-    kind = type("Agent", (), {"act": lambda self, state, rng: 0, "learn": lambda self, state: None})
-    with pytest.raises(WrongAnswer, match="should have a table `Q`, but Agent has none"):
-        Q_LEARNING.check(kind, SIZE, RIGHT, 0)
 
 
 def test_tables_that_are_replaced_are_found() -> None:
@@ -218,3 +175,77 @@ def test_tables_that_are_replaced_are_found() -> None:
             self.Q = Q
 
     Q_LEARNING.check(Plain, SIZE, RIGHT, 0)
+
+
+HALF = {"rate": 0.5}
+
+
+def rule(tables: Tables, now: Transition, *, rate: float, counts: int = 1) -> None:
+    """Move to the reward, and count the state that is entered."""
+    tables["Q"][now.state, now.action] += rate * (now.reward - tables["Q"][now.state, now.action])
+    tables["n"][now.next_state] += counts
+
+
+class Twice(Update):
+    """One case: two steps from state 1 to state 2."""
+
+    def cases(self, size: tuple[int, int], seed: int) -> list[Case]:
+        """Return it."""
+        step = Transition(1, 0, 3.0, 2, 1, terminated=False, truncated=False)
+        return [Case(self.tables(*size, np.random.default_rng(seed)), [step, step])]
+
+
+def made_up(n_states: int, n_actions: int, rng: np.random.Generator) -> Tables:
+    """Return a value of 1 that the steps change, and values of the state that is entered."""
+    Q = np.zeros((n_states, n_actions))
+    Q[1, 0], Q[2] = 1.0, (0.123456, -2.0)
+    return {"Q": Q, "n": np.full(n_states, 4), "w": np.arange(n_states) / 8}
+
+
+UPDATE = Twice(rule, made_up, {}, {"rate": "a rate of {found:.4g}, and it should be {right:.4g}"})
+SEEN = "after learn(state=1, action=0, reward=3, next_state=2)"
+SAID = [
+    ([2.0, 2.75], [5, 6], f"{SEEN}, where rate = 0.5, Q[2] = [0.1235, -2], n[2] = 5, w[2] = 0.25, Q[1, 0] should "),
+    ([2.0, 2.75], [5, 6], "Q[1, 0] should go from 2 to 2.5, but is 2.75: "),
+    ([2.0, 2.5], [4, 4], f"{SEEN}, n[2] should go from 4 to 5, but is 4: `n` does not change there"),
+    ([2.0, 2.5], [6, 8], "but is 6: `n` changes by +2 there"),
+    ([2.0, 2.5], [3, 2], "but is 3: `n` changes by -1 there"),
+    ([2.0, 2.5], [1, 1], "but is 1: `n` is set to 1 there"),
+    ([5 / 3, 19 / 9], [5, 6], "should go from 1 to 2, but is 1.667: a rate of 0.3333, and it should be 0.5"),
+    ([1.0, 1.0], [5, 6], "should go from 1 to 2, but is 1: a rate of 0, and it should be 0.5"),
+    ([77.0, 77.0], [5, 6], "should go from 1 to 2, but is 77: that is none of the usual mistakes"),
+]
+"""The value and the count after both steps, 2 and 5, 2.5 and 6 if all is right; and what is said of it."""
+
+
+@pytest.mark.parametrize(("values", "counts", "says"), SAID)
+def test_what_is_said_of_a_wrong_update(values: list[float], counts: list[int], says: str) -> None:
+    """The first step that is wrong, with all that is needed to follow a value; for a count the call is enough."""
+    assert says in said_of_steps(values, counts)
+
+
+def test_a_value_that_should_stay() -> None:
+    """Of a row nothing is left out, and the entries that change are counted."""
+    said = said_of_steps([2.0, 2.5], [5, 6], stays=1 / 3)
+    assert f"{SEEN}, where rate = 0.5, Q[2] = [0.1235, -2], n[2] = 4," in said
+    assert said.endswith("Q[3, 1] should stay 0, but is 0.3333: 2 entries of `Q` change, and only one should")
+
+
+def said_of_steps(values: list[float], counts: list[int], stays: float = 0.0) -> str:
+    """What is said of a `learn` that makes these values and counts."""
+
+    def learn(self: Any, state: int, action: int, reward: float, next_state: int) -> None:
+        again = bool(self.steps)
+        self.Q[1, 0], self.n[2], self.Q[3, 1] = values[again], counts[again], stays
+        self.steps.append(state)
+
+    kind = learns(learn)
+
+    def make() -> Any:
+        agent = type("Own", (kind,), {})(np.zeros((4, 2)))
+        agent.n, agent.w, agent.steps = np.zeros(4, int), np.zeros(4), []
+        return agent
+
+    with pytest.raises(WrongAnswer) as caught:
+        UPDATE.check(make, (4, 2), HALF, 0)
+    return str(caught.value)

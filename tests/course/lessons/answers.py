@@ -5,6 +5,7 @@ import linecache
 import re
 import textwrap
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -20,33 +21,18 @@ SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
 
 
 class Answer(NamedTuple):
-    """An answer to an exercise.
-
-    Attributes:
-        lesson: the name of the lesson: "01_exploration".
-        exercise: the number of the exercise, from 1.
-        right: whether it is right.
-        name: what is special about it.
-        says: what the message must contain; if it is right, the line that is printed.
-        code: what stands in the cell, or methods that replace those of the solution.
-    """
+    """An answer to an exercise, such as 1 in the lesson "01_exploration", and what is special about it."""
 
     lesson: str
     exercise: int
     right: bool
     name: str
-    says: tuple[str, ...]
-    code: str
+    says: tuple[str, ...]  # what the message must contain; if the answer is right, the line that is printed
+    code: str  # what stands in the cell, or methods that replace those of the solution
 
 
 class Exercise(NamedTuple):
-    """An exercise of a lesson.
-
-    Attributes:
-        placeholder: the cell as students get it.
-        solution: the cell with its solution.
-        check: the calls of `check` in the cell below, hidden ones too.
-    """
+    """An exercise: its cell for students, the one with its solution, and the calls of `check`, hidden ones too."""
 
     placeholder: str
     solution: str
@@ -54,11 +40,7 @@ class Exercise(NamedTuple):
 
 
 def read_answers(lesson: str) -> tuple[str, list[Answer]]:
-    """Read the answers to the exercises of a lesson: `answers/exercise_1_right.py`, `answers/exercise_1_wrong.py`, ...
-
-    Returns:
-        The code that runs before every answer, and the answers.
-    """
+    """Return the code that runs before every answer, and the answers: `answers/exercise_1_wrong.py`, ..."""
     setup, answers = "", []
     for path in sorted((build.lesson_sources()[lesson].parent / "answers").glob("*.py")):
         text = path.read_text(encoding="utf-8")
@@ -78,11 +60,7 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
 
 
 def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
-    """Read the exercises of a lesson.
-
-    Returns:
-        The imports of the lesson, and the exercises in order.
-    """
+    """Return the imports of a lesson, and its exercises in order."""
     cells = [cell for cell in build.read_lesson(lesson).cells if is_code(cell)]
     imports = "\n".join(cell.source for cell in cells if is_imports(cell))
     pairs = [(cell, below) for cell, below in pairwise(cells) if is_exercise(cell)]
@@ -105,16 +83,7 @@ def _checks(cell: NotebookNode) -> str:
 
 
 def verdict(answer: Answer, exercise: Exercise, before: Sequence[str]) -> str:
-    """Try an answer on the check of its exercise.
-
-    Args:
-        answer: the answer.
-        exercise: its exercise.
-        before: what runs first: the imports of the lesson, and the setup of the answers.
-
-    Returns:
-        What the check says; "" if it passes.
-    """
+    """Return what the check of its exercise says of an answer, "" if it passes; first runs the code `before`."""
     namespace: dict[str, Any] = {"__name__": "__main__"}
     for code in before:
         exec(code, namespace)
@@ -151,14 +120,9 @@ def _with_methods(solution: str, answer: str) -> str | None:
     return "\n".join([*imports, *lines]) + "\n"
 
 
+@cache
 def solution(lesson: str, number: int, name: str) -> Any:
-    """Return what the lesson's solution of an exercise defines.
-
-    Args:
-        lesson: the name of the lesson: "01_exploration".
-        number: the number of the exercise, from 1.
-        name: what it defines.
-    """
+    """Return what the solution of an exercise defines by a name; lessons are called "01_exploration", say."""
     imports, exercises = read_exercises(build.lesson_sources()[lesson])
     namespace: dict[str, Any] = {"__name__": "__main__"}
     exec(imports, namespace)

@@ -12,6 +12,8 @@ from typing import Any
 from unittest.mock import patch
 
 import build
+from matplotlib import pyplot
+from matplotlib.lines import Line2D
 from rules import is_code, without_marks
 
 from edugym.experiments.figures import Sheet
@@ -37,16 +39,7 @@ LEFT_OUT = (
 
 @contextlib.contextmanager
 def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
-    """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments.
-
-    Args:
-        lesson: the name of the lesson.
-        runs: how many runs there are at most.
-        most: for how many steps agents really train.
-
-    Yields:
-        The module of the lesson.
-    """
+    """Yield a lesson's module whose agents train in `runs` runs for `most` steps at most, with made-up returns."""
     module: Any = load_experiments(lesson)
     made_up = partial(made_up_run, returns=RETURNS.get(lesson, ANY_RETURN), most=most)
 
@@ -72,10 +65,7 @@ def sheets_of_report(lesson: str, seed: int = 1, **short: int) -> list[Sheet]:
 
 
 def sheets_of_cells(lesson: str, **short: int) -> list[Sheet]:
-    """Return the figures that the cells of a lesson show, and what its sliders show where they start.
-
-    Checks are not made.
-    """
+    """Return the figures that the cells of a lesson show, and its sliders where they start; checks are not made."""
     shown: list[Any] = []
     namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
     with short_training(lesson, **short), contextlib.redirect_stdout(io.StringIO()):
@@ -98,3 +88,21 @@ def run_cell(source: str, file: str, namespace: dict[str, Any]) -> None:
     exec(compile(ast.Module(body, []), file, "exec"), namespace)
     if last:
         namespace["display"](eval(compile(ast.Expression(last), file, "eval"), namespace))
+
+
+def check_legends(sheet: Sheet) -> None:
+    """A panel by itself has a legend where it labels anything, with its own lines; training steps have thousands."""
+    for panel in (panel for row in sheet.rows for panel in row):
+        ax = panel.draw()
+        if (ax.get_xlabel(), ax.get_xscale()) == ("training steps", "linear"):
+            assert ax.xaxis.get_major_formatter()(12_345) == "12\N{NO-BREAK SPACE}345", panel.title
+        artists, labels = ax.get_legend_handles_labels()
+        legend = ax.get_legend()
+        assert (legend is not None) == bool(labels), panel.title
+        texts, samples = (legend.get_texts(), legend.legend_handles) if legend else ([], [])
+        shown = {text.get_text(): sample for text, sample in zip(texts, samples, strict=True)}
+        for artist, label in zip(artists, labels, strict=True):
+            sample = shown.get(label)
+            if isinstance(artist, Line2D) and isinstance(sample, Line2D):
+                assert (sample.get_color(), sample.get_linestyle()) == (artist.get_color(), artist.get_linestyle())
+        pyplot.close(ax.get_figure(root=True))

@@ -25,10 +25,8 @@ LESSON = '''\
 # # Doubling
 # **The challenge.** Numbers are small. **You will be able to** double them. **Time.** 1 minute.
 # **Before you start.** Nothing.
-
 # %% [markdown]
 # ## Meet the environment
-
 # %%
 import ipywidgets
 import matplotlib.pyplot as plt
@@ -39,83 +37,61 @@ def draw(height: int) -> None:
     plt.plot([0, height])
     plt.show()
     print("drawn up to", height)
-
-
 # %% [markdown]
 # ## The idea
 # $2x = x + x$, and this is no heading:
 # ```
 # # a comment
 # ```
-
 # %%
 print(1 + 1)
-
 # %% [markdown]
 # ## The experiment
-
 # %%
 draw(3)
-
 # %% [markdown]
 # ## Your turn
-
 # %%
 _ = ipywidgets.interact(draw, height=(1, 5))
-
 # %% [markdown]
 # ## See inside
-
 # %%
 print({"b", "a", "c", "d"})
-
 # %% [markdown]
 # ## Predict, then check
 # **Predict.** What is 2 times 2?
-
 # %%
 from edugym_course.notebook import predict
 
 product = predict("2 times 2")
 product
-
 # %%
 product.measured(2 * 2)
-
 # %% [markdown]
 # <details><summary>What was measured</summary> **Measured.** 4. </details>
-
 # %% [markdown]
 # ## Exercises
 # Write `double`. <details><summary>Hint</summary> Add. </details>
-
-
 # %%
 def double(number: int) -> int:
     """Twice the number."""
     ### BEGIN SOLUTION
     return number + number  # a secret sum
     ### END SOLUTION
-
-
 # %% tags=["check"] points=2
 assert double(4) == 8, f"double(4) is 4 + 4 = 8, not {double(4)}"
-
 # %% [markdown]
 # Choose a `factor` that doubles. <details><summary>Hint</summary> It is even. </details>
-
 # %%
 factor = 1
 ### BEGIN SOLUTION
 factor = 2  # secret
 ### END SOLUTION
-
 # %%
 assert factor > 1, f"factor = {factor} does not double"
 ### BEGIN HIDDEN TESTS
 assert factor == 2, "secret too"
 ### END HIDDEN TESTS
-
 # %% [markdown]
 # ## What you saw
 # ### Limits
@@ -140,20 +116,20 @@ def all_editions(source: Path) -> dict[str, NotebookNode]:
     return dict(zip(["student", "solution", "teacher"], made.values(), strict=True))
 
 
-def test_students_see_no_solution_and_no_hidden_test(source: Path) -> None:
-    """Nothing of a solution or a hidden test is in the students' edition; the solution edition has all but marks."""
-    made = {name: nbformat.writes(notebook) for name, notebook in all_editions(source).items()}
-    for text in ("secret", "BEGIN", "END"):
-        assert text not in made["student"]
-        assert text in made["teacher"]
-    assert "secret sum" in made["solution"]
-    assert "secret too" in made["solution"]
-    assert "BEGIN" not in made["solution"]
-
-
-def test_every_cell_of_every_edition_is_plain_python_and_has_an_id_by_position(source: Path) -> None:
-    """All code parses, all notebooks are valid without a warning, and ids depend on the position alone."""
-    for notebook in all_editions(source).values():
+def test_editions(source: Path) -> None:
+    """Students see no solution and no hidden test; all cells are plain Python; teachers get nbgrader's schema 3."""
+    made = all_editions(source)
+    text = {name: nbformat.writes(notebook) for name, notebook in made.items()}
+    for word in ("secret", "BEGIN", "END"):
+        assert word not in text["student"]
+        assert word in text["teacher"]
+    assert "secret sum" in text["solution"]
+    assert "secret too" in text["solution"]
+    assert "BEGIN" not in text["solution"]
+    assert "/blob/main/notebooks/01_doubling.ipynb" in made["student"].cells[0].source
+    for notebook in made.values():
+        assert next(filter(is_code, notebook.cells)).source == build.INSTALL
+        assert "lesson-feedback.yml&lesson=01_doubling" in notebook.cells[-1].source
         nbformat.validate(notebook)
         assert [cell.id for cell in notebook.cells] == [f"cell-{n:03d}" for n in range(len(notebook.cells))]
         for cell in filter(is_code, notebook.cells):
@@ -161,6 +137,15 @@ def test_every_cell_of_every_edition_is_plain_python_and_has_an_id_by_position(s
             assert cell.outputs == []
             assert cell.execution_count is None
             assert "points" not in cell.metadata
+    roles = [cell.metadata["nbgrader"] for cell in made["teacher"].cells if "nbgrader" in cell.metadata]
+    exercise = {"schema_version": 3, "task": False, "grade": False, "solution": True, "locked": False}
+    check = {"schema_version": 3, "task": False, "grade": True, "solution": False, "locked": True}
+    assert roles == [
+        exercise | {"grade_id": "exercise-1"},
+        check | {"grade_id": "check-1", "points": 2},
+        exercise | {"grade_id": "exercise-2"},
+        check | {"grade_id": "check-2", "points": 1},
+    ]
 
 
 def test_what_takes_the_place_of_a_solution() -> None:
@@ -173,29 +158,6 @@ def test_what_takes_the_place_of_a_solution() -> None:
     loop = without_solutions(f"def f(): return 1\nfor i in [1]:\n    {region.format(' ' * 4)}\n")
     assert loop == "def f(): return 1\nfor i in [1]:\n    # Your solution here.\n    pass"
     exec(compile(loop, "cell", "exec"), {})
-
-
-def test_the_metadata_for_nbgrader(source: Path) -> None:
-    """Exercises and checks carry the metadata of nbgrader's schema 3; no other cell does."""
-    cells = all_editions(source)["teacher"].cells
-    roles = [cell.metadata["nbgrader"] for cell in cells if "nbgrader" in cell.metadata]
-    exercise = {"schema_version": 3, "task": False, "grade": False, "solution": True, "locked": False}
-    check = {"schema_version": 3, "task": False, "grade": True, "solution": False, "locked": True}
-    assert roles == [
-        exercise | {"grade_id": "exercise-1"},
-        check | {"grade_id": "check-1", "points": 2},
-        exercise | {"grade_id": "exercise-2"},
-        check | {"grade_id": "check-2", "points": 1},
-    ]
-
-
-def test_every_edition_installs_the_package_first_and_ends_with_the_form(source: Path) -> None:
-    """The first code cell installs the package, the last text links to the form, students find a link to Colab."""
-    made = all_editions(source)
-    for notebook in made.values():
-        assert next(filter(is_code, notebook.cells)).source == build.INSTALL
-        assert "lesson-feedback.yml&lesson=01_doubling" in notebook.cells[-1].source
-    assert "/blob/main/notebooks/01_doubling.ipynb" in made["student"].cells[0].source
 
 
 def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -297,7 +259,7 @@ def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFix
 
 
 def test_the_command_line_names_lessons_and_problems(source: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """An unknown lesson and a broken rule end the program with a message, and nothing is written."""
+    """An unknown lesson, a broken rule and a notebook too large for GitHub are named, and nothing is written."""
     root = source.parents[4]
     with pytest.raises(SystemExit):
         build.main(["02_tripling"], root)
@@ -306,10 +268,6 @@ def test_the_command_line_names_lessons_and_problems(source: Path, capsys: pytes
     assert build.main([], root) == 1
     assert "01_doubling.py: the headings must begin so" in capsys.readouterr().err
     assert not (root / "notebooks").exists()
-
-
-def test_a_large_notebook_is_refused() -> None:
-    """A notebook that GitHub would not show is refused, with its size."""
     notebook = new_notebook(cells=[new_code_cell("x = '" + "x" * build.SIZE_LIMIT + "'")])
     with pytest.raises(build.LessonError, match=r"large: the notebook has 2,000,\d\d\d bytes"):
         build.to_text(notebook, "large")

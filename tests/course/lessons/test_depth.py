@@ -1,4 +1,4 @@
-"""The depth of credit assignment on Study: the claims hold with other seeds than those the lesson shows."""
+"""The depth of credit assignment on Study: targets, what is handed back, and what the claims measure."""
 
 import math
 from typing import Any
@@ -6,49 +6,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.agents.q_learning import QLearning
+from edugym import QLearning, finite_model, policy_evaluation, value_iteration
 from edugym.envs.study import Study
-from edugym.exact.model import finite_model
-from edugym.exact.policy_evaluation import policy_evaluation
-from edugym.exact.value_iteration import value_iteration
 from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets
 from tests.course.lessons.made_up import made_up, measured
 
 
-def test_target_against_samples() -> None:
-    """Mean and variance of the three-step target agree with sampled episodes of a random policy."""
-    task = Study.create(action_reward_noise_sigma=0.5)
-    model = finite_model(task)
-    policy = np.full(model.successors.shape[:2], 0.2)
-    Q = targets.true_values(model, policy) + 1.0
-    rng = np.random.default_rng(0)
-    several = []
-    for _ in range(10_000):
-        state, total = task.initial(rng), 0.0
-        for _ in range(3):
-            action = int(rng.integers(5))
-            next_state = task.transition(state, action, rng)
-            total += task.reward(state, action, next_state, rng)
-            state = next_state
-        several.append(total + Q[model.row(state), rng.integers(5)])
-    right = targets.target(model, policy, Q, 3, 0.5)
-    assert np.mean(several) == pytest.approx(right.mean, abs=0.04)
-    assert np.var(several) == pytest.approx(right.noise + right.exploration, rel=0.06)
-
-
-def test_target_at_the_fixed_point() -> None:
-    """With the values of the policy every n has the same mean; the variance grows with n."""
-    model = finite_model(Study.create())
-    policy = targets.soft_policy(model, 0.1)
-    Q = targets.true_values(model, policy)
-    several = [targets.target(model, policy, Q, n, 0.2) for n in range(1, targets.DAYS + 1)]
-    assert [one.mean for one in several] == pytest.approx([policy_evaluation(model, policy).start] * targets.DAYS)
-    variances = [one.noise + one.exploration for one in several]
-    assert variances == sorted(variances)
-
-
-def test_expected_returns_are_within_the_optimum() -> None:
-    """The exact greedy return of every run is at most the optimum of its layout, and differs between layouts."""
+def test_returns_of_layouts() -> None:
+    """The exact greedy return of every run is at most the optimum of its layout, which is that of planning."""
     results = methods.compare(n_steps=2_000, repetitions=3, seed=1)
     tasks = methods.layouts(results)
     assert len({task.lectures.tobytes() + task.action_rewards.tobytes() for task in tasks.values()}) == 3
@@ -58,39 +23,42 @@ def test_expected_returns_are_within_the_optimum() -> None:
         assert returns[repetition] <= optimum + 1e-9
     optimum, soft = methods.best_returns(tasks, 0.0, 0.1)
     assert soft < optimum
+    for seed in range(5):
+        task = Study.create(layout_seed=seed)
+        model = finite_model(task)
+        assert methods.best_returns({0: task}, 0.0, 0.1) == pytest.approx(
+            [value_iteration(model).start, value_iteration(model, epsilon=0.1).start]
+        )
 
 
 def test_hand_back_over_equal_episodes() -> None:
     """The reward is d steps back after k episodes as often as k tosses of a coin with α show ceil((d+1)/n) heads."""
-    alpha, episodes = 0.1, 40
-    for n in (1, 3, 5, math.inf):
-        values = credit.handed_back(n, alpha, episodes)
-        for d in range(targets.DAYS):
-            heads = 1 if n == math.inf else math.ceil((d + 1) / n)
-            expected = [
-                10 * sum(math.comb(k, i) * alpha**i * (1 - alpha) ** (k - i) for i in range(heads, k + 1))
-                for k in range(episodes + 1)
-            ]
-            np.testing.assert_allclose(values[:, targets.DAYS - 1 - d], expected, atol=1e-9)
+    values = credit.handed_back(3, 0.1, 40)
+    for d in range(targets.DAYS):
+        heads = [math.comb(40, i) * 0.1**i * 0.9 ** (40 - i) for i in range(math.ceil((d + 1) / 3), 41)]
+        assert values[-1, targets.DAYS - 1 - d] == pytest.approx(10 * sum(heads))
     assert [figures.episodes_until(credit.handed_back(n)) for n in (1, 3, 5, math.inf)] == [97, 37, 17, 7]
     assert figures.episodes_until(credit.handed_back(1, episodes=5)) == math.inf
 
 
-def test_parts_of_the_variance() -> None:
-    """They add up to the variance of the target, and more noise changes its own part only."""
+def test_bias_and_variance_of_targets() -> None:
+    """At the fixed point no n has a bias, and the variance, whose parts add up, grows with n."""
     low, high = figures.split(0.2), figures.split(1.0)
     noise, exploration = low
     np.testing.assert_allclose(low[exploration], high[exploration])
     np.testing.assert_allclose(high[noise], np.arange(1, targets.DAYS + 1))
     assert low[noise][-1] / (low[noise][-1] + low[exploration][-1]) == pytest.approx(targets.noise_share(0.2))
-
-
-def test_bias_is_zero_at_the_fixed_point_only() -> None:
-    """With values of 0 all but the last target miss the exam."""
     lines = figures.bias_series().lines
     np.testing.assert_allclose(lines["values learned"], 0.0, atol=1e-9)
     assert (lines["values still 0"][:-1] < -5).all()
     assert lines["values still 0"][-1] == pytest.approx(0.0)
+    model = finite_model(Study.create())
+    policy = targets.soft_policy(model, 0.1)
+    Q = targets.true_values(model, policy)
+    several = [targets.target(model, policy, Q, n, 0.2) for n in range(1, targets.DAYS + 1)]
+    assert [one.mean for one in several] == pytest.approx([policy_evaluation(model, policy).start] * targets.DAYS)
+    variances = [one.noise + one.exploration for one in several]
+    assert variances == sorted(variances)
 
 
 def test_uncorrected_targets() -> None:
@@ -108,29 +76,16 @@ def test_uncorrected_targets() -> None:
     assert off_policy.weighted_deviation(2.0, 2, 0.4, 4) == pytest.approx(2 * math.sqrt(1 / 0.7 - 1))
 
 
-def test_the_best_returns_are_those_of_planning() -> None:
-    """The optimum comes from a formula, the ε-soft one from the exact model."""
-    for seed in range(5):
-        task = Study.create(layout_seed=seed)
-        model = finite_model(task)
-        assert methods.best_returns({0: task}, 0.0, 0.1) == pytest.approx(
-            [value_iteration(model).start, value_iteration(model, epsilon=0.1).start]
-        )
-
-
-def test_who_met_the_exam() -> None:
-    """Whoever passes in the end has met it, and who never had time has not."""
+def test_pupils() -> None:
+    """Whoever passes has met the exam, who never had time has not; after many episodes a pupil passes."""
     results = methods.compare(depths=(1, math.inf), n_steps=3_000, repetitions=6, seed=2)
     for method in results.methods:
         assert (methods.passes(results, method) <= methods.met_exam(results, method)).all()
         short = methods.shortfall(results, method)
         assert math.isnan(short) or short >= 0
-    assert not methods.met_exam(methods.compare(depths=(1,), n_steps=10, repetitions=2), "n = 1").any()
-    assert math.isnan(methods.shortfall(methods.compare(depths=(1,), n_steps=10, repetitions=2), "n = 1"))
-
-
-def test_a_pupil_learns() -> None:
-    """After many episodes it passes on the layout that the lesson shows."""
+    too_short = methods.compare(depths=(1,), n_steps=10, repetitions=2)
+    assert not methods.met_exam(too_short, "n = 1").any()
+    assert math.isnan(methods.shortfall(too_short, "n = 1"))
     study = Study.create(layout_seed=5, action_reward_noise_sigma=0.2)
     early, late = (methods.greedy_return(study, methods.pupil(1, study, episodes)) for episodes in (60, 4_000))
     assert early < 0 < 5 < late

@@ -1,4 +1,4 @@
-"""Tables over the images of Catch: the claims hold with other seeds than those the lesson shows."""
+"""Tables over the images of Catch: what is seen, what is the same, and what the claims measure."""
 
 import math
 from typing import Any
@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.agents.dqn import DQN
+from edugym import DQN, Brightness
 from edugym.deep import baselines
 from edugym.envs.catch import Catch, Fall
-from edugym.mdp.brightness import Brightness
 from edugym_course.lessons.dimensionality import (
     baird,
     experiments,
@@ -29,20 +28,20 @@ from tests.course.lessons.made_up import Curve, made_up, measured
 from tests.experiments.figures.samples import heights, new_axes
 
 
-def test_rows_of_tables() -> None:
-    """250 for positions, and 2 and 256 to the power of how many numbers there are."""
+def test_sizes() -> None:
+    """Rows are what numbers there are to the power of how many; boards are states, and with noise all are new."""
     assert [sizes.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb")] == [250, 2**50, 256**150]
     assert sizes.rows_of_table("vectorised", 4, 3) == 36
-
-
-def test_boards_are_states() -> None:
-    """While the ball falls each state has a board of its own; fewer than 225, since the paddle starts in the middle."""
+    agent = methods.network()(tasks.catch("grid"))
+    assert sizes.n_weights() == agent.weights.first.size + agent.weights.second.size
     falling, boards = sizes.different_boards()
     assert falling == boards < (tasks.ROWS - 1) * tasks.COLUMNS * tasks.COLUMNS
+    assert sizes.new_share(methods.pixels()(0)) < 0.2
+    assert sizes.new_share(methods.pixels(sigma=0.1)(0)) == 1.0
 
 
-def test_balls_come_from_the_columns() -> None:
-    """And from all of them; the rest is that of the task."""
+def test_what_is_seen() -> None:
+    """Balls come from all columns that are given; coordinates go from 0 to 1; the offset is that to the paddle."""
     task, rng = tasks.catch("grid", tasks.WITHHELD), np.random.default_rng(0)
     starts = [task.initial(rng) for _ in range(50)]
     assert {state.ball_x for state in starts} == set(tasks.WITHHELD)
@@ -50,32 +49,28 @@ def test_balls_come_from_the_columns() -> None:
     board = np.zeros((tasks.ROWS, tasks.COLUMNS), np.float32)
     task.observe_into(starts[0], rng, board)
     assert (board == Catch.create().observation(starts[0], rng)).all()
-
-
-def test_offset() -> None:
-    """It sees where the ball is from the paddle, in every state."""
-    features, task, rng = Offset.create(tasks.ROWS, tasks.COLUMNS), Catch.create(), np.random.default_rng(0)
+    numbers = methods.catch_numbers()
+    assert numbers.observation(Fall(4, 9, 0), rng).tolist() == [1.0, 1.0, 0.0]
+    assert numbers.observation(Fall(2, 0, 1), rng).tolist() == [0.5, 0.0, 0.25]
+    features, whole = Offset.create(tasks.ROWS, tasks.COLUMNS), Catch.create()
     for ball in range(tasks.COLUMNS):
         for paddle in range(tasks.COLUMNS):
-            features.see(task.observation(Fall(ball, 3, paddle), rng).ravel())
+            features.see(whole.observation(Fall(ball, 3, paddle), rng).ravel())
             assert features.active[0] == ball - paddle + tasks.COLUMNS - 1
     assert features.n_features == 2 * tasks.COLUMNS - 1
 
 
-def test_new_share() -> None:
-    """Few boards are new without noise, and all with noise of real numbers."""
-    assert sizes.new_share(methods.pixels()(0)) < 0.2
-    assert sizes.new_share(methods.pixels(sigma=0.1)(0)) == 1.0
-
-
-def test_pixels_and_positions_are_one() -> None:
-    """The same learning curve, number for number; with a noisy pixel it is another one."""
+def test_what_is_the_same_is_so_number_for_number() -> None:
+    """Tables over pixels and positions learn the same, and so do DQN and its open copy; with more levels it is not."""
     curves = [
         methods.learn(task, "one", n_steps=4_000, repetitions=2, seed=5).curves("one").to_numpy()
         for task in (tasks.catch("vectorised"), methods.pixels(), methods.pixels(levels=4))
     ]
     assert (curves[0] == curves[1]).all()
     assert (curves[0] != curves[2]).any()
+    how: Any = {"n_steps": 1_000, "repetitions": 1, "jobs": 1}
+    one, two = (methods.learn(methods.seen(), "one", methods.network(kind), **how) for kind in (DQN, OpenDQN))
+    assert one.curves("one").equals(two.curves("one"))
 
 
 def test_settings_in_the_text() -> None:
@@ -86,30 +81,12 @@ def test_settings_in_the_text() -> None:
     assert {(agent.discount, agent.exploration.epsilon) for agent in agents.values()} == {(0.9, 0.1)}
 
 
-@pytest.mark.slow
-def test_what_generalises() -> None:
-    """On trained columns both catch; on withheld ones only the features that fit."""
-    results = methods.generalise(repetitions=2, seed=4)
-    table, offset = (methods.returns_by_column(results[label]) for label in (methods.TABLE, methods.OFFSET))
-    assert table.shape == (tasks.COLUMNS, 2)
-    assert (table[[*tasks.TRAINED]] == 1.0).all()
-    assert (table[[*tasks.WITHHELD]] < 0.5).all()
-    assert (offset == 1.0).all()
-
-
 def test_the_triad() -> None:
-    """The weight grows by its factor, shrinks below a discount of one half, and on-policy it always does."""
+    """W grows by its factor, and shrinks below γ = 1/2; Baird's first error is 0.99 (10 + 2) - (2 + 1) = 8.88."""
     assert triad.w_to_2w(10, 0.9, 0.1)[-1] == pytest.approx((1 + 0.1 * 0.8) ** 10)
     assert triad.w_to_2w(100, 0.4, 0.1)[-1] < 0.2
     assert abs(triad.w_to_2w(100, 1.0, 0.1, whole_way=True)[-1]) < 1e-6
     assert 1.0 < triad.w_to_2w(100, 0.9, 0.1, copy_every=20)[-1] < triad.w_to_2w(100, 0.9, 0.1)[-1]
-
-
-def test_bairds_weights_by_hand() -> None:
-    """The first update of the solid action: from a state i below 6 to state 6, whose value is 10 + 2 = 12.
-
-    The value of i is 2 + 1 = 3, so the error is 0.99 * 12 - 3 = 8.88. Times α = 0.05, w_i gains twice that, w_8 once.
-    """
     changes = np.diff(baird.weights_of_solid(n_steps=40), axis=0)
     first = changes[changes.any(axis=1)][0]
     assert first[7] == pytest.approx(0.05 * 8.88)
@@ -119,36 +96,6 @@ def test_bairds_weights_by_hand() -> None:
     assert mdp.observation(6, rng) @ np.arange(8) == 6 + 2 * 7
 
 
-def test_open_dqn_is_dqn() -> None:
-    """The same run, number for number."""
-    one, two = (
-        methods.learn(methods.seen(), "one", methods.network(kind), n_steps=1_000, repetitions=1, jobs=1)
-        .curves("one")
-        .to_numpy()
-        for kind in (DQN, OpenDQN)
-    )
-    assert (one == two).all()
-
-
-def test_coordinates() -> None:
-    """From 0 to 1, from the first to the last column and row."""
-    task, rng = methods.catch_numbers(), np.random.default_rng(0)
-    assert task.observation(Fall(4, 9, 0), rng).tolist() == [1.0, 1.0, 0.0]
-    assert task.observation(Fall(2, 0, 1), rng).tolist() == [0.5, 0.0, 0.25]
-
-
-def test_linear_weights_that_catch_every_ball_exist() -> None:
-    """A step to the side pays as much as the ball is to that side of the paddle, and staying pays half."""
-    agent, columns = methods.linear()(tasks.catch("grid")), np.arange(tasks.COLUMNS)
-    to_the_right = np.append(np.tile(columns, tasks.ROWS - 1), -columns)  # the paddle is in the last row
-    agent.weights[:-1] = np.outer(to_the_right, [-1.0, 0.0, 1.0])
-    agent.weights[-1] = [0.0, 0.5, 0.0]
-    rng = np.random.default_rng(0)
-    assert all(
-        methods.play_on(agent, "grid", Fall(ball, 0, tasks.COLUMNS // 2), rng)[1] for ball in range(tasks.COLUMNS)
-    )
-
-
 @pytest.mark.slow
 def test_weights_that_never_learned() -> None:
     """Those from pixels where there was never a ball, nor the paddle."""
@@ -156,21 +103,6 @@ def test_weights_that_never_learned() -> None:
     learned = figures.ever_learned(results.agents[methods.NETWORK][0])
     assert not learned[:-1, [*tasks.WITHHELD]].any()
     assert learned[:-1, [*tasks.TRAINED]].any()
-
-
-def test_number_of_weights() -> None:
-    """That of the network itself."""
-    agent = methods.network()(tasks.catch("grid"))
-    assert sizes.n_weights() == agent.weights.first.size + agent.weights.second.size
-
-
-def test_stored_networks_share_over_columns() -> None:
-    """The network whose filters slide over the columns catches balls from new ones; the other one does not."""
-    small, column = (
-        figures.shared_by_column(label)[[*tasks.WITHHELD]].mean() for label in (sharing.SMALL, sharing.COLUMN)
-    )
-    assert column > 0.7
-    assert small < 0.2
 
 
 GRID, CNN = (tasks.ROWS, tasks.COLUMNS), networks.with_cnn(SmallCNN)
@@ -201,13 +133,23 @@ def test_what_each_label_stands_for(
     assert asked == (algorithm, shape, is_dark, 9, how)
 
 
-def test_arrows_point_where_the_paddle_goes() -> None:
-    """Its column is on the horizontal axis: right of it the cell of an arrow to the right."""
+def test_figures_of_columns() -> None:
+    """Arrows point where the paddle goes; full dots for trained columns stand above empty ones, with bars."""
     results = methods.generalise([methods.OFFSET], n_steps=4_000, repetitions=1, jobs=1)
     (ax,) = figures.policy_maps(results, [methods.OFFSET]).draw().axes
     arrows = {text.get_position(): text.get_text() for text in ax.texts}
     assert ax.get_xlabel() == "column of the paddle"
     assert [arrows[paddle, 2] for paddle in range(tasks.COLUMNS)][1::2] == ["→", "←"]
+    by_column = np.array([[0.9, 0.7], [-0.5, 0.1], [0.9, 0.7], [-0.5, 0.1], [0.9, 0.7]])
+    dotted = figures.Dots({"one": by_column, "other": np.ones((5, 3))}).draw(new_axes())
+    bars, dots = dotted.lines[0:4:2], dotted.lines[1:4:2]
+    places = [(float(np.asarray(dot.get_xdata())[0]), heights(dot)[0]) for dot in dots]
+    assert places == [pytest.approx((0.8, -0.14)), pytest.approx((-0.2, 0.14))]
+    assert [str(dot.get_markerfacecolor()) for dot in dots] == [str(dots[0].get_color()), "white"]
+    ends = [np.asarray(bar.get_xdata()).tolist() for bar in bars]
+    assert ends == [pytest.approx([-0.4706, 1.0], abs=1e-3), [-1.0, 1.0]]
+    assert [label.get_text() for label in dotted.get_yticklabels()] == ["one", "other"]
+    assert dotted.get_ylim()[0] > dotted.get_ylim()[1]
 
 
 def test_dimensionality_on_columns_of_training_and_others() -> None:
@@ -224,14 +166,9 @@ def test_dimensionality_on_columns_of_training_and_others() -> None:
     assert measured(experiments.sharing_claims(tests)) == [at[label] + 5.0 for label in labels_of_networks]
 
 
-SLOW_AND_FAST: list[Curve] = [
-    {0: 0.0, 10: 0.99, 20: 0.0, 60: 0.0},
-    {0: 0.0, 10: 0.98, 20: 0.99, 60: 1.0},
-    {0: 0.0, 10: 0.0, 20: 0.0, 60: 1.0},
-]
-
-
-SELDOM = [SLOW_AND_FAST[0], *[{0: 0.0, 10: 0.5, 20: 0.5, 60: 0.5}] * 2]
+FAST: Curve = {0: 0.0, 10: 0.99, 20: 0.0, 60: 0.0}
+SLOW_AND_FAST = [FAST, {0: 0.0, 10: 0.98, 20: 0.99, 60: 1.0}, {0: 0.0, 10: 0.0, 20: 0.0, 60: 1.0}]
+SELDOM = [FAST, *[{0: 0.0, 10: 0.5, 20: 0.5, 60: 0.5}] * 2]
 
 
 @pytest.mark.parametrize(("curves", "median"), [(SLOW_AND_FAST, 20.0), (SELDOM, math.inf)])
@@ -243,17 +180,3 @@ def test_the_run_in_the_middle(curves: list[Curve], median: float, monkeypatch: 
     assert clock.seconds_to("one", 0.99) == pytest.approx(median)
     monkeypatch.setattr(methods, "learn", lambda task, label, *more, **how: made_up({label: curves}, 60))
     assert {*methods.steps_to_solve(3).values()} == {median}
-
-
-def test_returns_on_columns_of_training_and_on_others() -> None:
-    """The first are a full dot above an empty one for the others; bars end where returns do."""
-    by_column = np.array([[0.9, 0.7], [-0.5, 0.1], [0.9, 0.7], [-0.5, 0.1], [0.9, 0.7]])
-    ax = figures.Dots({"one": by_column, "other": np.ones((5, 3))}).draw(new_axes())
-    bars, dots = ax.lines[0:4:2], ax.lines[1:4:2]
-    places = [(float(np.asarray(dot.get_xdata())[0]), heights(dot)[0]) for dot in dots]
-    assert places == [pytest.approx((0.8, -0.14)), pytest.approx((-0.2, 0.14))]
-    assert [str(dot.get_markerfacecolor()) for dot in dots] == [str(dots[0].get_color()), "white"]
-    ends = [np.asarray(bar.get_xdata()).tolist() for bar in bars]
-    assert ends == [pytest.approx([-0.4706, 1.0], abs=1e-3), [-1.0, 1.0]]
-    assert [label.get_text() for label in ax.get_yticklabels()] == ["one", "other"]
-    assert ax.get_ylim()[0] > ax.get_ylim()[1]

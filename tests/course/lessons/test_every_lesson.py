@@ -4,12 +4,15 @@ import ast
 import re
 import threading
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
+import build
 import pytest
 
 import edugym_course.lessons
 from edugym_course.lessons import lesson_names, load_experiments
+from tests.course.lessons.shown import NOTEBOOKS
 
 FOLDER = Path(edugym_course.lessons.__path__[0])
 NO_SENTENCE = re.compile(
@@ -79,7 +82,7 @@ def test_every_claim_holds(lesson: str) -> None:
 
 
 def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A new folder needs no list. Lessons come by their numbers, and those without one follow by name."""
+    """A new folder needs no list: lessons come by their numbers, then by name; one that is unknown is named."""
     for name, line in (("zebra", ""), ("first", '"""First (lesson 0): it comes first."""'), ("apple", "")):
         (tmp_path / name).mkdir()
         (tmp_path / name / "__init__.py").write_text(f"{line}\n")
@@ -90,9 +93,34 @@ def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.Monk
         "first", "exploration", "apple", "zebra"
     ]  # fmt: skip
     assert str(load_experiments("zebra").report) == "found here"
-
-
-def test_unknown_lessons_are_named() -> None:
-    """The message lists the lessons."""
     with pytest.raises(ValueError, match=r"lesson must be one of .*'exploration'.* but is 'explore'"):
         load_experiments("explore")
+
+
+VISIBLE = re.compile(r"^check\((exercise_\d), (\w+)\)$", re.MULTILINE)
+HIDDEN = re.compile(r"^### BEGIN HIDDEN TESTS\n(.+)\n### END HIDDEN TESTS$", re.MULTILINE)
+
+
+def checks(lesson: str) -> Iterator[tuple[str, int, bool]]:
+    """Yield the source of the cells that check the exercises, their points, and whether the answer is code."""
+    cells = build.read_lesson(NOTEBOOKS[lesson]).cells
+    for before, cell in pairwise(cells):
+        if "check" in cell.metadata.get("tags", []):
+            found = VISIBLE.search(cell.source)
+            assert found, cell.source
+            is_code = re.search(rf"^(def|class) {found[2]}\b", before.source, re.MULTILINE) is not None
+            assert is_code or re.search(rf"^{found[2]} = ", before.source, re.MULTILINE), cell.source
+            yield cell.source, cell.metadata.get("points", 1), is_code
+
+
+@pytest.mark.parametrize("lesson", NOTEBOOKS)
+def test_every_check_checks_what_stands_before_it(lesson: str) -> None:
+    """In order, for one to five points; code is checked again with another seed, and says nothing then."""
+    found = [*checks(lesson)]
+    assert found
+    for number, (source, points, is_code) in enumerate(found, start=1):
+        assert points in range(1, 6)
+        visible = VISIBLE.findall(source)
+        assert [exercise for exercise, _ in visible] == [f"exercise_{number}"]
+        again = f"check(exercise_{number}, {visible[0][1]}, seed=1, quiet=True)"
+        assert HIDDEN.findall(source) == ([again] if is_code else [])

@@ -1,74 +1,24 @@
-"""Exploration on Boulder: without what makes them remedies they fail too, and what the lesson counts is right."""
+"""Exploration on Boulder: what is counted on walls, by hand, and what the claims measure."""
 
 import math
-from collections.abc import Callable
-from functools import partial
-from typing import Any
 
 import numpy as np
 import pytest
 
-from edugym import EpsilonGreedy, QLearning, make_mdp
-from edugym.experiments.results.claims import Above, Below
+from edugym import make_mdp
 from edugym_course.lessons.exploration import climbs, experiments, figures, fork, methods, stalling
 from tests.course.lessons.made_up import finals, follower, made_up, measured
 
-SOLVES, FAILS = Above(0.5), Below(0.5)
 
-
-def goes_nowhere(environment: Any) -> Any:
-    """Go-Explore that never returns: the ground always counts as the state it has visited least."""
-    agent = methods.METHODS[methods.GO_EXPLORE](environment)
-    agent.visits[1:] = 10**9
-    return agent
-
-
-def optimistic(environment: Any) -> QLearning:
-    """ε-greedy from high values: what has not been tried looks best."""
-    return QLearning.create(environment, learning_rate=0.5, discount=0.9, initial_value=1.0)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("make", "height", "expected"),
-    [
-        (partial(methods.METHODS[methods.NOVELTY], bonus=0.0), 30, FAILS),
-        (partial(methods.METHODS[methods.NOVELTY], exploration=EpsilonGreedy(0.0)), 30, FAILS),
-        (goes_nowhere, 30, FAILS),
-        (goes_nowhere, 10, SOLVES),  # random search from the ground, with a memory of how it got there
-        (optimistic, 30, SOLVES),
-    ],
-)
-def test_what_makes_the_remedy(make: Callable[..., Any], height: int, expected: Above | Below) -> None:
-    """Without the bonus, without exploring steps, or without returning first, there is no remedy; optimism is one."""
-    share = methods.compare(height, methods={"control": make}, repetitions=20, seed=1).share("control", at_least=1.0)
-    assert expected.holds(share), str(share)
-
-
-def test_random_search_formula() -> None:
-    """(N^(H+1) - N)/(N - 1), by first-step analysis: E_s = 1 + E_{s+1}/N + (1 - 1/N) E_0, E_H = 0."""
-    for n_grips, height in ((2, 1), (2, 10), (3, 5), (7, 3)):
-        p = 1 / n_grips
-        equations = np.eye(height)
-        for state in range(height):
-            equations[state, 0] -= 1 - p
-            if state + 1 < height:
-                equations[state, state + 1] -= p
-        steps = np.linalg.solve(equations, np.ones(height))[0]
-        assert steps == pytest.approx(climbs.random_search_steps(n_grips, height))
-    assert climbs.random_search_steps(2, 10) == 2046
-
-
-def test_share_of_climbs_by_hand() -> None:
-    """Four climbs: two fall at once, one from height 1, and one gets to the top of a wall of two."""
+def test_visits_by_hand() -> None:
+    """Of one wall and of two; with three grips random climbers fail more often."""
+    assert [climbs.random_search_steps(*wall) for wall in ((2, 1), (2, 10), (3, 5), (7, 3))] == [2, 2046, 363, 399]
+    # Four climbs: two fall at once, one from height 1, and one gets to the top of a wall of two.
     visits = np.array([[3, 1, 0], [1, 1, 1]])
     assert climbs.share_of_climbs(visits).tolist() == [1.0, 0.5, 0.25]
     assert climbs.frontier(visits) == 2
     assert climbs.first_at_top(visits, 1_000) == 500.0
 
-
-def test_frontier_recorder_by_hand() -> None:
-    """On a wall of two: wrong, right at the ground; then from the ground up, wrong and right at height 1."""
     wall = make_mdp("Boulder", height=2)
     recorder = stalling.record_frontier(methods.METHODS[methods.EPSILON_GREEDY], wall)
     for state, next_state in ((0, 0), (0, 1), (1, 0), (0, 1), (1, 2)):
@@ -76,10 +26,21 @@ def test_frontier_recorder_by_hand() -> None:
     assert recorder.visits[:3].tolist() == [2, 2, 0]
     assert recorder.right[:3].tolist() == [0, 2, 0]
 
-
-def test_highest_so_far_by_hand() -> None:
-    """It never falls."""
     assert figures.highest_so_far(np.array([[3, 1, 0, 0], [2, 1, 1, 0], [4, 0, 0, 0]])).tolist() == [0, 1, 2, 2]
+
+    # Ground, two positions on the left, two on the right; the run turns twice and gives up the right top.
+    visits = np.array([[1, 3, 0, 1, 0], [1, 1, 0, 2, 1], [1, 4, 1, 1, 0], [1, 2, 0, 0, 0]])
+    left, right = fork.branches(visits)
+    assert left.tolist() == [[3, 0], [1, 0], [4, 1], [2, 0]]
+    assert right.tolist() == [[1, 0], [2, 1], [1, 0], [0, 0]]
+    assert fork.turns(visits) == 2
+    assert not fork.returns_to(visits)
+    visits[3, 4] = 1
+    assert fork.returns_to(visits)
+
+    assert methods.best_return(1, 1.0) == pytest.approx(1 - 0.5**10)
+    assert methods.best_return(1, 1.0, 3) == pytest.approx(1 - (2 / 3) ** 10)
+    assert methods.best_return(30) == 1.0
 
 
 def test_both_walls_of_the_fork() -> None:
@@ -93,25 +54,6 @@ def test_both_walls_of_the_fork() -> None:
     assert [forked.terminal(state) for state in range(7)] == [False] * 6 + [True]
     assert forked.reward(5, 0, 6, rng) == 1.0
     assert forked.reward(2, 0, 3, rng) == 0.0
-
-
-def test_visits_of_two_branches_by_hand() -> None:
-    """Ground, two positions on the left, two on the right; the run turns twice and gives up the right top."""
-    visits = np.array([[1, 3, 0, 1, 0], [1, 1, 0, 2, 1], [1, 4, 1, 1, 0], [1, 2, 0, 0, 0]])
-    left, right = fork.branches(visits)
-    assert left.tolist() == [[3, 0], [1, 0], [4, 1], [2, 0]]
-    assert right.tolist() == [[1, 0], [2, 1], [1, 0], [0, 0]]
-    assert fork.turns(visits) == 2
-    assert not fork.returns_to(visits)
-    visits[3, 4] = 1
-    assert fork.returns_to(visits)
-
-
-def test_best_returns_by_hand() -> None:
-    """On a wall of one a random climber fails ten times with probability 1 / 2^10; with three grips more often."""
-    assert methods.best_return(1, 1.0) == pytest.approx(1 - 0.5**10)
-    assert methods.best_return(1, 1.0, 3) == pytest.approx(1 - (2 / 3) ** 10)
-    assert methods.best_return(30) == 1.0
 
 
 def test_exploration() -> None:
@@ -143,8 +85,8 @@ def test_exploration() -> None:
     ]  # fmt: skip
 
 
-def test_who_leads_to_the_frontier() -> None:
-    """Who takes the right grips of its own wall up to its frontier, whatever it does beyond."""
+def test_who_knows_the_wall() -> None:
+    """Who takes the right grips of its own wall leads to its frontier; on a wall of three 0.95³ of all climbs do."""
     walls = [make_mdp("Boulder", height=5, layout_seed=seed).grips.tolist() for seed in (3, 4)]
     assert walls[0][:3] != walls[1][:3]
     visits = np.array([[3, 2, 0, 0, 0, 0], [3, 1, 1, 1, 0, 0]])
@@ -154,16 +96,12 @@ def test_who_leads_to_the_frontier() -> None:
     assert climbs.greedy_leads_to_frontier(results, method, 5) == [True, True]
     exchanged = made_up({method: [{10: 0.0}] * 2}, agents={method: right[::-1]}, layout_seed=[3, 4])
     assert climbs.greedy_leads_to_frontier(exchanged, method, 5) == [False, False]
-
-
-def test_climbs_of_who_knows_the_wall() -> None:
-    """On a wall of three 0.95³ of the climbs get up; a wrong grip is a new climb."""
     share = climbs.watch_climbs(3, n_steps=20_000, repetitions=2, jobs=1)
     assert share.estimate == pytest.approx(0.95**3, abs=0.012)
 
 
-def test_two_branches() -> None:
-    """Three turns and one, half of the runs come back to both frontiers, and the frontiers are 2 and 1, below 3."""
+def test_claims_of_frontiers() -> None:
+    """Three turns and one, frontiers of 2 and 1; at a frontier 3 of 4 grips are right on first visits, later 1 of 4."""
     runs = [
         follower({}, visits=np.array(visits))
         for visits in (
@@ -176,12 +114,8 @@ def test_two_branches() -> None:
     results, one_wall = (made_up({method: [{10: 0.0}] * 2}, agents={method: agents}) for agents in (runs, [wall, wall]))
     assert measured(fork.fork_claims(results, one_wall)) == [2.0, 0.5, -1.5]
 
-
-def test_grips_at_the_frontier() -> None:
-    """On first visits 3 of 4 and 1 of 2 are right, later 1 of 4; of a frontier with few visits nothing is drawn."""
     visits, right = np.zeros((2, 2, 10), np.int64)
     visits[0, :3], right[0, :2], visits[1, 0], right[1, 0] = [4, 3, 1], [3, 1], 2, 1
-    method = methods.NOVELTY
     runs = [follower({}, visits=one, right=other) for one, other in zip(visits, right, strict=True)]
     watched = made_up({method: [{10: 0.0}] * 2}, agents={method: runs})
     assert stalling.right_grips(watched, method, 1, 1) == [0.75, 0.5]

@@ -1,8 +1,7 @@
 """What the figures of each lesson show is what `figures.txt` in its folder says: panels, labels, series, exact numbers.
 
-Training is made up. Of a series that depends on it the file has the label alone, and of learning curves whose they are:
-the agent, and the settings in which curves and panels differ. The numbers of all other series, which theory and
-planning give, are the first and the last one. Colours, sizes, places, and what all curves have in common are not in it.
+Training is made up: of a series that depends on it the file has the label alone, and of learning curves whose they are.
+Of all others, which theory and planning give, it has the first and the last number; it has no colours, sizes or places.
 """
 
 import re
@@ -16,11 +15,9 @@ import pytest
 from matplotlib.container import BarContainer
 
 from edugym.experiments.figures import Curves, Sheet
-from tests.course.lessons.figures import check_legends
-from tests.course.lessons.shown import NOTEBOOKS, sheets_of_cells, sheets_of_report
+from tests.course.lessons.shown import NOTEBOOKS, check_legends, sheets_of_cells, sheets_of_report
 
-IN_CELLS = "In the cells"
-"""The line of the file between the figures of the report and those that only cells show."""
+IN_CELLS = "In the cells"  # the line of the file between the figures of the report and those that only cells show
 NUMBERS = re.compile(r" \[(\S+), (\S+)\]$")
 
 
@@ -113,9 +110,8 @@ def check(text: str, found: dict[str, list[Series]]) -> None:
         for line, one in zip(lines, series, strict=True):
             assert one.label.startswith(NUMBERS.sub("", line.strip())), written  # the file may leave settings out
             if numbers := NUMBERS.search(line):
-                assert [*map(float, numbers.groups())] == pytest.approx(one.ends, rel=2e-3, abs=1e-9), (
-                    f"{written}: {line}"
-                )
+                ends = [*map(float, numbers.groups())]
+                assert ends == pytest.approx(one.ends, rel=2e-3, abs=1e-9), f"{written}: {line}"
     assert {written for written, *_ in blocks} == {*found}
 
 
@@ -163,10 +159,5 @@ def test_figures_of_the_cells(lesson: str) -> None:
 
 
 def only_in_cells(sheets: list[Sheet], report: Container[str]) -> dict[str, list[Series]]:
-    """Return what sheets show on panels that are not in the report.
-
-    Args:
-        sheets: the sheets of the cells.
-        report: what is written on the panels of the report.
-    """
+    """Return what the sheets of cells show on panels that are not in the report."""
     return {written: series for written, series in shown_in(sheets).items() if written not in report}

@@ -9,10 +9,14 @@ from edugym_course.lessons.loop import exact, experiments, figures, methods, pan
 from tests.course.lessons.made_up import made_up, measured
 
 
-def test_discounted_by_hand() -> None:
-    """1 + 2/2 + 4/4; with discount 0 the first reward, with 1 the sum."""
+def test_returns() -> None:
+    """1 + 2/2 + 4/4, as backwards; with discount 0 the first reward, with 1 the sum."""
     rewards = np.array([1.0, 2.0, 4.0])
     assert [exact.discounted(rewards, discount) for discount in (0.0, 0.5, 1.0)] == [1.0, 3.0, 7.0]
+    assert exact.returns_along(rewards, 0.5).tolist() == [3.0, 4.0, 4.0]
+    way = exact.rewards_along(exact.best_way(0.95))
+    assert exact.returns_along(way, 0.95)[0] == pytest.approx(value_iteration(exact.model(), 0.95).start)
+    assert len(exact.best_way(0.0)) == methods.MAX_STEPS + 1
 
 
 @pytest.mark.parametrize(("discount", "items"), methods.ITEMS.items())
@@ -25,19 +29,10 @@ def test_best_way(discount: float, items: int) -> None:
     assert exact.items_on(way) == items
 
 
-def test_without_a_future_there_is_no_way() -> None:
-    """With discount 0 all steps look the same."""
-    assert len(exact.best_way(0.0)) == methods.MAX_STEPS + 1
-
-
 def test_players() -> None:
-    """Random play is worst, leaving and the next reward are a little better, and all are far from the optimum."""
+    """Random play is worst; half of its episodes are truncated, which costs 500 points, and the others end."""
     assert -500.0 < exact.random_return() < exact.leaving_return() < exact.myopic_return() < 0.0 < methods.OPTIMUM
     assert 0.0 < exact.misled() < 1.0
-
-
-def test_half_of_the_random_episodes_are_truncated() -> None:
-    """As the lesson says; those that are cost 500 points, but for items, and the others end with the exit."""
     env = gymnasium.make("edugym/Supermarket-v0")
     env.reset(seed=1)
     env.action_space.seed(3)
@@ -47,36 +42,11 @@ def test_half_of_the_random_episodes_are_truncated() -> None:
     assert max(total for total, late in zip(totals, cut_off, strict=True) if late) <= -methods.MAX_STEPS + 75
 
 
-def test_returns_backwards() -> None:
-    """1 + (2 + 4/2)/2, as forwards."""
-    rewards = np.array([1.0, 2.0, 4.0])
-    assert exact.returns_along(rewards, 0.5).tolist() == [3.0, 4.0, 4.0]
-    way = exact.rewards_along(exact.best_way(0.95))
-    assert exact.returns_along(way, 0.95)[0] == pytest.approx(value_iteration(exact.model(), 0.95).start)
-
-
-def test_the_exact_table_makes_right_choices_only() -> None:
-    """An empty one makes them by chance, since all are equal."""
+def test_right_choices() -> None:
+    """The exact table makes no others, an empty one makes them by chance; the shares of the parts make the whole."""
     assert exact.right_choices(exact.best_table(methods.DISCOUNT), methods.DISCOUNT) == 1.0
     assert 0.25 < exact.right_choices(np.zeros((800, 4)), methods.DISCOUNT) < 0.45
     assert (exact.untried(exact.best_table(methods.DISCOUNT)), exact.untried(np.zeros((800, 4)))) == (0.0, 1.0)
-
-
-def test_an_agent_knows_its_way_and_not_the_shop() -> None:
-    """As the lesson says: the value of the start is right in most runs, and half of the choices are."""
-    agents = [figures.agent_after(20_000, seed=seed) for seed in range(20, 26)]
-    start = value_iteration(exact.model(), methods.DISCOUNT).start
-    assert np.median([agent.Q[8].max() for agent in agents]) == pytest.approx(start, abs=0.1)
-    assert 0.4 < np.mean([exact.right_choices(agent.Q, methods.DISCOUNT) for agent in agents]) < 0.55
-    assert 0.3 < np.mean([exact.untried(agent.Q) for agent in agents]) < 0.65
-    unseen, seen = (
-        np.mean([exact.right_choices(agent.Q, methods.DISCOUNT, tried) for agent in agents]) for tried in (False, True)
-    )
-    assert unseen < 0.4 < 0.5 < seen < 0.65
-
-
-def test_shares_of_the_parts_make_the_whole() -> None:
-    """Tried states and the others, weighted by their numbers."""
     Q = figures.agent_after(2_000).Q
     share, parts = exact.untried(Q), [exact.right_choices(Q, methods.DISCOUNT, tried) for tried in (False, True)]
     assert share * parts[0] + (1 - share) * parts[1] == pytest.approx(exact.right_choices(Q, methods.DISCOUNT))
@@ -90,7 +60,7 @@ def test_arrows() -> None:
 
 
 def test_bags() -> None:
-    """The name of each says which items are in it; a map is that of the bag in its title."""
+    """The name of each says which items are in it, and a map is that of the bag in its title."""
     worth = {"empty": 0, "red": 4, "blue": 2, "green": 1, "all three": 7}
     assert {name: sum(worth[item] for item in name.split(" and ")) for name in figures.BAGS} == figures.BAGS
     assert sorted(figures.BAGS.values()) == [*range(8)]
@@ -98,10 +68,6 @@ def test_bags() -> None:
         maps = [panel for row in sheet.rows for panel in row if isinstance(panel, panels.ValueMap)]
         assert [("bag: blue" in panel.title, panel.items) for panel in maps] == [(True, 2)] * len(maps)
         assert maps
-
-
-def test_learned_beside_exact_names_the_bag_that_is_drawn() -> None:
-    """The value of the first state is the same for every bag; the map is not."""
     learned, right = figures.learned_beside_exact(20_000, "red").rows[0]
     start = value_iteration(exact.model(), methods.DISCOUNT).start
     assert learned.title == f"after 20 000 steps, bag: red\nvalue of the first state: {start:.1f}"

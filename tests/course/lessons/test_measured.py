@@ -93,23 +93,6 @@ def test_the_text_says_what_was_measured(lesson: str) -> None:
     assert [name for name, text in in_other_words.items() if text not in found[name].text or says(found[name])] == []
 
 
-@pytest.mark.parametrize(
-    ("measured", "options", "text", "right"),
-    [
-        ("97 episodes", [], "79 episodes with $n = 1$", False),
-        ("32.8 %", [], "33 %, only a little more than chance.", True),
-        ("-313 points", [], "−313 points.", True),
-        ("-313 points", [], "313 points.", False),
-        ("worse", ["better", "worse"], "Better, by more than one.", False),
-        ("γ = 0", ["γ = 0", "γ = 1"], r"With $\gamma = 1$ it is ahead.", False),
-        ("2", ["none", "2", "3"], "Two. It is blind.", True),
-    ],
-)
-def test_what_says_it(measured: str, options: list[str], text: str, right: bool) -> None:
-    """Numbers, small numbers as words, and the option that fits best."""
-    assert says(Told("", options, measured, text)) == right
-
-
 def numbers(text: str) -> list[str]:
     """Return the numbers of a text, without the spaces between their thousands."""
     return [number.replace(" ", "") for number in NUMBER.findall(text)]
@@ -146,9 +129,3 @@ def not_shown(lesson: str) -> list[str]:
 def test_numbers_in_the_text_are_shown(lesson: str) -> None:
     """If the text says a number that no cell shows, look at where it comes from, and list it in `by_hand.toml`."""
     assert not_shown(lesson) == by_hand(lesson)[0]
-
-
-@pytest.mark.parametrize(("number", "right"), [("79", False), ("33", True), ("0.33", True), ("5800", True)])
-def test_what_is_shown(number: str, right: bool) -> None:
-    """As it is, rounded, as a percentage."""
-    assert is_shown(number, ["97", "0.3284", "5812"]) == right

@@ -32,15 +32,15 @@ def test_perfect_play_is_that_of_the_task() -> None:
     assert state.length == 5
 
 
-def test_notes() -> None:
-    """A player with the right memory opens a thousand right doors, in every episode."""
+def test_numbers_in_the_text() -> None:
+    """Notes open a thousand right doors; a table over 25 frames has 27 petabytes; a window of one guesses."""
     assert players.remember(repetitions=3).final("notes").tolist() == [1_000.0] * 3
-
-
-def test_dense_table() -> None:
-    """A table over single frames has 4 rows of 3 numbers of 8 bytes; one over 25 has 27 petabytes."""
     assert windows.dense_table(1) == 96
     assert round(windows.dense_table(25) / 1e15) == 27
+    guessed = windows.best_play(1)
+    assert guessed.through[0] == 1.0
+    assert guessed.through[1] == pytest.approx(1 / 3)
+    assert guessed.value > 1.0 + 2 / 3
 
 
 @pytest.mark.parametrize(("k", "actions"), [(1, False), (4, False), (7, False), (2, True), (5, True), (7, True)])
@@ -51,26 +51,6 @@ def test_best_play(k: int, actions: bool) -> None:
     assert best.through[sure] < 1.0
     assert sure * (sure + 1) / 2 < best.value < (sure + 2) * (sure + 3) / 2
     assert [*best.through] == sorted(best.through, reverse=True)
-
-
-def test_best_play_of_the_smallest_window() -> None:
-    """With one observation unmarked doors are guessed: corridor L is passed with probability 3 to the power 1 - L."""
-    through = np.cumprod([3.0 ** (1 - length) for length in range(1, 10)])
-    guessed = windows.best_play(1)
-    # One door can be opened at every unmarked place only, so that the guesses of an episode are not independent.
-    assert guessed.through[0] == 1.0
-    assert guessed.through[1] == pytest.approx(through[1])
-    assert guessed.value > 1.0 + 2 / 3
-
-
-@pytest.mark.slow
-def test_learning_comes_close_to_the_best_play() -> None:
-    """Q-learning with other seeds than the lesson's."""
-    for k, actions in ((3, False), (3, True)):
-        learned = players.late(
-            players.learn(k, actions, n_steps=50_000, repetitions=10, seed=3), players.name(k)
-        ).mean()
-        assert learned == pytest.approx(windows.best_play(k, actions).value, abs=0.4)
 
 
 def test_twins() -> None:
@@ -90,18 +70,13 @@ def test_twins() -> None:
         figures.twin_figure(5, 4, actions=True)
 
 
-def test_eyes_shut_on_the_lake() -> None:
-    """The row of a window grows by its digits: nothing is seen, four actions."""
-    ice = lake.blind_lake(3, actions=True)
-    assert ice.reset(seed=0)[0] == 0
-    rows = [ice.step(action)[0] for action in (1, 1, 2)]
-    assert rows == [1, 1 * 4 + 1, 1 * 4 + 2]
-    assert ice.observation_space.n == 16
+def test_windows_on_the_lake() -> None:
+    """The row of a window grows by its digits: 4 actions where nothing is seen, of 16 cells and 4 actions else."""
+    blind = lake.blind_lake(3, actions=True)
+    assert blind.reset(seed=0)[0] == 0
+    assert [blind.step(action)[0] for action in (1, 1, 2)] == [1, 1 * 4 + 1, 1 * 4 + 2]
+    assert blind.observation_space.n == 16
     assert lake.blind_lake(6, actions=False).observation_space.n == 1
-
-
-def test_a_window_on_a_lake_that_is_seen() -> None:
-    """Two cells, or two cells and the step between them: three digits, of 16 cells and 4 actions."""
     ice = gymnasium.make("FrozenLake-v1", is_slippery=False)
     right, down = 2, 1
     seen_by: tuple[tuple[Any, list[int]], ...] = (

@@ -1,22 +1,18 @@
-"""On- and off-policy learning on Roadrunner: the claims hold with other seeds than those the lesson shows."""
+"""On- and off-policy learning on Roadrunner: exact returns, runs, and what the claims measure."""
 
 from typing import Any
 
 import numpy as np
 import pytest
 
-from edugym.adapters.registration import make_mdp
-from edugym.agents.q_learning import QLearning
+from edugym import QLearning, finite_model, make_mdp, value_iteration
 from edugym.envs.roadrunner import Roadrunner
-from edugym.exact.model import finite_model
-from edugym.exact.value_iteration import value_iteration
-from edugym.experiments.results.tables import Results
 from edugym_course.lessons.on_off_policy import exact, experiments, figures, methods
 from tests.course.lessons.made_up import made_up, measured
 
 
 def test_exact_returns() -> None:
-    """At ε = 0 the fast run returns -2 and the safe one -3; a soft policy is never better than the best one."""
+    """At ε = 0 the fast run returns -2 and the safe one -3; of the safe runs nearly all losses are stalls, ε/3."""
     model = finite_model(make_mdp("Roadrunner"))
     assert exact.best_soft_return(model, 0.0) == -2.0
     assert exact.soft_return_of(model, 0.0, planned_for=0.1) == -3.0
@@ -26,14 +22,13 @@ def test_exact_returns() -> None:
         assert max(runs) <= best + 1e-9
         assert best == pytest.approx(max(runs), abs=0.05)
     assert 0.03 < exact.switch(model) < 0.05
-
-
-def test_without_exploring_nobody_pays_for_slips() -> None:
-    """Negative control of the online lead: at ε = 0 there is none, and both find the optimum or no better."""
-    results = methods.compare(epsilon=0.0, n_steps=4_000, repetitions=4, seed=3)
-    assert methods.online_lead(results, methods.SARSA_).estimate == pytest.approx(0.0, abs=0.5)
-    for method in (methods.Q_LEARNING, methods.SARSA_):
-        assert (results.final(method) == exact.FAST).all()
+    model = finite_model(exact.ROAD)
+    assert exact.share_lost(model, 0.0, 0.01) == exact.share_lost(model, 0.0, 0.1) == 0.0
+    assert exact.share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
+    assert exact.share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
+    assert exact.share_lost(model, 0.1, 0.1) > 0.1 / 3
+    with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
+        exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 
 
 def test_best_runs() -> None:
@@ -52,25 +47,9 @@ def test_best_runs() -> None:
     assert np.isnan(deadly[3, 0])
 
 
-def test_share_lost() -> None:
-    """Nobody is lost without slips. Of the safe runs nearly all losses are stalls at the start, ε/3."""
-    model = finite_model(exact.ROAD)
-    assert exact.share_lost(model, 0.0, 0.01) == exact.share_lost(model, 0.0, 0.1) == 0.0
-    assert exact.share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
-    assert exact.share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
-    assert exact.share_lost(model, 0.1, 0.1) > 0.1 / 3
-    with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
-        exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
-
-
-@pytest.fixture(scope="module")
-def trained() -> Results:
-    """The three methods, trained for a quarter of the lesson's steps."""
-    return methods.compare(n_steps=50_000, repetitions=4, seed=5)
-
-
-def test_runs_of_trained_agents(trained: Results) -> None:
+def test_runs_of_trained_agents() -> None:
     """Greedy runs are those of the text; a fall is found, and it ends beyond the edge."""
+    trained = methods.compare(n_steps=50_000, repetitions=4, seed=5)
     assert methods.greedy_run(trained.agents[methods.Q_LEARNING][0]) == exact.best_run(0.0)
     assert len(methods.greedy_run(trained.agents[methods.EXPECTED_SARSA][0])) == 6
     actions, episodes = methods.first_fall(trained.agents[methods.Q_LEARNING][0])
@@ -91,13 +70,27 @@ def test_another_cliff() -> None:
     assert methods.most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]
 
 
-def test_on_off_policy_at_the_edge() -> None:
-    """Longer runs count only if they are the safe one; the lead is that of the second half of training."""
+def test_claims() -> None:
+    """The lead is that of the second half of training; every share counts the runs with the return that it names."""
     q, sarsa, expected = methods.KINDS
     ends = {q: (-2.0, -3.0, -2.0, -2.0), sarsa: (-3.0, -2.0, -4.0, -3.0), expected: (-3.0, -3.0, -3.0, -100.0)}
     edge = made_up({method: [{0: -50.0, 5: -60.0, 10: end} for end in returns] for method, returns in ends.items()})
     leads = [-3.0 + 2.25, -27.25 + 2.25]
     assert measured(experiments.edge_claims(edge)) == [0.75, 0.5, 0.75, *leads]
+
+    elsewhere = {q: [-2.0, -2.0, -3.0, -3.0], sarsa: [-3.0, -2.0, -4.0, -5.0], expected: [-2.0, -2.0, -2.0, -3.0]}
+    runs, cliff = (
+        made_up({method: [{0: 0.0, 5: 0.0, 10: end} for end in found] for method, found in of.items()})
+        for of in (elsewhere, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
+    )
+    assert measured(experiments.condition_claims(runs, runs, runs, runs)) == [
+        -1.0, 0.25, 0.25, -1.0, 0.25, -1.0, 0.25, 0.75,
+    ]  # fmt: skip
+    ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
+    assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
+    bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
+    zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
+    assert measured(experiments.zone_claims(zone)) == [9.0, -1.0]
 
 
 def road(epsilon: float, **parameters: Any) -> QLearning:
@@ -109,26 +102,3 @@ def road(epsilon: float, **parameters: Any) -> QLearning:
         if speed >= 0:
             agent.Q[x * (task.max_speed + 1) + speed] = values
     return agent
-
-
-def test_on_off_policy_elsewhere() -> None:
-    """Every share counts the runs with the return that its claim names."""
-    q, sarsa, expected = methods.KINDS
-    ends = {q: [-2.0, -2.0, -3.0, -3.0], sarsa: [-3.0, -2.0, -4.0, -5.0], expected: [-2.0, -2.0, -2.0, -3.0]}
-    runs, cliff = (
-        made_up({method: [{0: 0.0, 5: 0.0, 10: end} for end in found] for method, found in of.items()})
-        for of in (ends, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
-    )
-    assert measured(experiments.condition_claims(runs, runs, runs, runs)) == [
-        -1.0, 0.25, 0.25, -1.0, 0.25, -1.0, 0.25, 0.75,
-    ]  # fmt: skip
-    ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
-    assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
-
-
-def test_on_off_policy_in_the_zone() -> None:
-    """Where the greedy runs of agents end that have learned the best run with slips and without."""
-    q, sarsa, expected = methods.KINDS
-    bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
-    zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
-    assert measured(experiments.zone_claims(zone)) == [9.0, -1.0]

@@ -17,7 +17,7 @@ from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.rendering.ansi import to_text
 from edugym_course.lessons.own_problem import bedroom, everything, exact, experiments, figures, morning
-from tests.course.lessons.figures import check_legends
+from tests.course.lessons.shown import check_legends
 
 
 def test_the_lesson_writes_the_same_class() -> None:
@@ -38,27 +38,13 @@ def test_the_lesson_writes_the_same_class() -> None:
         np.testing.assert_array_equal(mine.r, theirs.r)
 
 
-def test_with_the_best_guess_nothing_is_left_to_learn() -> None:
-    """Where the potential is v*, the reward of the best action is 0 in every state: v*(s) - φ(s)."""
+def test_what_rewards_teach() -> None:
+    """The values that the lesson tells; where the potential is v*, the best action earns v*(s) - φ(s) = 0."""
     shaped = value_iteration(finite_model(experiments.REWARDS[exact.BEST_GUESS]))
     np.testing.assert_allclose(shaped.V, 0.0, atol=1e-9)
     plain = value_iteration(finite_model(morning.Morning()))
     assert np.abs(plain.V).max() > 1
     assert np.array_equal(shaped.greedy_policy(), plain.greedy_policy())
-
-
-def test_what_happens_by_hand() -> None:
-    """In silence nobody wakes; sleep is worth its depth; a single ring in the last step wakes her with 0.9."""
-    mdp, model = morning.Morning(), finite_model(morning.Morning())
-    silent = exact.what_happens(mdp, np.eye(3)[np.zeros(len(model.states), int)])
-    assert silent == pytest.approx((6.0, 80.0, 0.0, 0.0, 1.0))
-    actions = np.array([2 if state[0] == 7 else 0 for state in model.states])
-    loud = exact.what_happens(mdp, np.eye(3)[actions])
-    assert loud == pytest.approx((14 - 4 + 0.1 * (1 - 10), 71.0, 1.0, 0.9, 0.1))
-
-
-def test_rewards_teach() -> None:
-    """The values that the lesson tells."""
     nights = {
         label: exact.what_happens(morning.Morning(), exact.best_policy(task))
         for label, task in experiments.TASKS.items()
@@ -72,6 +58,21 @@ def test_rewards_teach() -> None:
         for b in (5.0, 6.0)
     ]
     assert tricks == [False, True]
+
+
+def test_what_policies_are_worth_by_hand() -> None:
+    """In silence nobody wakes, one late ring wakes her with 0.9; a circle costs a thousand; R = -1 stalls."""
+    mdp, model = morning.Morning(), finite_model(morning.Morning())
+    silent = exact.what_happens(mdp, np.eye(3)[np.zeros(len(model.states), int)])
+    assert silent == pytest.approx((6.0, 80.0, 0.0, 0.0, 1.0))
+    actions = np.array([2 if state[0] == 7 else 0 for state in model.states])
+    loud = exact.what_happens(mdp, np.eye(3)[actions])
+    assert loud == pytest.approx((14 - 4 + 0.1 * (1 - 10), 71.0, 1.0, 0.9, 0.1))
+    idle = np.eye(2)[np.zeros(5, int)]
+    assert exact.worth(finite_model(Circle()), idle, None) == -1_000.0
+    assert exact.worth(finite_model(Circle()), idle, 7) == -7.0
+    assert experiments.first_stall(-1.0) == (-1.0, -1)
+    assert experiments.first_stall(-100.0) == (-2.0, 1)
 
 
 def test_blind_clocks_are_the_best_of_all() -> None:
@@ -88,72 +89,24 @@ def test_blind_clocks_are_the_best_of_all() -> None:
         assert returns[actions] == pytest.approx(value)
 
 
-def test_roadrunner_gives_up() -> None:
-    """With R = -1 it stalls at once; with -100 it runs."""
-    assert experiments.first_stall(-1.0) == (-1.0, -1)
-    assert experiments.first_stall(-100.0) == (-2.0, 1)
+class Circle(NamedTuple):
+    """A problem of a student's own: action 0 never ends an episode, and every step costs."""
 
-
-class Queue(NamedTuple):
-    """A problem of a student's own, with a step limit and states that are single numbers."""
-
-    max_steps: int | None = 12
+    max_steps: int | None = None
 
     @property
     def observation_space(self) -> Discrete:
-        """How many wait."""
+        """Five states."""
         return Discrete(5)
 
     @property
     def action_space(self) -> Discrete:
-        """One till or two."""
+        """Stay or go."""
         return Discrete(2)
 
     def initial(self, rng: Any) -> int:
-        """Nobody."""
+        """The beginning."""
         return 0
-
-    def transition(self, state: int, action: int, rng: Any) -> int:
-        """Two may come, and each till serves one."""
-        return min(max(state + (2 if rng.random() < 0.5 else 0) - 1 - action, 0), 4)
-
-    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
-        """Waiting costs, and so does a till."""
-        return -1.0 * next_state - 1.5 * action
-
-    def terminal(self, state: int) -> bool:
-        """Never."""
-        return False
-
-    def observation(self, state: int, rng: Any) -> int:
-        """How many wait."""
-        return state
-
-
-def test_a_problem_goes_through_everything() -> None:
-    """It is checked, solved up to its step limit, learned, drawn and told in words."""
-    tour = everything.take_through_everything(Queue(), n_steps=2_000, repetitions=3)
-    assert exact.random_return(Queue(), 12) == tour.random < tour.values.start
-    assert all((returns <= tour.values.start + 1e-9).all() for returns in tour.learned.values())
-    words = str(tour)
-    assert "States: 5, of which 0 are terminal. Actions: 0, 1." in words
-    assert "at the first step" in words
-    assert [sheet.name for sheet in tour.sheets] == ["policy", "learned"]
-    assert tour.sheets[0].rows[0][0].title == "the best first action"
-    assert replace(tour, mdp=Circle()).sheets[0].rows[0][0].title == "the best policy"
-    for sheet in tour.sheets:
-        assert sheet.draw().axes
-        check_legends(sheet)
-    assert "state" in to_text(tour.picture)
-    with pytest.raises(ValueError, match="mdp must be"):
-        everything.take_through_everything(3)
-
-
-class Circle(Queue):
-    """Without a step limit: action 0 never ends an episode, and every step costs."""
-
-    __slots__ = ()
-    max_steps = None
 
     def transition(self, state: int, action: int, rng: Any) -> int:
         """Stay, or go on with luck."""
@@ -166,6 +119,29 @@ class Circle(Queue):
     def terminal(self, state: int) -> bool:
         """At the end."""
         return state == 4
+
+    def observation(self, state: int, rng: Any) -> int:
+        """The state."""
+        return state
+
+
+def test_a_problem_goes_through_everything() -> None:
+    """It is checked, solved up to its step limit, learned, drawn and told in words."""
+    tour = everything.take_through_everything(Circle(12), n_steps=2_000, repetitions=3)
+    assert exact.random_return(Circle(12), 12) == tour.random < tour.values.start
+    assert all((returns <= tour.values.start + 1e-9).all() for returns in tour.learned.values())
+    words = str(tour)
+    assert "States: 5, of which 1 are terminal. Actions: 0, 1." in words
+    assert "at the first step" in words
+    assert [sheet.name for sheet in tour.sheets] == ["policy", "learned"]
+    assert tour.sheets[0].rows[0][0].title == "the best first action"
+    assert replace(tour, mdp=Circle()).sheets[0].rows[0][0].title == "the best policy"
+    for sheet in tour.sheets:
+        assert sheet.draw().axes
+        check_legends(sheet)
+    assert "state" in to_text(tour.picture)
+    with pytest.raises(ValueError, match="mdp must be"):
+        everything.take_through_everything(3)
 
 
 def test_problems_whose_episodes_may_never_end() -> None:
@@ -199,16 +175,8 @@ def test_a_tour_in_words() -> None:
     assert "are not random." in str(replace(tour, mdp=sure(), values=exact.solve(sure())))
 
 
-def test_a_policy_that_walks_in_a_circle() -> None:
-    """It is worth what it gets in a thousand steps; with a step limit, what it gets until then."""
-    model = finite_model(Circle())
-    idle = np.eye(2)[np.zeros(5, int)]
-    assert exact.worth(model, idle, None) == -1_000.0
-    assert exact.worth(model, idle, 7) == -7.0
-
-
-def test_names() -> None:
-    """Of actions, of hours, and of what is seen in the bedroom."""
+def test_names_and_maps() -> None:
+    """Of actions, hours, and what is seen in the bedroom; states that are single numbers stand side by side."""
     names = figures.names_of(morning.Morning())
     assert names == ["stay quiet", "chime", "ring"]
     assert figures.initials(["up", "under"]) == ["0", "1"]
@@ -216,10 +184,6 @@ def test_names() -> None:
     assert [bedroom.clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
     for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):
         assert words in to_text(morning.Morning().scene(state, 2))
-
-
-def test_a_map_of_states_that_are_single_numbers() -> None:
-    """They stand side by side, and there is nothing to read upwards."""
     values = exact.solve(Circle())
     assert figures.can_be_drawn(values)
     ax = figures.PolicyMap(values, ["stay", "go"]).draw()

@@ -1,4 +1,4 @@
-"""The amount of signal on Tamagotchi: the claims hold with other seeds than those the lesson shows."""
+"""The amount of signal on Tamagotchi: what words tell, who obeys them, and what is measured."""
 
 import math
 from types import SimpleNamespace
@@ -14,81 +14,52 @@ from tests.course.lessons.made_up import made_up
 from tests.experiments.figures.samples import new_axes
 
 
-def test_information_of_a_word() -> None:
-    """A word without noise tells which of four needs it is, one of two words half of that, and pure noise nothing."""
+def test_information() -> None:
+    """A word without noise tells which of four needs it is; longer messages tell more, but never more than the need."""
     assert words.information(0.0) == pytest.approx(2.0, abs=0.01)
     assert words.information(0.0, vocab_size=2) == pytest.approx(1.0, abs=0.01)
     assert words.information(0.0, vocab_size=1) == pytest.approx(0.0, abs=1e-9)
     assert words.information(math.inf) == pytest.approx(0.0, abs=1e-9)
     assert words.information(0.1, vocab_size=64) == words.information(0.1)
-
-
-def test_information_of_a_message() -> None:
-    """Longer messages tell more, but less than the sum of their words, and never more than the need."""
     bits = [words.information(0.1, length) for length in methods.LENGTHS]
     assert bits == sorted(bits)
     assert bits[1] < methods.LENGTHS[1] * bits[0]
     assert words.information(0.0, 8) == pytest.approx(words.information(0.0))
+    for tau in (0.0, 0.05, math.inf):
+        joint = words.joint_table(tau)
+        assert joint.sum() == pytest.approx(1.0)
+        assert words.bits(joint) == pytest.approx(words.information(tau), abs=1e-9)
+    assert words.bits(np.eye(4) / 4) == 2.0
 
 
-def test_information_by_counting() -> None:
-    """The formula agrees with the frequencies of words that the toy really says."""
-    toy, rng = Tamagotchi.create(0.02), np.random.default_rng(0)
-    joint = np.zeros((4, 4))
-    for _ in range(300):
-        state = toy.initial(rng)
-        for _ in range(toy.max_steps):
-            joint[state.wanted, state.message] += 1
-            state = toy.transition(state, state.wanted, rng)
-    joint /= joint.sum()
-    independent = joint.sum(axis=1, keepdims=True) * joint.sum(axis=0)
-    counted = (joint * np.log2(joint / independent)).sum()
-    assert counted == pytest.approx(words.information(0.02), abs=0.03)
-
-
-@pytest.mark.parametrize("obeyed", [False, True])
-def test_states_met(obeyed: bool) -> None:
-    """The frequencies sum to 1, and the wanted action is always one with the lowest variable."""
-    states = words.states_met(Tamagotchi.create(0.1), obeyed)
-    assert sum(states.values()) == pytest.approx(1.0)
-    assert all(variables[wanted] == min(variables) for variables, wanted in states)
-
-
-def test_an_obeyed_toy_says_clearer_things() -> None:
-    """Without noise it is a toy in perfect care; with noise its words carry far more, as the lesson says."""
-    assert np.array_equal(
-        words.joint_table(0.0, obeyed=True), np.eye(4) * words.joint_table(0.0, obeyed=True).sum(axis=1)
-    )
+def test_what_a_toy_says() -> None:
+    """The wanted action is one with the lowest variable; the words of an obeyed toy carry far more."""
+    for obeyed in (False, True):
+        states = words.states_met(Tamagotchi.create(0.1), obeyed)
+        assert sum(states.values()) == pytest.approx(1.0)
+        assert all(variables[wanted] == min(variables) for variables, wanted in states)
+    clear = words.joint_table(0.0, obeyed=True)
+    assert np.array_equal(clear, np.eye(4) * clear.sum(axis=1))
     for tau, bit, right in ((0.02, 0.84, 0.76), (0.05, 0.46, 0.63), (0.1, 0.28, 0.54)):
         heard = words.joint_table(tau, obeyed=True)
         assert words.bits(heard) == pytest.approx(bit, abs=0.01)
         assert np.trace(heard) == pytest.approx(right, abs=0.01)
 
 
-def test_voter() -> None:
-    """It takes the need that most words name, synonyms included; of the words after those that count it takes none."""
+def test_players() -> None:
+    """A voter takes the need that most words name; without noise it gets the optimum, and so do turns, nearly."""
     rng = np.random.default_rng(0)
-    message = np.array([100, 2, 5, 1, 0])
+    message = np.array([100, 2, 5, 1, 0])  # synonyms count too; after the words that count none does
     assert players.Voter.create(None, heard=4).act(message, rng) == 1
     assert players.Voter.create(None, heard=1).act(message, rng) == 2
     assert {players.Voter.create(None, heard=2).act(message, rng) for _ in range(50)} == {1, 2}
-
-
-def test_players() -> None:
-    """Obeying returns the optimum without noise, the first of several words is as good, and so is taking turns."""
-    assert methods.vote(0.0, 1, 1, repetitions=2) == pytest.approx([methods.OPTIMUM, methods.OPTIMUM], abs=0.01)
-    assert methods.vote(0.0, 3, 1, repetitions=2) == pytest.approx([methods.OPTIMUM, methods.OPTIMUM], abs=0.01)
+    for length in (1, 3):
+        assert methods.vote(0.0, length, 1, repetitions=2) == pytest.approx([methods.OPTIMUM] * 2, abs=0.01)
     blind = methods.play(players.RoundRobin.create, repetitions=2, parameters={"tau": math.inf})
     assert (blind / methods.OPTIMUM > 0.985).all()
-
-
-def test_table_of_words() -> None:
-    """Its information is that of one word."""
-    for tau in (0.0, 0.05, math.inf):
-        joint = words.joint_table(tau)
-        assert joint.sum() == pytest.approx(1.0)
-        assert words.bits(joint) == pytest.approx(words.information(tau), abs=1e-9)
-    assert words.bits(np.eye(4) / 4) == 2.0
+    way = [1, 1, 2, 1, 2, 2]
+    assert methods.walk(gymnasium.make("FrozenLake-v1", is_slippery=False), way, episodes=3) == 1.0
+    assert methods.walk(gymnasium.make("FrozenLake-v1", is_slippery=True), way, episodes=50) < 0.2
 
 
 def test_a_mood_lowers_one_variable() -> None:
@@ -104,23 +75,6 @@ def test_a_mood_lowers_one_variable() -> None:
         assert sorted(drops) in ([0, 0, 0, 20], [0, 0, 0, 7])
         assert (drops == 7).tolist() == [False, False, False, drops[3] > 0]
     assert fell.min() > 15
-
-
-@pytest.mark.slow
-def test_moody_toy() -> None:
-    """The optimum without moods is that of the toy; obeying without noise gets the optimum with moods, turns do not."""
-    assert moody.best_return(0.0, 20) == pytest.approx(methods.OPTIMUM, abs=0.01)
-    best = moody.best_return(0.1, 20)
-    obeyed = methods.play(players.Voter.create, environment=moody.moody_toy(), repetitions=4)
-    assert obeyed.mean() == pytest.approx(best, rel=0.01)
-    assert methods.play(players.RoundRobin.create, environment=moody.moody_toy(), repetitions=2).mean() < best / 4
-
-
-def test_blind_walk() -> None:
-    """The shortest way is always right on firm ice, and hardly ever on slippery ice."""
-    way = [1, 1, 2, 1, 2, 2]
-    assert methods.walk(gymnasium.make("FrozenLake-v1", is_slippery=False), way, episodes=3) == 1.0
-    assert methods.walk(gymnasium.make("FrozenLake-v1", is_slippery=True), way, episodes=50) < 0.2
 
 
 def test_the_second_half_of_training() -> None:
@@ -147,9 +101,6 @@ def test_how_words_are_answered() -> None:
     assert shares[1][:2].tolist() == np.eye(4)[[1, 0]].tolist()
     bars: list[Any] = [*figures.Greedy(np.array([[0.1, 0.2, 0.3, 0.4], [0.4, 0.3, 0.2, 0.1]])).draw(new_axes()).patches]
     assert [(round(bar.get_x(), 6), round(bar.get_width(), 6)) for bar in bars[::2]] == [
-        (0, 0.1),
-        (0.1, 0.2),
-        (0.3, 0.3),
-        (0.6, 0.4),
-    ]
+        (0, 0.1), (0.1, 0.2), (0.3, 0.3), (0.6, 0.4),
+    ]  # fmt: skip
     assert [bar.get_y() + bar.get_height() / 2 for bar in bars[:2]] == [0.0, 1.0]

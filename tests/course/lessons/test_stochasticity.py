@@ -1,4 +1,4 @@
-"""Stochasticity in Golf: the claims hold with other seeds than those the lesson shows."""
+"""Stochasticity in Golf: what is exact, what is counted, and what the claims measure."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -6,47 +6,37 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.envs.golf import SWINGS, Golf
+from edugym.envs.golf import Golf
 from edugym_course.lessons.stochasticity import exact, experiments, figures, methods
 from tests.course.lessons.made_up import made_up, measured
 from tests.experiments.figures.samples import new_axes
 
+SHARES = [0.1, 0.0, 0.2, 0.3, 0.1, 0.1, 0.05, 0.05, 0.0, 0.05, 0.05]
 
-def test_with_little_noise_it_takes_two_hits() -> None:
-    """A drive leaves 3.5 cells and a chip then reaches the green; so does the other order. A putt costs a hit."""
+
+def test_exact_values() -> None:
+    """With little noise it takes two hits; the grid is fine enough; exploring costs, and attitudes move the swing."""
     worth = exact.from_the_tee(0.002)
     assert worth["drive"] == pytest.approx(0.9, abs=0.002)
     assert worth["chip"] == pytest.approx(0.9, abs=0.002)
     assert worth["putt"] == pytest.approx(0.8, abs=0.01)
-
-
-def test_exact_play_against_samples() -> None:
-    """A player who drives from the tee and then follows the best swing for the distance cannot beat the computed value.
-
-    A simple player who sees where the ball lies comes close to it.
-    """
-    golf, rng = Golf.create(), np.random.default_rng(0)
-    returns = []
-    for _ in range(4_000):
-        state, total = golf.initial(rng), 0.0
-        while not golf.terminal(state):
-            left = np.hypot(golf.width / 2 - state.x, golf.length - golf.width / 2 - state.y)
-            action = 2 if left > 8.0 else 1 if left > 3.0 else 0
-            next_state = golf.transition(state, action, rng)
-            total += golf.reward(state, action, next_state, rng)
-            state = next_state
-        returns.append(total)
-    computed = exact.from_the_tee(methods.LEVEL)["drive"]
-    assert computed - 0.02 < np.mean(returns) < computed + 0.02
-
-
-def test_the_grid_is_fine_enough() -> None:
-    """Half as many places on each side change the value of the best swing by less than 0.001."""
-    assert exact.from_the_tee(methods.LEVEL, 0.25)["drive"] == pytest.approx(
-        exact.from_the_tee(methods.LEVEL)["drive"], abs=0.001
-    )
+    fine, neutral = exact.from_the_tee(methods.LEVEL), exact.from_the_tee(methods.LEVEL, 0.25)
+    assert neutral["drive"] == pytest.approx(fine["drive"], abs=0.001)
     worth = exact.from_the_tee(exact.crossing())
     assert worth["drive"] == pytest.approx(worth["chip"], abs=1e-3)
+    optimum = exact.optimum(methods.LEVEL)
+    assert exact.soft_optimum(methods.LEVEL, 0.0) == pytest.approx(optimum)
+    assert optimum - 0.1 < exact.soft_optimum(methods.LEVEL, 0.1) < optimum - 0.03
+    few_hits = exact.from_the_tee(0.0228, max_hits=5)
+    assert few_hits["drive"] > few_hits["chip"]
+    assert exact.from_the_tee(methods.LEVEL, 0.25, risk=1e-9) == pytest.approx(neutral, abs=1e-6)
+
+    def lead(level: float, risk: float) -> float:
+        worth = exact.from_the_tee(level, 0.25, risk=risk)
+        return worth["drive"] - worth["chip"]
+
+    assert lead(0.0175, -2.0) < 0 < lead(0.0175, 0.0)
+    assert lead(0.02, 0.0) < 0 < lead(0.02, 2.0)
 
 
 @pytest.mark.parametrize(("risk", "low", "high", "expected"), [(-2.0, 0.015, 0.018, 0.016), (2.0, 0.04, 0.06, 0.051)])
@@ -58,20 +48,31 @@ def test_the_attitude_moves_the_crossing(risk: float, low: float, high: float, e
     assert worth["drive"] == pytest.approx(worth["chip"], abs=1e-3)
 
 
-def test_interpolated() -> None:
-    """On the grid its values, and between them the mean."""
+def test_shares_by_hand() -> None:
+    """On a grid its values, and between them the mean; who has learned 3 of 4 has learned three quarters."""
     values = np.array([[0.0, 1.0, 2.0], [4.0, 5.0, 6.0], [0.0, 0.0, 0.0]])
     places = np.array([0.0, 0.0, 0.5, 0.5]), np.array([0.0, 0.5, 0.0, 0.5])
     assert exact.interpolated(values, *places).tolist() == [0.0, 0.5, 2.0, 2.5]
+    results = made_up({methods.NEUTRAL: [{0: 0.0, 10: 3.0, **dict.fromkeys(range(20, 70, 10), 4.0)}] * 2})
+    assert methods.share_learned(results, 10).tolist() == [0.75, 0.75]
 
 
-def test_player_counts_hits() -> None:
-    """Its score has lost games first, then those won with 1, 2, ... hits."""
+def test_games_are_counted() -> None:
+    """Lost ones first, then those won with 1, 2, ... hits, which return 1.1 - k / 10; a lost one returns -1."""
     task = Golf.create()
     player = methods.Player.create(task, np.zeros((task.width * task.length, 3)))
     for reward, terminated in ((-1.0, True), (0.0, False), (0.9, True), (0.7, True), (0.1, True), (1.0, True)):
         player.learn(reward, terminated)
     assert player.score[0].tolist() == [1, 1, 1, 0, 1, 0, 0, 0, 0, 0, 1]
+    games = np.array([[0.25, 0.5, 0.0, 0.25], [1.0, 0.0, 0.0, 0.0]])
+    nothing = np.zeros(2)
+    np.testing.assert_allclose(methods.Played(nothing, nothing, nothing, games).hits, [5 / 3, np.nan])
+    one = methods.played([np.array(SHARES), np.eye(11)[3]], 10)
+    returns = np.array([-1.0, 1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1])
+    mean = float(np.dot(SHARES, returns))
+    assert one.mean.tolist() == pytest.approx([mean, 0.8])
+    assert one.spread.tolist() == pytest.approx([np.dot(SHARES, (returns - mean) ** 2) ** 0.5, 0.0], abs=1e-7)
+    assert one.lost.tolist() == [0.1, 0.0]
 
 
 def test_playing_changes_nothing_and_agrees_with_the_evaluation() -> None:
@@ -84,101 +85,31 @@ def test_playing_changes_nothing_and_agrees_with_the_evaluation() -> None:
         assert (agent.Q == Q).all()
 
 
-@pytest.mark.slow
-def test_without_noise_there_is_no_risk() -> None:
-    """Negative control: all three find two hits, and lose no ball."""
-    results = methods.learn(level=0.0, n_steps=60_000, repetitions=3)
-    for method in (methods.AVERSE, methods.NEUTRAL, methods.SEEKING):
-        played = methods.play(results, level=0.0)[method]
-        assert played.lost.tolist() == [0.0] * 3
-        assert played.spread == pytest.approx(0.0, abs=1e-6)
-
-
-def test_exact_attitudes() -> None:
-    """A tiny β changes nothing; an averse player stops driving earlier, and a seeking one later."""
-    neutral, nearly = exact.from_the_tee(methods.LEVEL, 0.25), exact.from_the_tee(methods.LEVEL, 0.25, risk=1e-9)
-    for swing, worth in neutral.items():
-        assert nearly[swing] == pytest.approx(worth, abs=1e-6)
-
-    def lead(level: float, risk: float) -> float:
-        worth = exact.from_the_tee(level, 0.25, risk=risk)
-        return worth["drive"] - worth["chip"]
-
-    assert lead(0.0175, -2.0) < 0 < lead(0.0175, 0.0)
-    assert lead(0.02, 0.0) < 0 < lead(0.02, 2.0)
-
-
-def test_worth_of_two_places() -> None:
-    """A swing that leads to the green or to the water is worth what the lottery of the two is worth."""
-    weights = np.array([[0.75]]), np.array([[1.0]])
-    for risk in (-2.0, 0.0, 2.0):
-        worth = exact.worth_of(weights, 0.5, np.ones((1, 1)), np.zeros((1, 1)), risk)
-        assert worth[0, 0] == pytest.approx(exact.certain_value([0.5, -1.0], [0.75, 0.25], risk), abs=2e-3)
-
-
-def test_soft_optimum() -> None:
-    """Without exploring it is the optimum, and with it less."""
-    assert exact.soft_optimum(methods.LEVEL, 0.0) == pytest.approx(exact.optimum(methods.LEVEL))
-    assert (
-        exact.optimum(methods.LEVEL) - 0.1
-        < exact.soft_optimum(methods.LEVEL, 0.1)
-        < exact.optimum(methods.LEVEL) - 0.03
-    )
-    assert exact.from_the_tee(0.0228, max_hits=5)["drive"] > exact.from_the_tee(0.0228, max_hits=5)["chip"]
-
-
 @pytest.mark.parametrize("risk", [-2.0, 0.0, 2.0])
-def test_value_of_normal_rewards(risk: float) -> None:
-    """It is mean + β/2 variance, exactly, and that is what is learned."""
+def test_value_of_a_lottery(risk: float) -> None:
+    """Of normal rewards mean + β/2 variance, which is what is learned; of two places what the lottery is worth."""
     rewards = np.linspace(-1.5, 3.1, 2_001)
     chances = np.exp(-(((rewards - 0.8) / 0.3) ** 2) / 2)
     computed = exact.certain_value(rewards, chances / chances.sum(), risk)
     assert computed == pytest.approx(0.8 + risk / 2 * 0.09, abs=1e-4)
     assert methods.learned_value(risk, lambda rng: rng.normal(0.8, 0.3), seed=5) == pytest.approx(computed, abs=0.02)
     assert exact.weighted(0.0, 0.7) == 0.7
+    weights = np.array([[0.75]]), np.array([[1.0]])
+    worth = exact.worth_of(weights, 0.5, np.ones((1, 1)), np.zeros((1, 1)), risk)
+    assert worth[0, 0] == pytest.approx(exact.certain_value([0.5, -1.0], [0.75, 0.25], risk), abs=2e-3)
 
 
-def test_where_balls_land() -> None:
-    """A drive from the tee loses 2 % of the balls, as the normal distribution says; a chip none."""
+def test_fixed_rules() -> None:
+    """A drive loses 2 % of the balls, a chip none; the fast plan is near the optimum, the safe one has no spread."""
     assert methods.landings(2, balls=20_000)[1] == pytest.approx(0.0196, abs=0.003)
     assert methods.landings(1)[1] == 0.0
     assert methods.landings(0, balls=10)[0].shape == (10, 2)
-
-
-def test_players_with_rules() -> None:
-    """The fast plan is near the optimum, the safe one has hardly a spread, and who only putts has none."""
     rules = methods.play_by_rules()
     assert rules[methods.FAST_RULE][0] == pytest.approx(exact.optimum(methods.LEVEL), abs=0.01)
     assert rules[methods.SAFE_RULE] == pytest.approx((0.79, 0.03), abs=0.01)
     assert rules["only putts"] == (-1.0, 0.0)
     coin = rules["a coin: the fast plan in 50% of the games"]
     assert coin[0] == pytest.approx((rules[methods.FAST_RULE][0] + rules[methods.SAFE_RULE][0]) / 2)
-
-
-def test_first_swings_with_the_hits_hidden() -> None:
-    """The tee has another row of the table then."""
-    results = methods.learn(observe_hits=False, risks={methods.NEUTRAL: 0.0}, n_steps=2_000, repetitions=2)
-    played = methods.play(results, observe_hits=False)
-    groups = methods.by_first_swing(results, played, observe_hits=False)[methods.NEUTRAL]
-    task = Golf.create()
-    rng = np.random.default_rng(0)
-    tee = np.ravel_multi_index(task.observation(task.initial(rng), rng), (task.width, task.length))
-    first = [SWINGS[int(agent.Q[tee].argmax())] for agent in results.complete_agents(methods.NEUTRAL).values()]
-    assert {swing: runs for swing, (runs, _, _) in groups.items()} == {swing: first.count(swing) for swing in first}
-
-
-def test_what_was_learned_after_some_steps() -> None:
-    """From 0 to 3 of 4: three quarters."""
-    results = methods.learn(n_steps=60, repetitions=2, points=6, risks={methods.NEUTRAL: 0.0})
-    results.table["return"] = results.table["step"].map(lambda step: {0: 0.0, 10: 3.0}.get(step, 4.0))
-    assert methods.share_learned(results, 10).tolist() == [0.75, 0.75]
-
-
-def test_hits_of_games_that_are_won() -> None:
-    """Lost games do not count: half of the games take one hit and a quarter take three, so 5/3; nobody wins: NaN."""
-    games = np.array([[0.25, 0.5, 0.0, 0.25], [1.0, 0.0, 0.0, 0.0]])
-    nothing = np.zeros(2)
-    np.testing.assert_allclose(methods.Played(nothing, nothing, nothing, games).hits, [5 / 3, np.nan])
 
 
 def test_stochasticity() -> None:
@@ -203,21 +134,8 @@ def test_stochasticity() -> None:
     assert measured(experiments.hidden_claims(players)) == pytest.approx([-0.05, lost[1]], abs=1e-6)
 
 
-SHARES = [0.1, 0.0, 0.2, 0.3, 0.1, 0.1, 0.05, 0.05, 0.0, 0.05, 0.05]
-
-
-def test_mean_and_spread_of_games() -> None:
-    """A win with k hits returns 1.1 - k / 10, a lost game -1."""
-    one = methods.played([np.array(SHARES), np.eye(11)[3]], 10)
-    returns = np.array([-1.0, 1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1])
-    mean = float(np.dot(SHARES, returns))
-    assert one.mean.tolist() == pytest.approx([mean, 0.8])
-    assert one.spread.tolist() == pytest.approx([np.dot(SHARES, (returns - mean) ** 2) ** 0.5, 0.0], abs=1e-7)
-    assert one.lost.tolist() == [0.1, 0.0]
-
-
-def test_bars_of_games() -> None:
-    """Lost ones first, and those with six hits or more in one bar; the bars of two methods stand side by side."""
+def test_figures_of_games() -> None:
+    """Bars of lost games first, six hits or more in one; mean, spread and lost balls have a panel each."""
     two = {"one": methods.played([np.array(SHARES)], 10), "other": methods.played([np.eye(11)[2], np.eye(11)[0]], 10)}
     ax = figures.Games(two).draw(new_axes())
     bars: list[Any] = [*ax.patches]
@@ -225,29 +143,26 @@ def test_bars_of_games() -> None:
     assert [bar.get_height() for bar in bars[7:]] == [0.5, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0]
     assert [bar.get_x() for bar in (bars[0], bars[7], bars[8])] == pytest.approx([-0.4, 0.0, 1.0])
     assert [label.get_text() for label in ax.get_xticklabels()] == ["lost", "1", "2", "3", "4", "5", "6+"]
-
-
-def test_mean_spread_and_lost_balls() -> None:
-    """Each has a panel, with all players; who loses more than 1 ball in 100 drives."""
     lost = np.array([0.0, 0.01, 0.011, 0.02])
-    one = methods.Played(np.full(4, 0.7), np.full(4, 0.2), lost, np.zeros((4, 11)))
+    first = methods.Played(np.full(4, 0.7), np.full(4, 0.2), lost, np.zeros((4, 11)))
     other = methods.Played(np.full(4, 0.6), np.full(4, 0.3), lost[::-1], np.zeros((4, 11)))
-    panels: Any = figures.outcomes({"one": one, "other": other}).rows[0]
+    panels: Any = figures.outcomes({"one": first, "other": other}).rows[0]
     assert [panel.title for panel in panels] == ["mean", "spread", "lost balls"]
     assert [[values.tolist()[0] for values in panel.measured.values()] for panel in panels] == [
         [0.7, 0.6], [0.2, 0.3], [0.0, 0.02],
     ]  # fmt: skip
-    assert methods.share_of_drivers(one) == 0.5
-    assert methods.lead(one, other).estimate == pytest.approx(0.1)
-    learned: Any = figures.frontier_figure({"a": (0.5, 0.1), "b": (0.6, 0.2)}, ["b"], {"one": one})
+    assert methods.share_of_drivers(first) == 0.5
+    assert methods.lead(first, other).estimate == pytest.approx(0.1)
+    learned: Any = figures.frontier_figure({"a": (0.5, 0.1), "b": (0.6, 0.2)}, ["b"], {"one": first})
     assert learned.learned == {"one": (pytest.approx(0.7), pytest.approx(0.2))}
 
 
-def test_runs_by_their_first_swing() -> None:
-    """Two of three drive: how many, their mean return, and their share of lost balls."""
-    task = Golf.create(observe_hits=True)
+@pytest.mark.parametrize("hits", [True, False])
+def test_runs_by_their_first_swing(hits: bool) -> None:
+    """Two of three drive: how many, their mean return, and their share of lost balls; hits may be hidden."""
+    task = Golf.create(observe_hits=hits)
     rng = np.random.default_rng(0)
-    shape = (task.width, task.length, task.max_hits + 1)
+    shape = (task.width, task.length, *[task.max_hits + 1] * hits)
     tee = np.ravel_multi_index(tuple(task.observation(task.initial(rng), rng)), shape)
     agents = [SimpleNamespace(Q=np.zeros((int(np.prod(shape)), 3))) for _ in range(3)]
     for agent, swing in zip(agents, (2, 1, 2), strict=True):
@@ -255,6 +170,7 @@ def test_runs_by_their_first_swing() -> None:
     label = methods.NEUTRAL
     results = made_up({label: [{10: 0.0}] * 3}, agents={label: agents})
     one = methods.Played(np.array([0.5, 0.7, 0.9]), np.zeros(3), np.array([0.02, 0.0, 0.04]), np.zeros((3, 11)))
-    groups = methods.by_first_swing(results, {label: one})[label]
+    groups = methods.by_first_swing(results, {label: one}, observe_hits=hits)[label]
     assert groups == {"chip": (1, 0.7, 0.0), "drive": (2, pytest.approx(0.7), pytest.approx(0.03))}
-    assert methods.values_on_the_tee(results)[label] == pytest.approx([0.0, 1 / 3, 4 / 3])
+    if hits:
+        assert methods.values_on_the_tee(results)[label] == pytest.approx([0.0, 1 / 3, 4 / 3])

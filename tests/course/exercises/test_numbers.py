@@ -1,0 +1,224 @@
+"""What single exercises check: numbers, cases, and what is said of answers that are counted or compared."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import (
+    SARSA,
+    CountBased,
+    EpsilonGreedy,
+    ExpectedSARSA,
+    NStepSARSA,
+    QLearning,
+    finite_model,
+    make_mdp,
+    repeat,
+)
+from edugym.training.run import Run
+from edugym_course.grading import WrongAnswer
+from edugym_course.lessons.continuous_actions.exercises import episodes
+from edugym_course.lessons.depth import methods as depth
+from edugym_course.lessons.depth.exercises import exercise_1 as quiet_exercise
+from edugym_course.lessons.dimensionality.shuffled import shuffled_board
+from edugym_course.lessons.exploration import exercises as exploration
+from edugym_course.lessons.exploration import methods as climbing
+from edugym_course.lessons.exploration.exercises.explorer import check_act
+from edugym_course.lessons.loop import exercises as loop
+from edugym_course.lessons.model_based import methods as planning
+from edugym_course.lessons.model_based.plans import used_and_seen
+from edugym_course.lessons.on_off_policy.exact import best_run, switch
+from edugym_course.lessons.on_off_policy.exercises import TWO_POLICIES
+from edugym_course.lessons.signal import exercises as signal
+from edugym_course.lessons.signal.words import information
+from edugym_course.lessons.stochasticity import exercises as stochasticity
+from edugym_course.lessons.stochasticity.exact import crossing
+from tests.course.lessons.answers import solution
+
+SIZE = (6, 3)
+RATES = {"learning_rate": 0.25, "discount": 0.75}
+
+
+@pytest.mark.parametrize(
+    ("rule", "more", "agent"),
+    [
+        (exploration.EXPLORER, {"bonus": 3.0}, CountBased.create(SIZE, bonus=3.0, **RATES)),
+        (stochasticity.TWO_WEIGHTS, {"kappa": 0.0}, QLearning.create(SIZE, **RATES)),
+        (TWO_POLICIES, {"epsilon": 0.9, "target_epsilon": 0.0}, QLearning.create(SIZE, **RATES)),
+        *(
+            (
+                TWO_POLICIES,
+                {"epsilon": 0.9, "target_epsilon": epsilon},
+                ExpectedSARSA.create(SIZE, exploration=EpsilonGreedy(epsilon), **RATES),
+            )
+            for epsilon in (0.3, 1.0)
+        ),
+    ],
+)
+def test_a_rule_is_that_of_the_packages_agent(rule: Any, more: dict[str, float], agent: Any) -> None:
+    """In all tables that the agent has: with an attitude of 0 and for a greedy policy that is Q-learning."""
+    cases = rule.cases(SIZE, 5)
+    for case, outcome in zip(cases, rule.outcomes(cases, {**RATES, **more}), strict=True):
+        names = [name for name in case.tables if hasattr(agent, name)]
+        for name in names:
+            getattr(agent, name)[:] = case.tables[name]
+        for now, tables in zip(case.transitions, outcome, strict=True):
+            agent.learn(now.state, now.action, now.reward, now.next_state, now.terminated)
+            for name in names:
+                np.testing.assert_allclose(getattr(agent, name), tables[name], rtol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_first_exercises_with_any_seed(seed: int) -> None:
+    """Right answers pass; of a mistake that looks like another one in the first case, the right one is told."""
+    right = solution("00_loop", 1, "discounted_return")
+    assert loop.exercise_1(right, seed)
+    assert loop.exercise_2(solution("00_loop", 2, "choose"), seed)
+    with pytest.raises(WrongAnswer, match="the last reward is left out"):
+        loop.exercise_1(lambda rewards, discount: right(rewards[:-1], discount), seed)
+    with pytest.raises(WrongAnswer, match="all later rewards are discounted by the same γ"):
+        loop.exercise_1(lambda rewards, discount: rewards[0] + discount * sum(rewards[1:]), seed)
+
+
+def test_what_an_explorer_is_asked_could_have_happened() -> None:
+    """A state was visited as often as its grips were tried: an explorer may look at either."""
+
+    class Explorer:
+        def __init__(self) -> None:
+            self.Q, self.visits, self.tries = np.zeros((101, 3)), np.zeros(101, int), np.zeros((101, 3), int)
+
+        def act(self, state: int, rng: np.random.Generator) -> int:
+            assert self.visits[state] == self.tries[state].sum()
+            seen.append(self.tries[state].tolist())
+            untried = np.flatnonzero(self.tries[state] == 0)
+            return int(rng.choice(untried if untried.size else np.flatnonzero(self.Q[state] == self.Q[state].max())))
+
+    seen: list[list[int]] = []
+    check_act(Explorer(), 3)
+    assert [0, 0, 0] in seen
+    assert [7, 1, 2] in seen
+
+
+def test_runs_that_solve_the_lake_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those that end at 1: here the first two of Go-Explore, and all of the reader's own agent."""
+
+    def trained(environment: Any, agent: Any, n_steps: int, *, seed: int, **how: Any) -> Run:
+        made.append(type(agent).__name__)
+        solves = made[-1] == "SARSA" or (made[-1] == "GoExplore" and made.count("GoExplore") <= 2)
+        ends = np.array([1.0, 1.0 if solves else 0.99])
+        return Run(np.array([0, n_steps]), ends, np.zeros(2), np.zeros(2, int), agent, seed, 0.0, True)
+
+    made: list[str] = []
+    monkeypatch.setattr("edugym.experiments.repeat.train", trained)
+    how: dict[str, Any] = {"repetitions": 5, "parameters": {"map_name": "8x8", "is_slippery": False}, "jobs": 1}
+    answer = repeat("FrozenLake-v1", {**climbing.METHODS, "mine": SARSA.create}, climbing.N_STEPS, **how)
+    assert exploration.exercise_4(answer, 0).startswith(
+        "Right. Runs that solve the lake: ε-greedy 0 of 5, novelty reward 0 of 5, Go-Explore 2 of 5, mine 5 of 5. "
+    )
+
+
+@pytest.mark.parametrize("size", [10, 12, 15])
+@pytest.mark.parametrize("penalty", [-40.0, -200.0])
+def test_roads_of_lesson_2_change_once(size: int, penalty: float) -> None:
+    """Below the change the best run is the fastest, and above it never, so that every search finds the same."""
+    change = switch(finite_model(make_mdp("Roadrunner", size=size, negative_reward=penalty)), tolerance=1e-6)
+    assert 0.005 < change < 0.15
+    fastest, *lengths = (len(best_run(k / 100, size=size, negative_reward=penalty)) for k in range(21))
+    assert [length > fastest for length in lengths] == [k / 100 > change for k in range(1, 21)]
+
+
+def test_numbers_by_the_package() -> None:
+    """22 words carry 0.4 bit, and 21 do not; the level of exercise 1 of lesson 8 differs from the estimate."""
+    assert information(0.1, signal.WORDS - 1) < signal.ENOUGH <= information(0.1, signal.WORDS)
+    assert crossing(0.02, 0.025, max_hits=stochasticity.HITS) == pytest.approx(0.0232, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("names", "strange"),
+    [(["A", "Zoe"], "'Zoe'"), ([0, "A"], "0"), (["A", ("B", 1.0)], r"\('B', 1\.0\)"), ([["A"], "B"], r"\['A'\]")],
+)
+def test_what_is_no_name_of_a_player(names: list[Any], strange: str) -> None:
+    """Another text, a number, a pair, a list."""
+    with pytest.raises(WrongAnswer, match=f"should hold names such as 'A', but holds {strange}$"):
+        stochasticity.exercise_2(lambda players: names, 0)
+
+
+def test_pixels_are_shuffled() -> None:
+    """The same pixels in an order of the seed's own, in every step the same one."""
+    task, rng = shuffled_board(7), np.random.default_rng(0)
+    state = task.initial(rng)
+    one = task.observation(state, rng)
+    assert one.shape == (50,)
+    assert sorted(task.order.tolist()) == [*range(50)]
+    assert (task.order == shuffled_board(7).order).all()
+    assert (task.order != shuffled_board(8).order).any()
+    assert {int(task.order[k]) for k in np.flatnonzero(one > 0.5)} == {state.ball_x, 45 + state.paddle_x}
+
+
+def test_an_answer_is_told_the_whole_episode(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The next state and action of a step are those of the step after it; only the last step ends the episode."""
+    told: list[dict[str, Any]] = []
+    monkeypatch.setattr(episodes, "learn_step", lambda agent, step: told.append(step))
+    for case in episodes.cases(0):
+        told.clear()
+        episodes._learned(solution("07_continuous_actions", 3, "MyREINFORCE"), case)
+        assert [step["state"] for step in told] == case.states
+        then = [(step["state"], step["action"]) for step in told[1:]]
+        assert [(step["next_state"], step["next_action"]) for step in told[:-1]] == then
+        ends = [(step["terminated"], step["truncated"]) for step in told]
+        assert ends == [(False, False)] * (len(told) - 1) + [(case.terminates, not case.terminates)]
+
+
+QUIET = [
+    ({"learning_rate": 0.01}, "it has a learning rate of 0.01, and it should be 0.1$"),
+    ({"learning_rate": 1.0}, "it has a learning rate of 1, and it should be 0.1$"),
+    ({"discount": 0}, "it has a discount of 0, and it should be 1$"),
+    ({"n": 9}, "its targets have 9 rewards, and Monte Carlo has n=math.inf$"),
+    ({"n": 1}, "but its targets have 1 reward, and Monte Carlo has n=math.inf$"),
+    ({"n": 3, "learning_rate": 0.5, "discount": 0.9}, "3 rewards, .*; and it has a learning .*; and it has a discount"),
+    ({"learning_rate": 0.7}, "the first action should be .*: that is no n-step SARSA with a usual learning rate$"),
+]
+
+
+@pytest.mark.parametrize(("how", "says"), QUIET)
+def test_how_deep_and_how_fast_the_quiet_agent_learns(how: dict[str, Any], says: str) -> None:
+    """Whatever differs from the agent of the experiment is told, with the number that it has."""
+    settings = {"n": math.inf, "learning_rate": 0.1, "discount": 1.0, "exploration": EpsilonGreedy(0.0), **how}
+    with pytest.raises(WrongAnswer, match=says):
+        quiet_exercise(lambda study: NStepSARSA.create(study, **settings), 0)
+
+
+def test_an_error_that_pays() -> None:
+    """With the error of the solution bumping for ever is worth what the best way is, and with a smaller one less."""
+    v, gamma = 40.0, 0.75
+    e = solution("09_model_based", 1, "smallest_error")(v, gamma)
+    for error, worth in ((e, v), (e - 1, v - 1 / (1 - gamma))):
+        assert sum((error - 1) * gamma**k for k in range(200)) == pytest.approx(worth)
+
+
+@pytest.mark.slow
+def test_what_the_solutions_reach() -> None:
+    """In lesson 1 the optimist and the explorer solve walls; Monte Carlo needs exploration; R-max and Dyna-Q+ plan."""
+    optimist, explorer = (solution("01_exploration", k, name) for k, name in ((2, "optimist"), (3, "MyExplorer")))
+    greedy = climbing.EPSILON_GREEDY
+    both = {"optimist": optimist, "explorer": explorer.create}
+    middle = climbing.compare(30, methods={**both, greedy: climbing.METHODS[greedy]}, repetitions=10)
+    assert middle.final("optimist").mean() == 1
+    assert middle.final(greedy).mean() < 0.2
+    assert climbing.compare(100, methods=both, repetitions=10).final("explorer").mean() > 0.9
+
+    own = {"quiet": solution("03_depth", 1, "quiet"), "mine": solution("03_depth", 3, "MyAgent").create}
+    results = depth.compare(depths=depth.BY_DEPTH, own=own, repetitions=40, seed=1)
+    assert depth.passes(results, "quiet").mean() < depth.passes(results, depth.MONTE_CARLO).mean() - 0.1
+    ends = {method: depth.expected_returns(results, method).mean() for method in results.methods}
+    assert ends["mine"] > max(ends[depth.label(n)] for n in depth.BY_DEPTH)
+    early = {method: results.curves(method).loc[2_500].mean() for method in results.methods}
+    assert early["mine"] > early[depth.ONE_STEP] + 2
+
+    kinds = {"mine": solution("09_model_based", 3, "MyRMax"), "plus": solution("09_model_based", 2, "DynaPlus")}
+    results = planning.compare({label: kind.create for label, kind in kinds.items()}, repetitions=5)
+    assert (results.final("mine") == planning.OPTIMUM).all()
+    policy, seen = used_and_seen(results)["plus"]
+    assert policy.mean() < 0.0 < 90.0 < seen.mean()
