@@ -86,6 +86,12 @@ def test_what_a_loop_is_called_with() -> None:
     assert said("", "", "return s", out=(0, [0])) == f"the argument out[1] {a_list}"
 
 
+MODULES = """import random, types
+m = types.ModuleType('m')
+m.inner = types.ModuleType('n')
+m.draw = m.inner.draw = random.random
+m.inner.P, m.inner.K = types.SimpleNamespace(x=1), 2"""
+TRY = "try:\n            s = 1 / s\n        except ZeroDivisionError:\n            s = 5.0\n        return s"
 CODE: list[tuple[str, str, str, str | None]] = [
     ("", "def g(self, s, k=np.zeros(1)): return s", "return self.g(s)", "a default of g is an array (line 4)"),
     ("", "def g(self, s, k=(1, [2])): return s", "return self.g(s)", "default of g[1] is a list: use an array or a tuple (line 4)"),
@@ -143,6 +149,8 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("class P(NamedTuple):\n    x: tuple\np = P((1, [2]))", "", "return s + p.x[0]", "the field x of P[1] is a list: use an array or a tuple (line 8)"),
     ("import types\nm = types.ModuleType('m')", "", "return s + m.missing", None),
     ("import sys", "", "return s + sys.maxsize % 2", "it uses the module sys (line 6)"),
+    ("import os", "", "return s + len(os.name)", "it uses the module os (line 6)"),
+    ("class P(NamedTuple):\n    x: float\nclass U(P):\n    def __new__(cls, x): return P.__new__(cls, 2 * x)", "", "return s + U(1.0).x", "U defines __new__, which machine code would not call"),
     ("import time", "", "return s + time.time()", "it uses the module time (line 6)"),
     ("from random import random", "", "return s + random()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
     ("f = 'word'.count", "", "return s + f('w')", "it uses f (line 6)"),
@@ -152,6 +160,25 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("", "", "return s + math.pi", None),
     ("", "", "return s + sum({k} is None for k in range(3))", "it makes a set (line 6)"),
     ("def make(k):\n    def g(x):\n        nonlocal k\n        k += 1\n        return x + k\n    return g\ng = make(0)", "", "return g(s)", "it assigns k, a variable of the function around it (line 4)"),
+    ("import random", "", "return s + random.random()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("R = np.random", "", "return s + R.random()", "it draws from numpy.random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("L = np.linalg", "", "return s + L.norm(s)", "it uses the module numpy.linalg (line 6)"),
+    ("G = np.random.default_rng(0)", "", "return s + G.random()", "the global G is a random generator: take it as rng (line 6)"),
+    (MODULES, "", "return s + m.draw()", "it draws from random, which no seed of a run reaches: draw from rng (line 10)"),
+    (MODULES, "", "return s + m.inner.draw()", "it draws from random, which no seed of a run reaches: draw from rng (line 10)"),
+    (MODULES, "", "return s + m.inner.P.x", "the global m.inner.P is a value of SimpleNamespace, which is no NamedTuple (line 10)"),
+    (MODULES, "", "return s + m.inner.K", None),
+    ("", "", "return s + len(f'{s}')", "it makes text (line 6)"),
+    ("", "", "print(s); return s", "it prints (line 6)"),
+    ("", "", "global K; K = 1; return s", "it assigns a global variable (line 6)"),
+    ("", "", "global K; del K; return s", "it deletes a global variable (line 6)"),
+    ("", "", "del T.K; return s", "it assigns the attribute K (line 6)"),
+    ("", "", "return s + isinstance(s, float)", "it asks for the type of a value (line 6)"),
+    ("", "", "return s + sum(x > 0 for x in range(3))", "a for in a call needs [ ], as in sum([...]) (line 6)"),
+    ("", "", "return s + len({1, s})", "it makes a set (line 6)"),
+    ("", "", "return s + {1: s}[1]", "it makes a dict (line 6)"),
+    ("", "", TRY, "it has a try or with (line 7)"),
+    ("def make(h):\n    def g(x): return x + len(h)\n    return g\ng = make([])", "", "return g(s)", "the global h is a list: use an array or a tuple (line 2)"),
 ]  # fmt: skip
 
 
