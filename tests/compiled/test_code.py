@@ -211,22 +211,14 @@ def test_what_is_reached() -> None:
         "class P(NamedTuple):\n    x: int\n    def m(self): return h(self.x)\ndef h(x): return math.sqrt(x)\n"
         "def g(x): return P(3).m() + np.sin(x)"
     )
-    variables = cell(source)
-    reached = Code(loop, (10, variables["T"](1)))
-    assert set(reached.classes) == {variables["T"], variables["P"]}
+    kind, task = cell(source)["T"], make_mdp("Boulder")
+    reached = Code(loop, (10, kind(1)))
+    assert [one.__qualname__ for one in reached.classes] == ["T", "P"]
     assert {function.__qualname__ for function in reached.functions} == {"loop", "T.f", "g", "P.m", "h"}
-    assert reached.foreign
-    assert not reached.importable
-    assert reached.names() == "T, P"
-    assert Code(loop, (10, variables["T"](1), make_mdp("Boulder"))).names() == "T, P", "none of the package"
-
-
-def test_own_code() -> None:
-    """The package's own classes are neither foreign nor out of reach for another process."""
-    task = make_mdp("Boulder")
+    assert (reached.foreign, reached.importable, reached.names()) == (True, False, "T, P")
+    assert Code(loop, (10, kind(1), task)).names() == "T, P", "none of the package"
     own = Code(play_episodes, (10, task, QLearning.create(task)))
-    assert not own.foreign
-    assert own.importable
+    assert (own.foreign, own.importable) == (False, True)
     assert own.names().startswith("Boulder, QLearning")
     assert Code(loop, (10, task)).foreign
 

@@ -3,8 +3,8 @@
 import importlib
 import subprocess
 import sys
-import threading
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from itertools import permutations
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -192,23 +192,11 @@ def test_reference_counts(loop: Any, body: str, counts: bool, monkeypatch: pytes
 
 def test_threads() -> None:
     """Threads may compile at once, the same or different code."""
-    sources = [
-        f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + {k} * h(s)\ndef h(s): return {k}.5"
-        for k in range(4)
-    ]
-    things = [cell(source)["A"](1) for source in sources] * 2
-    results: dict[int, Any] = {}
-
-    def work(i: int) -> None:
-        arguments = 10, things[i], np.random.default_rng(0)
-        results[i] = compiled(plain_loop, *arguments)(*arguments)
-
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert results == {i: plain_loop(10, things[i], np.random.default_rng(0)) for i in range(8)}
+    source = "class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + {0} * h(s)\ndef h(s): return {0}.5"
+    all_arguments = [(10, cell(source.format(k))["A"](1), np.random.default_rng(0)) for k in range(4)] * 2
+    with ThreadPoolExecutor(8) as threads:
+        results = list(threads.map(lambda arguments: compiled(plain_loop, *arguments)(*arguments), all_arguments))
+    assert results == [plain_loop(*arguments) for arguments in all_arguments]
 
 
 def user_helper(x: float) -> float:
