@@ -1,8 +1,5 @@
 """Redefine a class, edit a method, change a constant: the next call runs the new code, interpreted and compiled."""
 
-import os
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -19,6 +16,7 @@ from edugym.compiled.compiler import compiled
 from edugym.compiled.subset import refusal
 from edugym.training.loops import play_episodes
 from tests.compiled.cells import cell
+from tests.compiled.processes import printed
 
 
 def loop(n: int, thing: Any, rng: np.random.Generator) -> float:
@@ -262,9 +260,7 @@ print(Code(loop, (10, cell(source)["T"](1))).fingerprint)
 
 def test_same_fingerprint_in_every_process() -> None:
     """Sets of strings, whose order changes from process to process, do not change it."""
-    path, command = os.pathsep.join(filter(None, sys.path)), [sys.executable, "-c", HASHES]
-    environments = (os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": path} for seed in ("1", "2", "3"))
-    assert len({subprocess.check_output(command, env=environment) for environment in environments}) == 1
+    assert len({printed(HASHES, PYTHONHASHSEED=seed) for seed in ("1", "2", "3")}) == 1
 
 
 def test_every_file_of_the_compiler_counts(monkeypatch: pytest.MonkeyPatch) -> None:

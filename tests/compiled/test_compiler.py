@@ -1,7 +1,6 @@
 """Machine code of plain Python: what it can be made of, where it is kept, and that it leaves everything else alone."""
 
 import importlib
-import subprocess
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -18,6 +17,7 @@ from numba.core.errors import TypingError
 from edugym.compiled import compiler, namedtuples
 from edugym.compiled.compiler import CompilationError, compiled
 from tests.compiled.cells import cell
+from tests.compiled.processes import printed
 
 
 def plain_loop(n: int, thing: Any, rng: np.random.Generator) -> float:
@@ -246,7 +246,7 @@ def test_nothing_is_left_of_a_build() -> None:
 
 def test_the_first_result_needs_no_linear_algebra() -> None:
     """Numba imports scipy.linalg at its start only to see that it is there: a sixth of the time to the first result."""
-    code = """
+    printed("""
 import sys
 from edugym import QLearning, make_mdp, train
 wall = make_mdp("Boulder")
@@ -255,5 +255,4 @@ assert "numba" in sys.modules
 assert "scipy.linalg" not in sys.modules
 import numba.np.linalg
 assert numba.np.linalg.ensure_blas.__name__ == "ensure_blas", "a user's own code still has it looked at"
-"""
-    subprocess.run([sys.executable, "-c", code], check=True)
+""")

@@ -2,8 +2,6 @@
 
 import os
 import signal
-import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -15,6 +13,7 @@ import pytest
 from edugym.compiled import compiler, disk
 from edugym.compiled.compiler import compiled
 from edugym.compiled.disk import cache_directory
+from tests.compiled.processes import printed, started
 from tests.compiled.test_compiler import Adder, plain_loop
 
 MAIN = """
@@ -36,24 +35,9 @@ print(run.agent.Q.sum().hex(), builds)
 FOUND, MADE = (1, True), (0, True)
 
 
-def started(cache: Path, program: str = MAIN, *path: str) -> "subprocess.Popen[str]":
-    """A process that trains."""
-    folders = os.pathsep.join([*path, *filter(None, sys.path)])
-    environment = os.environ | {"EDUGYM_CACHE_DIR": str(cache), "PYTHONPATH": folders, "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-c", program]
-    return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-
-def output(process: "subprocess.Popen[str]") -> str:
-    """What it prints."""
-    out, err = process.communicate(timeout=120)
-    assert process.returncode == 0, err
-    return out
-
-
 def result(cache: Path) -> tuple[str, list[tuple[int, bool]]]:
     """What training comes to in a new process, and of each build whether it was found on the disk and is a lean one."""
-    value, _, builds = output(started(cache)).strip().partition(" ")
+    value, _, builds = printed(MAIN, EDUGYM_CACHE_DIR=str(cache)).strip().partition(" ")
     return value, eval(builds)
 
 
@@ -90,7 +74,7 @@ def test_damage_costs_one_build(endings: tuple[str, ...], cache: Path) -> None:
 def test_killed_while_it_writes(tmp_path: Path) -> None:
     """Processes that are killed at any moment leave nothing that is worse than nothing."""
     for delay in (0.9, 1.3, 1.7):
-        process = started(tmp_path)
+        process = started(MAIN, EDUGYM_CACHE_DIR=str(tmp_path))
         time.sleep(delay)
         process.send_signal(signal.SIGKILL)
         process.communicate()
@@ -106,7 +90,7 @@ def test_full_disk(tmp_path: Path) -> None:
         "import resource, signal, edugym\nresource.setrlimit(resource.RLIMIT_FSIZE, (20_000, -1))\n"
         "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
     )
-    value = output(started(tmp_path, MAIN.replace("import edugym\n", limits))).split()[0]
+    value = printed(MAIN.replace("import edugym\n", limits), EDUGYM_CACHE_DIR=str(tmp_path)).split()[0]
     assert not any(tmp_path.iterdir())
     assert result(tmp_path) == (value, [MADE, MADE])
     assert result(tmp_path) == (value, [FOUND, FOUND])
@@ -144,7 +128,7 @@ def test_students_modules(tmp_path: Path) -> None:
     def run(**modules: str) -> tuple[float, dict[Path, int]]:
         for name, source in modules.items():
             (code / f"{name}.py").write_text(source)
-        value = float(output(started(cache, USE, str(code))))
+        value = float(printed(USE, path=str(code), EDUGYM_CACHE_DIR=str(cache)))
         return value, {path: path.stat().st_mtime_ns for path in cache.rglob("*") if path.is_file()}
 
     first = run(student=STUDENT, student_constants="SPEED = 2", student_loop=LOOP)

@@ -1,8 +1,6 @@
 """What a student meets when code runs fast: the same results, ordinary tracebacks, and one plain warning at most."""
 
 import io
-import os
-import subprocess
 import sys
 import traceback
 import warnings
@@ -21,6 +19,7 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.compiled import compiler, execution
 from edugym.compiled.execution import COMPILE_FROM, executable
 from tests.compiled.cells import LEARNER, WALK, cell
+from tests.compiled.processes import printed
 
 pytestmark = pytest.mark.usefixtures("compiled_at_once")
 N_STEPS = 120_000  # more than one call of machine code
@@ -217,15 +216,6 @@ def test_where_it_is_announced(shell: str, stderr: type[io.StringIO], monkeypatc
     notebook, terminal = shell.startswith("ZMQ"), stderr is Terminal
     lines = [stream.getvalue().count("compiling Walk") for stream in (out, err)]
     assert lines == [int(notebook), int(terminal and not notebook)]
-
-
-def printed(program: str, *options: str, **variables: str) -> str:
-    """What another process prints."""
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))} | variables
-    command = [sys.executable, "-c", program, *options]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, (options, variables, done.stderr)
-    return done.stdout
 
 
 EVERYWHERE = """

@@ -57,5 +57,5 @@ def test_programs(names: list[str]) -> None:
 
 def test_every_program_has_a_name_of_its_own() -> None:
     """And those that are called rare are there."""
-    assert len(EVERY) == sum(map(len, (COMPILED, RAISE, SURPRISES, REFUSED)))
+    assert len(EVERY) == len(COMPILED) + len(RAISE) + len(SURPRISES) + len(REFUSED)
     assert EVERY.keys() >= set(RARE)

@@ -107,9 +107,8 @@ def in_threads() -> None:
     """After Ctrl-C no thread goes on. A compilation would, to its end: so a shorter run comes first."""
     edugym.repeat(BOULDER, {"waiting": Waiting(np.zeros(2))}, n_steps=PATIENT // 2, repetitions=2, jobs=2)
     for agent in (Waiting(np.zeros(2)), Interpreted()):
-        agents, forever = {"waiting": agent}, {"n_steps": 10**9, "evaluate_every": 10**9}
-        repeat = functools.partial(edugym.repeat, BOULDER, agents, **forever, repetitions=2, jobs=2)
-        stopped = stopped_by(Interrupted, repeat, ctrl_c)
+        repeat = functools.partial(edugym.repeat, BOULDER, {"waiting": agent}, n_steps=10**9, repetitions=2, jobs=2)
+        stopped = stopped_by(Interrupted, functools.partial(repeat, evaluate_every=10**9), ctrl_c)
         time.sleep(1.0)
         began = time.process_time()
         time.sleep(0.5)
