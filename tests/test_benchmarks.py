@@ -19,8 +19,7 @@ def benchmark(*options: str) -> str:
     """What the benchmark prints."""
     command = [sys.executable, "-m", "benchmarks", "--quick", *options]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
+    assert (done.returncode, done.stderr) == (0, "")
     return done.stdout
 
 
@@ -35,8 +34,7 @@ def test_everything_is_measured_and_written_down(tmp_path: Path) -> None:
     printed = benchmark("--json", str(tmp_path / "results.json"))
     results: dict[str, Any] = json.loads((tmp_path / "results.json").read_text())
     assert {"cpu", "python", "edugym", "gymnasium", "numba", "numpy"} <= set(results["machine"])
-    names = [comparison["name"] for comparison in results["comparisons"]]
-    assert len(set(names)) == len(names) >= 12
+    assert len({comparison["name"] for comparison in results["comparisons"]}) == len(results["comparisons"]) >= 12
     for comparison in results["comparisons"]:
         ours, *others = comparison["per_second"]
         assert others == list(comparison["edugym_is_times_as_fast_as"])

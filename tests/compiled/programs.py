@@ -20,14 +20,10 @@ COMPILED = {
     "table": program("i = int(rng.random() * 9)\nself.Q[i, 0] += 0.1 * (s - self.Q[i, 0])\nreturn self.Q[i, 0] + 1", **Q),
     "median with nan": program("self.Q[0, 0] = s\nself.Q[3, 1] = math.nan if s > 30 else 1.0\nm = np.median(self.Q[:, 1])\n"
         "return s + (0.5 if m != m else 1.0 + m)", **Q),
-    "power of a number below one": program("return self.x * 0.999 ** int(s) + s", values="0.5"),
     "whole power": program("return s + 3 ** int(rng.random() * 30) % 7"),
     "largest whole power": program("return s + 9223372036854775807 ** int(rng.random() * 2) % 7"),
     "power of minus one": program("return s % 9 + (int(s) % 3 - 1) ** int(rng.random() * 30)"),
     "power of infinity": program("return s % 9 + (2.0 if (2.0 + s) ** self.x > 9.0 else 1.0)", values="math.inf"),
-    "cube": program("return self.x * (s - 0.4375) ** 3 % 10 - 4.5"),
-    "square": program("return (s + 1.25) ** 2 % 10"),
-    "fine domain": program("return math.sqrt(abs(s)) + math.log(1 + abs(s)) + math.exp(-abs(s)) + math.floor(s)"),
     "ties": program(
         "best = [a for a in range(2) if self.Q[0, a] == max(self.Q[0, 0], self.Q[0, 1])]\n"
         "a = best[int(rng.random() * len(best))]\nself.Q[0, a] += rng.random()\nreturn a", start="0", **Q),
@@ -63,8 +59,6 @@ COMPILED = {
         "i = int(s) % 9\nself.Q[i] = i - 4.0, math.nan if i == 3 else 0.0\na = any(self.Q[:, 1]) + 2 * all(self.Q[:, 0] < 4)\n"
         "return 0.5 * s + a + 4 * any([k > s for k in range(9)]) + 8 * all((s > 2.0, s < 5.0)) + 16 * all([s]) + any(self.Q[i:i, 0])", **Q),
     "choice of one's own": program("return s + self.choice(2, 3, p=rng.random())", more="def choice(self, a, b, p): return a * b * p"),
-    "draws from nearly all whole numbers": program(
-        "return s + 1 + rng.integers(-2**63, 2**62) % 7 + rng.integers(-2**63, 2**63 - 1, endpoint=True) % 5"),
     "filled with whole numbers": program(
         "self.N.fill(int(s))\nself.N[1] = 4\na = np.full(3, 2, dtype=int)\nreturn s + self.N[0] % 2 + a[0] + np.full(2, 0.5)[0]", **N),
     "number of a flag": program("return 0.5 * s + float(rng.random() < 0.5) + 0.25 * float(int(s)) - (s > float('inf'))"),
@@ -82,8 +76,6 @@ COMPILED = {
         "return self.g(s)",
         before="def make(k):\n    def g(self, x): return 0.5 * x + k + self.x\n    return g",
     ).replace("thing =", "T.g = make(3)\nthing ="),
-    "made by exec": program("return self.g(s)").replace(
-        "thing =", "made = {}\nexec('def g(self, x): return 0.25 * x + self.x', made)\nT.g = made['g']\nthing ="),
     "max of whole and real": program("return max(int(s), 0.5, s) + min(1, rng.random())"),
     "unset in no way": program("if s > 5:\n    y = 1.0\nelse:\n    y = 2.0\nreturn (s + y) % 9"),
     "types of Python for arrays": program(
@@ -119,13 +111,8 @@ COMPILED = {
 RAISE = {
     "exp": program("self.Q[0, 0] += 1.0\nreturn math.exp(self.Q[0, 0])", **Q),
     "late exp": program("return s + math.exp(s * 0.1) if s < 0 else s + 1 + 0 * math.exp(s * 0.9)"),
-    "sqrt": program("return math.sqrt(700 - s) * 0 + s + 1"),
-    "log": program("return math.log(700 - s) * 0 + s + 1"),
-    "acos": program("return math.acos(s / 700) * 0 + s + 1"),
-    "sin of inf": program("return math.sin(s * 1e306) * 0 + s + 1"),
     "int of nan": program("return int(s + 1 if s < 700 else s * math.nan) + 0.0"),
     "int of inf": program("return int(s + 1 if s < 700 else s * math.inf) + 0.0"),
-    "floor": program("return s + 1 + 0 * math.floor(s if s < 700 else math.inf)"),
     "round": program("return s + 1 + 0 * round(s if s < 700 else math.nan)"),
     "normal": program("return s + 1 + 0 * rng.normal(0.0, 700 - s)"),
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
@@ -137,19 +124,11 @@ RAISE = {
     "binomial probability": program("return s + 1 + 0 * rng.binomial(5, s / 700)"),
     "choice": program("return s + 1 + 0 * rng.choice(700 - int(s))"),
     "choice of nothing": program("return s + 1 + rng.choice(np.flatnonzero(self.Q[:, 0] + 700 > s))", **Q),
-    "choice with a negative probability": program(
-        "return s + 1 + rng.choice(2, p=(0.5, 0.5) if s < 700 else (1.5, -0.5))"
-    ),
-    "choice with a probability too many": program(
-        "n = 3 - int(s < 700)\nreturn s + 1 + rng.choice(2, p=np.ones(n) / n)"
-    ),
+    "choice with a negative probability": program("return s + 1 + rng.choice(2, p=(0.5, 0.5) if s < 700 else (1.5, -0.5))"),
+    "choice with a probability too many": program("n = 3 - int(s < 700)\nreturn s + 1 + rng.choice(2, p=np.ones(n) / n)"),
     "choice with probability nan": program("return s + 1 + rng.choice(2, p=[0.5, 0.5 if s < 700 else math.nan])"),
-    "choice with probabilities of more than 1": program(
-        "return s + 1 + rng.choice([1], p=[1.0 if s < 700 else 1.000001])"
-    ),
-    "choice of nothing with probabilities": program(
-        "p = np.ones(int(s < 700))\nreturn s + 1 + rng.choice(len(p), p=p)"
-    ),
+    "choice with probabilities of more than 1": program("return s + 1 + rng.choice([1], p=[1.0 if s < 700 else 1.000001])"),
+    "choice of nothing with probabilities": program("p = np.ones(int(s < 700))\nreturn s + 1 + rng.choice(len(p), p=p)"),
     "uniform": program("return s + 1 + 0 * rng.uniform(0, 700 - s)"),
     "endless uniform": program("return s + 1 + 0 * (rng.uniform(0, 1 if s < 700 else math.inf) > 0)"),
     "division by zero": program("return s + 1 + 0 * 1 / (700 - s)"),
@@ -159,46 +138,40 @@ RAISE = {
     "normals with a negative deviation": program("return s + 1 + 0 * rng.normal(0.0, 700 - s, 3)[0]"),
     "negative shift": program("return s + 1 + 0 * (1 << (40 - int(s) if s > 20 else 1))"),
     "index": program("self.Q[int(s / 70), 0] += 1\nreturn s + 1", **Q),
+    "index of an array that is made": program("a = np.append(self.Q[:, 0], s)\nreturn s + 1 + a[int(s / 70)]", **Q),
     "second index": program("self.Q[0, int(s / 350)] += 1\nreturn s + 1", **Q),
     "row index": program("q = self.Q[3]\nq[int(s / 350)] += 1\nreturn s + 1", **Q),
     "assertion": program("assert s < 700, 'too late'\nreturn s + 1"),
     "field assigned": program("if s > 700: self.x = 3.0\nreturn s + 1"),
-    "not implemented": program("if s > 700: raise NotImplementedError\nreturn s + 1"),
     "error of the author": program("if s > 700: raise ValueError('late')\nreturn s + 1"),
     "list index": program("a = [1.0, 2.0]\nreturn s + a[int(s / 350)]"),
     "tuple index": program("return s + (1, 2)[int(s / 350)]"),
     "argmax of nothing": program("return s + 1 + np.argmax(self.Q[int(s / 70):, 0])", **Q),
     "largest of nothing": program("return s + 1 + self.Q[int(s / 70):, 0].max()", **Q),
-    "smallest of nothing": program("return s + 1 + np.min(self.Q[int(s / 70):, 0])", **Q),
     "largest as NumPy has it": program("return s + np.max(self.Q, 2)", **Q),
     "of another shape": program("a = np.zeros(3)\nb = np.zeros(2 + int(s < 700))\nreturn s + 1 + (a + b)[0]"),
     "misspelt": program("return s + self.y"),
     "unknown name": program("return s + unknown"),
-}
+}  # fmt: skip
 """Programs that end with an error, soon or late."""
 
 SURPRISES = {
     "events with a large mean": program("return 0.5 * s + rng.poisson(10.0) + rng.binomial(31, 0.5)"),
     "choice with a sum that NumPy just allows": program("return 0.5 * s + rng.choice(2, p=(0.5, 0.500000012))"),
     "whole to a negative power": program("k = int(s)\nreturn 10 ** -k + s + 1"),
-    "negative one": program("i = int(s)\nreturn (i + 2) ** -1 + s"),
     "three to 101": program("return 3 ** (101 + int(s) * 0) % 7 + s"),
     "large power late": program("return 3 ** int(s / 10) % 7 + s + 1"),
     "sum": program("return s + 9007199254740993", start="2**62"),
     "product": program("return s * 3 + 1 if s < 10 ** 400 else 1", start="1"),
     "generator of numbers": program("return (s * 6364136223846793005 + 1442695040888963407) % 2 ** 64", start="1"),
     "shift": program("return s + (1 << 64) % 3 if s > 2 else s + 1", start="0"),
-    "shift late": program("return s + 1 + (1 << (s // 10)) % 7", start="0"),
     "int of a large number": program("return int(1e19 + s) % 7 + s"),
     "whole against real": program("x = 2.0 ** 53\nreturn s + 1 + (s + 9007199254740500 > x)", start="0"),
     "real against whole": program("x = 2.0 ** 53\nreturn s + 1 + (x < s + 9007199254740500)", start="0"),
     "whole against real, below zero": program("x = -(2.0 ** 53)\nreturn s - 1 - (s - 9007199254740500 < x)", start="0"),
     "int of a large negative number": program("return int(-1e16 * s) % 7 + s + 1"),
     "power of a negative number": program("return (-3) ** min(s // 20, 40) % 7 + s + 1", start="0"),
-    "large division": program("return (s + 2 ** 60) / 3 % 7", start="1")
-    .replace("% 7", "% 7 // 1")
-    .replace("return (", "return int((")
-    .replace("// 1", "// 1)"),
+    "large division": program("return int((s + 2 ** 60) / 3 % 7 // 1)", start="1"),
     "complex": program("x = (-5.0 - s) ** 0.5\nreturn s + 1"),
     "numpy's zero": program("return s + 1 + 0 * (self.Q[0, 0] / self.Q[0, 1] > 1)", **Q),
     "sum of whole numbers": program("return sum([2 ** 62 + s, 2 ** 62 + s]) % 7 + s", start="0"),
@@ -206,43 +179,18 @@ SURPRISES = {
     "largest of a list": program("return s + np.max([1.5, 0.5]) + np.min((1, 2))"),
     "largest of rows": program("self.Q[0] += 0.5\nreturn s + np.max(self.Q, axis=0)[1] + self.Q.min(1)[0]", **Q),
     "largest by name": program("return s + np.max(a=self.Q) + 1", **Q),
-    "nothing returned": program(
-        "k = self.act(s)\nreturn s + 1 if k is None else s + k", more="def act(self, s):\n    if s < 500: return 2"
-    ),
+    "nothing returned": program("k = self.act(s)\nreturn s + 1 if k is None else s + k", more="def act(self, s):\n    if s < 500: return 2"),
     "sum in an array": program("self.N[0] += 2 ** 61\nreturn self.N[0] % 7 + 0 * s", **N),
-}
+}  # fmt: skip
 """Programs in which Python goes on where machine code cannot."""
 
 REFUSED = {
-    "all parameters": (program("return self.g(s)", more="def g(self, s, **more):\n    return 0.5 * s"), "g takes **: name its parameters"),
-    "nested list": (program("self.Q[0][0] += 1.0\nreturn self.Q[0][0]", "Q: list", "[[0., 0.] for _ in range(9)]"), "a list"),
-    "maze": (program("return s + self.cells[1][0]", "cells: list", "[[0, 0], [1, 0]]"), "a list"),
-    "flat list": (program("self.Q[0] += 1.0\nreturn self.Q[0]", "Q: list", "[0., 0.]"), "a list"),
-    "appended list": (program("self.h.append(s)\nreturn s + len(self.h)", "h: list", "[0.0]"), "a list"),
-    "set": (program("self.h.add(int(s))\nreturn s + len(self.h)", "h: set", "{0}"), "a set"),
-    "dict": (program("self.h[int(s)] = s\nreturn s + len(self.h)", "h: dict", "{0: 1.0}"), "a dict"),
-    "list as state": (program("s[0] += 1\nreturn s", start="[0.0]"), "a list"),
-    "list in a state": (program("s[0][0] += 1\nreturn s", start="([0.0], 1)"), "a list"),
     "state becomes a list": (program("return [s[0] + 1, s[1]]", start="(0, 1)"), ""),
     "unset on a rare path": (program("if s > 290: y = 1.0\nif s < 600: y = 2.0\nreturn s + y"), "y"),
     "unset at first": (program("if rng.random() < 0.99: y = 1.0\nreturn s + y"), "y"),
     "unset after a loop": (program("for i in range(int(s)): pass\nreturn s + 1 + i"), "i"),
-    "equality": (program("return s + 1 if self == self else s", more="def __eq__(self, other): return False"), "__eq__"),
-    "truth": (program("return s + 1 if self else s", more="def __bool__(self): return False"), "__bool__"),
-    "length": (program("return s + len(self)", more="def __len__(self): return 7"), "__len__"),
-    "iteration": (program("return s + sum([k for k in self])", more="def __iter__(self): return iter((1, 2))"), "__iter__"),
-    "containment": (program("return s + (1.5 in self)", more="def __contains__(self, x): return False"), "__contains__"),
-    "items": (program("return s + self[0]", more="def __getitem__(self, k): return 5.0"), "__getitem__"),
-    "creation": (
-        program("return s + U(1.0).x").replace("thing =", "class U(T):\n    def __new__(cls, x): return T.__new__(cls, 2 * x)\nthing ="), "__new__"),
     "overridden field": (program("return s + self.x").replace("thing = T", "class H(T):\n    __slots__ = ()\n    x = 5.0\nthing = H"), "x"),
-    "field as a property": (program("return s + self.x").replace("thing = T", "class H(T):\n    x = property(lambda self: 5.0)\nthing = H"), "x"),
     "attribute of an instance": (program("return s + self.k", more="k = 1.0").replace("thing = T(1.5)", "class H(T): pass\nthing = H(1.5)\nthing.k = 7.0"), "k"),
-    "float32": (program("return float(self.Q[0] * 0.3 + s * 0.5)", "Q: np.ndarray", "np.full(1, 0.1, np.float32)"), "float32"),
-    "float16": (program("return float(self.Q[0] * 0.3 + s * 0.5)", "Q: np.ndarray", "np.full(1, 0.1, np.float16)"), "float16"),
-    "uint8": (program("return s + float(self.Q[0] - self.Q[1])", "Q: np.ndarray", "np.array([3, 250], np.uint8)"), "uint8"),
-    "int8": (program("self.Q[0] += 1\nreturn s + self.Q[0]", "Q: np.ndarray", "np.array([3, 50], np.int8)"), "int8"),
-    "small number": (program("return s + self.x", "x: float", "np.float32(0.1)"), "float32"),
     "float32 array computed with": (program("a = np.ones(2, np.float32)\nb = a * 0.1\nself.Q[0, 0] = 1.0\nreturn s + b.sum()", **Q), "float32"),
     "float32 summed": (program("a = np.full(2, 0.1, np.float32)\nreturn s + a.sum()"), "float32"),
     "float32 by function": (program("a = np.full(2, 0.1, np.float32)\nreturn s + np.max(a)"), "float32"),
@@ -251,10 +199,8 @@ REFUSED = {
     "whole numbers made of real ones": (program("a = np.array([s, 1.0], dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
     "array of real numbers put in": (program("self.N[:2] = self.N[2:4] * 0.5\nreturn s + 1 + self.N[0]", **N), "puts a real number"),
     "whole numbers in place by real ones": (program("self.N[:] *= 0.5\nreturn s + 1 + self.N[0]", **N), "in place by real ones"),
-    "whole numbers made of a tuple": (program("a = np.array((1, s), dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
     "choice of a row": (program("return 0.5 * s + rng.choice(self.Q)[0]", **Q), "rng.choice is compiled only for one draw"),
     "choice without putting back": (program("return 0.5 * s + rng.choice(9, None, False)"), "rng.choice is compiled only for one draw"),
-    "several choices": (program("return 0.5 * s + rng.choice(9, 2)[0]"), "rng.choice is compiled only for one draw"),
     "bytes filled": (program("a = np.zeros(2, np.uint8)\na.fill(200)\nreturn s + len(a)"), "computes with numbers of type uint8"),
     "filled in place with real numbers": (program("self.N.fill(s)\nreturn s + 1 + self.N[0] % 2", **N), "puts a real number"),
     "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
@@ -270,21 +216,13 @@ REFUSED = {
     "too large a number left out": (program("return s + S(1.0).x", before="class S(NamedTuple):\n    x: float\n    k: int = 2**63"), "it makes a S without k"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
     "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "it uses .flat"),
-    "matrix": (program("m = self.Q * self.Q\nreturn 0.5 * s + m[0, 1]", "Q: np.ndarray", "np.matrix(np.ones((2, 2)))"), "an ordinary array"),
-    "matrix in a state": (program("return s[0] + 1, s[1] * s[1] % 7", start="(0, np.matrix(np.ones((2, 2))))"), "an ordinary array"),
-    "method named like a draw": (program("return 0.5 * s + self.poisson(2.0)", more="def poisson(self, x): return x * self.x"), "a member named poisson, as rng has"),
-    "type of Numba's": (program("return 0.5 * s + k(s)", before="from numba import int64 as k"), "it uses k"),
-    "keyword only": (program("return self.g(s, k=2.0)", more="def g(self, s, *, k): return 0.5 * s + k"), "parameters after *"),
     "strict zip": (program("for k, q in zip(range(9), self.Q[:, 0], strict=True): s = k + q - 0.5 * s\nreturn s", **Q), "it calls zip with strict"),
     "matrices of two types": (program("return 0.5 * s + (np.ones((2, 2)) @ np.ones(2, np.int64))[0]"), "it multiplies matrices of whole numbers, or of two types"),
     "matrices of whole numbers": (program("return 0.5 * s + (np.ones((2, 2), np.int64) @ np.ones((2, 2), np.int64))[0, 0]"), "it multiplies matrices of whole numbers, or of two types"),
     "decorator that passes all on": (
         program("return self.g(s)", more="@passing\ndef g(self, s): return 0.5 * s + 1", before="def passing(f):\n    def g(*a): return f(*a)\n    return g"),
         "it calls a function with *, as a decorator may"),
-    "reversed": (program("for k in reversed(range(3)): s = k - 0.5 * s\nreturn s"), "it uses reversed"),
-    "constant of a plain class": (program("return 0.5 * s + C.k", before="class C:\n    k = 1"), "the class C, which is no NamedTuple"),
     "mask": (program("m = self.Q[:, 0] > 1\nreturn s + self.Q[m].sum()", **Q), "picks"),
-    "short mask": (program("m = np.array([True, False])\nself.N[m] = 1\nreturn s + self.N[0]", **N), "picks"),
     "array of another shape in place": (program("x = np.zeros(3)\nx += np.ones((3, 3))\nreturn s + x[0]"), "place"),
     "overlap": (program("self.N[1:] += self.N[:-1] + 1\nreturn s + self.N[8]", **N), "place"),
     "not of a boolean": (program("flag = s > 3\nreturn s + 1 if ~flag else s + 2"), "True and False"),
@@ -296,52 +234,31 @@ REFUSED = {
     "product of flags": (program("a = np.array([s > 3, True])\nreturn s + 1 + (a * a)[0]"), "True and False"),
     "is True": (program("return s + 1 if (self.Q[0, 0] > -1) is True else s + 2", **Q), "is"),
     "round to decimals": (program("return round(s + 0.15, 1)"), "decimals"),
-    "text of a number": (program("return s + len(str(s))"), "text"),
-    "formatted": (program("return s + len(f'{s}')"), "text"),
-    "order of ties": (program("return s + np.argsort(np.array([2., 1., 1., 1.] * 9))[0]"), "argsort"),
     "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), "it calls itself"),
-    "deep recursion": (program("return g(10 ** 6)", before="def g(n):\n    if n == 0:\n        return 0\n    return 1 + g(n - 1)"), ""),
-    "recursive method": (program("return self.g(int(s) % 40) + s + 1", more="def g(self, n): return 0 if n == 0 else 1 + self.g(n - 1)"), ""),
     "two that call each other": (
         program("return g(int(s) % 9) + s + 1", before="def g(n): return 0 if n == 0 else h(n - 1)\ndef h(n): return 1 if n == 0 else g(n - 1)"), ""),
-    "np.random": (program("return s + np.random.random()", before="np.random.seed(1)"), "draw from rng"),
-    "random": (program("return s + random.random()", before="import random\nrandom.seed(1)"), "draw from rng"),
-    "random imported": (program("return s + random()", before="import random as r\nr.seed(1)\nfrom random import random"), "draw from rng"),
-    "np.random imported": (program("return s + rand()", before="np.random.seed(1)\nfrom numpy.random import rand"), "draw from rng"),
-    "print": (program("print(end='')\nreturn s + 1"), "prints"),
-    "global list": (program("h.append(s)\nreturn s + len(h)", before="h = []"), "a list"),
-    "count in a global": (program("global k\nk += 1\nreturn s + k", before="k = 0"), "global"),
-    "deleted from a class": (program("if s == 5.0: del T.k\nreturn s + 1", more="k = 0"), "attribute k"),
-    "global deleted": (program("global k\nif s == 5.0: del k\nreturn s + 1", before="k = 0"), "global"),
-    "count in a class": (program("T.k += 1\nreturn s + T.k", more="k = 0"), "attribute k"),
-    "list of a class": (program("self.h.append(s)\nreturn s + len(self.h)", more="h = []"), "a list"),
-    "list as default": (program("return self.g(s)", more="def g(self, s, h=[]):\n    h.append(s)\n    return s + len(h)"), "a list"),
     "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), "an array that is not its own"),
-    "array in a global tuple written": (program("A[0][0] += 1\nreturn s + A[0][0]", before="A = (np.zeros(2),)"), "an array that is not its own"),
     "array of a class in tuples written": (program("self.A[1][0][0] += 1\nreturn s + self.A[1][0][0]", more="A = (1, (np.zeros(2),))"), "an array that is not its own"),
-    "try": (program("try:\n    x = 1 / (700 - s)\nexcept ZeroDivisionError:\n    x = 5.0\nreturn s + 1 + 0 * x"), "try"),
-    "type": (program("return s + 1 if isinstance(s, float) else s + 2", start="0"), "type"),
     "comparison by is": (
         program("x = C.G if s > 3 else C.R\nreturn s + 1 if x is C.R else s + 2", before="class C(enum.Enum):\n    R = 1\n    G = 2"), "compares with 'is'"),
     "enum against a number": (program("return s + 1 if int(s) == C.R else s + 2", before="class C(enum.Enum):\n    R = 1"), "Numba has no eq"),
-    "large number": (program("return (s + self.x) % 7", "x: int", "10 ** 30", start="0"), "64 bits"),
-    "generator as a field": (program("return s + self.g.random()", "g: object", "np.random.default_rng(1)"), "rng"),
-    "function as a field": (program("return s + self.g(1.0)", "g: object", "math.sin"), "function"),
-    "list of an outer function": (program("return g(s)", before="def make(h):\n    def g(x):\n        h.append(x)\n        return x + len(h)\n    return g\ng = make([])"), "a list"),
-    "count in an outer function": (
-        program("return g(s)", before="def make(k):\n    def g(x):\n        nonlocal k\n        k += 1\n        return x + k\n    return g\ng = make(0)"), "around"),
-    "array of an outer function": (
-        program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), "an array that is not its own"),
-    "plain object": (program("return s + self.o.k", "o: object", "O()", before="class O:\n    k = 1\n    def __eq__(self, other): return True"), "NamedTuple"),
     "real in an array of whole numbers": (program("self.N[0] += 0.5\nreturn s + self.N[0]", **N), "whole"),
-    "generator expression": (program("return s + sum(x > 0 for x in self.Q[0])", **Q), "a for in a call needs [ ]"),
     "lambda": (program("return s + max(range(2), key=lambda a: self.Q[0, a])", **Q), "a lambda"),
     "list of all kinds": (program("k = [1.0, 2, 'x'][0]\nreturn s + k"), "a list of other things"),
     "array left out of a state": (program("return s + S(1).q[0]", before="class S(NamedTuple):\n    x: int\n    q: np.ndarray = np.zeros(2)"), "it makes a S without q"),
-    "set made": (program("return s + len({1, 2, int(s)})"), "set"),
-    "dict made": (program("d = {1: s}\nreturn s + d[1] + 1"), "dict"),
-    "nested function": (program("def g(x): return x + 1\nk = g\nreturn k(s)"), None),
     "kept in a name": (program("f = math.exp\nreturn f(900) if s > 700 else s + 1"), None),
-    "date": (program("return s + T.__doc__.count('x')"), ""),
 }  # fmt: skip
 """Programs that are not to be compiled, and a word of the sentence that says why."""
+
+RARE = [
+    "median with nan", "where it is not zero", "arrays of draws", "choices", "any and all", "draws", "clip",
+    "types of Python for arrays", "filled with whole numbers", "bounds of bytes and of what is left out",
+    "binomial probability", "binomial", "poisson", "of another shape", "argmax of nothing",
+    "normals with a negative deviation", "integers of a range that is turned round", "list index", "endless uniform",
+    "choice with a probability too many", "choice with probability nan", "choice with probabilities of more than 1",
+    "largest of booleans", "large power late", "power of a negative number",
+    "events with a large mean", "sum of whole numbers", "texts joined", "matrices of whole numbers",
+    "matrices of two types", "comparison by is", "float32 summed", "float32 array computed with",
+    "row in place", "picture of bytes", "power too large", "largest by name", "whole fields and a picture",
+]  # fmt: skip
+"""Programs of all these kinds with which slow tests only are concerned."""

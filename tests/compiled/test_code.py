@@ -1,8 +1,5 @@
 """Redefine a class, edit a method, change a constant: the next call runs the new code, interpreted and compiled."""
 
-import os
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -19,6 +16,7 @@ from edugym.compiled.compiler import compiled
 from edugym.compiled.subset import refusal
 from edugym.training.loops import play_episodes
 from tests.compiled.cells import cell
+from tests.compiled.processes import printed
 
 
 def loop(n: int, thing: Any, rng: np.random.Generator) -> float:
@@ -100,39 +98,10 @@ def fingerprint(source: str) -> str:
     return Code(loop, (10, cell(source)["T"](1))).fingerprint
 
 
-PARAMETERS = pytest.mark.parametrize(("before", "after"), CHANGES.values(), ids=CHANGES)
-
-
 def values(thing: Any) -> tuple[float, float]:
     """The result of the loop, interpreted and compiled."""
     arguments = (10, thing, np.random.default_rng(0))
     return float(loop(*arguments)), float(compiled(loop, *arguments)(*arguments))
-
-
-BUILT = ["method", "property", "class constant", "helper", "closure", "array", "value of another class"]
-"""Of each kind one that is compiled; the fingerprints of all of them are compared below."""
-
-
-@pytest.mark.parametrize("change", BUILT)
-def test_redefined(change: str) -> None:
-    """A class of the same name from an edited cell runs its own code, and so does the old one, in whatever order."""
-    old, new = (cell(source)["T"](1) for source in CHANGES[change])
-    (first, first_compiled), (second, second_compiled) = values(old), values(new)
-    assert first == first_compiled != second == second_compiled
-    assert values(old) == (first, first)
-
-
-@PARAMETERS
-def test_fingerprints(before: str, after: str) -> None:
-    """The fingerprint changes with the code, however little of it changes, and with nothing else."""
-    assert fingerprint(before) == fingerprint(before) == fingerprint("# a comment\n\n" + before)
-    assert fingerprint(after) == fingerprint(after) != fingerprint(before)
-
-
-def test_which_of_pythons_own_names_is_hidden_counts() -> None:
-    """The same helper under the name of one function of Python's, or of another."""
-    before, after = versions("def h(x): return 2 * x\n? = h", "abs", "round", "return abs(s) + round(s)")
-    assert fingerprint(before) != fingerprint(after)
 
 
 def edit(kind: type, notebook: dict[str, Any], source: str) -> None:
@@ -144,29 +113,41 @@ def edit(kind: type, notebook: dict[str, Any], source: str) -> None:
                 setattr(old, name, member)
 
 
-@PARAMETERS
-def test_fingerprints_of_what_is_edited_in_place(before: str, after: str) -> None:
-    """The fingerprint of a living class changes when it, or what it uses, does."""
+BUILT = ["method", "property", "class constant", "helper", "closure", "array", "value of another class"]
+"""Of each kind one that is compiled; the fingerprints of all of them are compared below."""
+
+
+@pytest.mark.parametrize("change", BUILT)
+def test_redefined(change: str) -> None:
+    """An edited class runs its own code, in whatever order; so does the old one, until it is edited in place."""
+    before, after = CHANGES[change]
+    notebook = cell(before)
+    old, new = notebook["T"](1), cell(after)["T"](1)
+    (first, first_compiled), (second, second_compiled) = values(old), values(new)
+    assert first == first_compiled != second == second_compiled
+    assert values(old) == (first, first)
+    edit(type(old), notebook, after)
+    assert values(old) == (second, second)
+
+
+@pytest.mark.parametrize(("before", "after"), CHANGES.values(), ids=CHANGES)
+def test_fingerprints(before: str, after: str) -> None:
+    """The fingerprint changes with the code, however little of it changes, and with nothing else; in place, too."""
+    assert fingerprint(before) == fingerprint(before) == fingerprint("# a comment\n\n" + before)
+    assert fingerprint(after) == fingerprint(after) != fingerprint(before)
     notebook = cell(before)
     thing = notebook["T"](1)
     old = Code(loop, (10, thing)).fingerprint
     edit(type(thing), notebook, after)
-    new = Code(loop, (10, thing)).fingerprint
-    assert new != old
+    assert Code(loop, (10, thing)).fingerprint != old
     edit(type(thing), notebook, before)
     assert Code(loop, (10, thing)).fingerprint == old
 
 
-@pytest.mark.parametrize("change", ["method", "helper", "array"])
-def test_edited_in_place(change: str) -> None:
-    """The next call of a loop runs what a living class has become."""
-    before, after = CHANGES[change]
-    notebook = cell(before)
-    thing = notebook["T"](1)
-    old, old_compiled = values(thing)
-    edit(type(thing), notebook, after)
-    new, new_compiled = values(thing)
-    assert old == old_compiled != new == new_compiled
+def test_which_of_pythons_own_names_is_hidden_counts() -> None:
+    """The same helper under the name of one function of Python's, or of another."""
+    before, after = versions("def h(x): return 2 * x\n? = h", "abs", "round", "return abs(s) + round(s)")
+    assert fingerprint(before) != fingerprint(after)
 
 
 def made(n: int, thing: Any) -> Any:
@@ -192,22 +173,34 @@ def test_modules_of_a_student() -> None:
     outer, inner = ModuleType("student"), ModuleType("student.inner")
     vars(outer).update(inner=inner, K=1, unused=0)
     vars(inner).update(L=2, outer=outer)
-    thing = cell(notebook("", "return s + m.K + m.inner.L") + "m = None")
-    thing["m"] = outer
-    task = thing["T"](1)
-
-    def now() -> str:
-        return Code(loop, (10, task)).fingerprint
-
-    first = now()
+    variables = cell(notebook("", "return s + m.K + m.inner.L") + "m = None")
+    variables["m"] = outer
+    task = variables["T"](1)
+    known = Code(loop, (10, task))
     assert values(task) == (30.0, 30.0)
     vars(outer).update(unused=1)
-    assert now() == first
-    vars(outer).update(K=5)
-    second = now()
-    vars(inner).update(L=7)
-    assert len({first, second, now()}) == 3
+    assert known.first_change() is None
+    assert known.fingerprint == Code(loop, (10, task)).fingerprint
+    fingerprints = {known.fingerprint}
+    for module, change, named in ((outer, {"K": 5}, "student.K"), (inner, {"L": 7}, "student.inner.L")):
+        known = Code(loop, (10, task))
+        vars(module).update(change)
+        assert known.first_change() == named
+        fingerprints.add(Code(loop, (10, task)).fingerprint)
+    assert len(fingerprints) == 3
     assert values(task) == (120.0, 120.0)
+
+
+def test_arrays_that_code_reaches() -> None:
+    """Those that stand alone and those in tuples: of the notebook, of a class, and of a function around."""
+    source = (
+        "A, B, UNUSED = np.zeros(1), (1, (np.zeros(2), 3)), np.zeros(9)\n"
+        "def g(x): return A[0] + B[1][0][0] + x\n"
+        "def around():\n    c = (np.zeros(3),)\n    return lambda x: c[0][0] + x\n"
+        "h = around()"
+    )
+    task = cell(notebook(source, "return s + g(1.0) + h(1.0) + self.D[0][0]", "D = (np.zeros(4),)"))["T"](1)
+    assert sorted(array.size for array in Code(loop, (10, task)).arrays) == [1, 2, 3, 4]
 
 
 def test_what_is_reached() -> None:
@@ -216,22 +209,14 @@ def test_what_is_reached() -> None:
         "class P(NamedTuple):\n    x: int\n    def m(self): return h(self.x)\ndef h(x): return math.sqrt(x)\n"
         "def g(x): return P(3).m() + np.sin(x)"
     )
-    variables = cell(source)
-    reached = Code(loop, (10, variables["T"](1)))
-    assert set(reached.classes) == {variables["T"], variables["P"]}
+    kind, task = cell(source)["T"], make_mdp("Boulder")
+    reached = Code(loop, (10, kind(1)))
+    assert [one.__qualname__ for one in reached.classes] == ["T", "P"]
     assert {function.__qualname__ for function in reached.functions} == {"loop", "T.f", "g", "P.m", "h"}
-    assert reached.foreign
-    assert not reached.importable
-    assert reached.names() == "T, P"
-    assert Code(loop, (10, variables["T"](1), make_mdp("Boulder"))).names() == "T, P", "none of the package"
-
-
-def test_own_code() -> None:
-    """The package's own classes are neither foreign nor out of reach for another process."""
-    task = make_mdp("Boulder")
+    assert (reached.foreign, reached.importable, reached.names()) == (True, False, "T, P")
+    assert Code(loop, (10, kind(1), task)).names() == "T, P", "none of the package"
     own = Code(play_episodes, (10, task, QLearning.create(task)))
-    assert not own.foreign
-    assert own.importable
+    assert (own.foreign, own.importable) == (False, True)
     assert own.names().startswith("Boulder, QLearning")
     assert Code(loop, (10, task)).foreign
 
@@ -275,14 +260,7 @@ print(Code(loop, (10, cell(source)["T"](1))).fingerprint)
 
 def test_same_fingerprint_in_every_process() -> None:
     """Sets of strings, whose order changes from process to process, do not change it."""
-    found = set()
-    for seed in ("1", "2", "3"):
-        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-        done = subprocess.run(
-            [sys.executable, "-c", HASHES], env=environment, capture_output=True, text=True, check=True
-        )
-        found.add(done.stdout)
-    assert len(found) == 1
+    assert len({printed(HASHES, PYTHONHASHSEED=seed) for seed in ("1", "2", "3")}) == 1
 
 
 def test_every_file_of_the_compiler_counts(monkeypatch: pytest.MonkeyPatch) -> None:

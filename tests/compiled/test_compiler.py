@@ -1,11 +1,10 @@
 """Machine code of plain Python: what it can be made of, where it is kept, and that it leaves everything else alone."""
 
 import importlib
-import os
-import subprocess
 import sys
-import threading
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import permutations
 from pathlib import Path
 from typing import Any, NamedTuple
 from unittest.mock import Mock
@@ -15,10 +14,10 @@ import numpy as np
 import pytest
 from numba.core.errors import TypingError
 
-from edugym.compiled import compiler
+from edugym.compiled import compiler, namedtuples
 from edugym.compiled.compiler import CompilationError, compiled
-from edugym.compiled.disk import cache_directory
 from tests.compiled.cells import cell
+from tests.compiled.processes import printed
 
 
 def plain_loop(n: int, thing: Any, rng: np.random.Generator) -> float:
@@ -114,99 +113,37 @@ def test_what_a_class_may_be_made_of() -> None:
 def test_same_names_in_two_classes() -> None:
     """A name may be a field here, a method there and a property elsewhere, in classes of one name."""
     sources = (
-        ("k: float", "", "s + self.k"),
-        ("other: float", "k = property(lambda self: 2.0)", "s + self.k"),
-        ("other: float", "def k(self): return 3.0", "self.other * self.k() - s"),
+        "k: float\n    def f(self, s, rng): return s + self.k",
+        "other: float\n    k = property(lambda self: 2.0)\n    def f(self, s, rng): return s + self.k",
+        "other: float\n    def k(self): return 3.0\n    def f(self, s, rng): return self.other * self.k() - s",
     )
-    things = [
-        cell(f"class A(NamedTuple):\n    {field}\n    {member}\n    def f(self, s, rng): return {value}")["A"](float(k))
-        for k, (field, member, value) in enumerate(sources, 1)
-    ]
-    for one in things:
-        for other in things:
-            interpreted, machine_code = both(loop_of_two, 20, one, other)
-            assert interpreted == machine_code
-
-
-def test_types_of_fields() -> None:
-    """Fields may be of other types than the class says, and each runs by its own."""
-    kind = cell("class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s / 2 + self.k")["A"]
-    for value in (7, 7.0, 7.5, True, np.int64(7), np.float64(0.1), 2**40, -1):
-        interpreted, machine_code = both(plain_loop, 5, kind(value))
+    things = [cell(f"class A(NamedTuple):\n    {source}")["A"](k) for k, source in enumerate(sources, 1)]
+    for one, other in permutations(things, 2):
+        interpreted, machine_code = both(loop_of_two, 20, one, other)
         assert interpreted == machine_code
 
 
 def test_types_that_change(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The same machine code may be called with values of other types afterwards: then it is made for these as well.
-
-    That is never left to Numba, which knows nothing of what code may do.
-    """
+    """Machine code that is called with values of other types is made for these as well, and never by Numba alone."""
     build = Mock(wraps=compiler._build)
     monkeypatch.setattr(compiler, "_build", build)
     monkeypatch.setattr(compiler, "_built", {})  # as in a new process
     task = cell("class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s / 2 + self.k")["A"]
     run = compiled(plain_loop, 3, task(1), np.random.default_rng(0))
-    for value in (1, 1.5, 2, 2.5, True):
+    for value in (1, 1.5, 2**40, np.float64(0.1), np.int64(7), -2.5, True):
         assert run(3, task(value), np.random.default_rng(0)) == plain_loop(3, task(value), np.random.default_rng(0))
     with pytest.raises(CompilationError):
         run(3, task("one"), np.random.default_rng(0))
     assert build.call_count == 4
 
 
-LEAN = """
-class A(NamedTuple):
-    t: np.ndarray
-    def f(self, s, rng):
-        self.t[int(rng.random() * 4)] += 1
-        return s + 1
-"""
-
-
-def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A build without reference counts gives what one with them gives; neither keeps what it was called with."""
-    built = []
-    original = compiler._compile
-
-    def watched(*arguments: Any) -> Any:
-        built.append(arguments[-1])
-        return original(*arguments)
-
-    monkeypatch.setattr(compiler, "_compile", watched)
-    outcomes = []
-    for lean in (True, False):
-        monkeypatch.setattr(compiler, "_built", {})
-        if not lean:
-            monkeypatch.setattr(compiler, "_needs_no_counts", lambda kind: False)
-        table = np.zeros(4)
-        thing, rng = cell(LEAN)["A"](table), np.random.default_rng(0)
-        outcomes.append((both(plain_loop, 100, thing), table.tolist()))
-        run = compiled(plain_loop, 1, thing, rng)
-        run(1, thing, rng)
-        before = [sys.getrefcount(value) for value in (table, rng, thing)]
-        for _ in range(100):
-            run(1, thing, rng)
-        assert [sys.getrefcount(value) for value in (table, rng, thing)] == before
-    assert outcomes[0] == outcomes[1]
-    assert [options.get("_nrt", True) for options in built] == [False, True]
-    assert all(options["boundscheck"] for options in built)
-
-
-def test_allocation_needs_counts() -> None:
-    """Where something allocates, memory does not grow with the steps."""
-    thing = cell("class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + np.arange(self.k).sum()")["A"](
-        5
-    )
-    assert both(plain_loop, 50, thing)[0] == both(plain_loop, 50, thing)[1]
-    run = compiled(plain_loop, 1, thing, np.random.default_rng(0))
-    memory: Any = importlib.import_module("numba.core.runtime._nrt_python")
-    memory.memsys_enable_stats()
-    made, freed = memory.memsys_get_stats_alloc(), memory.memsys_get_stats_free()
-    run(1000, thing, np.random.default_rng(0))
-    assert memory.memsys_get_stats_alloc() - made == memory.memsys_get_stats_free() - freed >= 1000
-    memory.memsys_disable_stats()
-
-
-TABLE = "class A(NamedTuple):\n    t: np.ndarray\n"
+EVERYDAY = """x = self.t.max() + self.t.min() + np.max(self.t) + np.min(self.t) + max(self.t) + np.argmax(self.t)
+        self.t[self.t.argmax()] += rng.integers(3) + rng.integers(1, 3) + rng.integers(low=0, high=9, endpoint=True)
+        self.t[0] = self.t.sum() + np.mean(self.t) + np.dot(self.t, self.t) % 2 + rng.normal() + rng.uniform(0, 1)
+        self.t[:] *= 0.2
+        self.t[int(s) % 3 :] += np.clip(x, 0, 1) + rng.integers(3, dtype=int)
+        return (s + x) % 100"""
+"""What students write in every agent."""
 
 
 def rest_of_the_table(n: int, mdp: Any, rng: Any) -> tuple[int, Any]:
@@ -214,78 +151,52 @@ def rest_of_the_table(n: int, mdp: Any, rng: Any) -> tuple[int, Any]:
     return n, mdp.t[1:]
 
 
-def test_an_array_that_is_given_back_needs_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without them the whole array would come in place of its part."""
-    monkeypatch.setattr(compiler, "_built", {})
-    arguments = 3, cell(TABLE)["A"](np.arange(4.0)), np.random.default_rng(0)
-    n, part = compiled(rest_of_the_table, *arguments)(*arguments)
-    assert (n, part.tolist()) == (3, [1.0, 2.0, 3.0])
-
-
-EVERYDAY = """x = self.t.max() + self.t.min() + np.max(self.t) + np.min(self.t) + max(self.t) + np.argmax(self.t)
-        self.t[self.t.argmax()] += rng.integers(3) + rng.integers(1, 3) + rng.integers(low=0, high=9, endpoint=True)
-        self.t[0] = self.t.sum() + np.mean(self.t) + np.dot(self.t, self.t) + rng.normal() + rng.uniform(0, 1)
-        self.t[:] *= 0.9
-        self.t[int(s) % 3 :] += np.clip(x, 0, 1) + rng.integers(3, dtype=int)
-        return s + x"""
-"""What students write in every agent."""
-
-
 @pytest.mark.parametrize(
-    ("body", "counts"), [("return s + self.t[0]", False), (EVERYDAY, False), ("return s + (2 * self.t).sum()", True)]
+    ("loop", "body", "counts"),
+    [
+        (plain_loop, "return s + self.t[0]", False),
+        (plain_loop, EVERYDAY, False),
+        (plain_loop, "return s + (2 * self.t).sum()", True),
+        (rest_of_the_table, "return s", True),
+    ],
 )
-def test_counting_is_seen_in_machine_code(body: str, counts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where something allocates there are calls that count, and they are named."""
-    monkeypatch.setattr(compiler, "_built", {})
-    builds: list[Any] = []
+def test_reference_counts(loop: Any, body: str, counts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """There are some only where something allocates or is given back; all that is allocated is freed."""
+    built: list[dict[str, bool]] = []
     original = compiler._compile
 
     def watched(*arguments: Any) -> Any:
-        builds.append(original(*arguments))
-        return builds[-1]
+        built.append(arguments[-1])
+        return original(*arguments)
 
     monkeypatch.setattr(compiler, "_compile", watched)
-    thing = cell(f"{TABLE}    def f(self, s, rng):\n        {body}\n")["A"](np.arange(4.0))
-    compiled(plain_loop, 1, thing, np.random.default_rng(0))
-    (build,) = builds[-1].overloads.values()
-    if counts:
-        with pytest.raises(CompilationError, match=r"it allocates \(NRT_\w+\)"):
-            compiler._check_no_counts(build)
-    else:
-        compiler._check_no_counts(build)
-
-
-def test_indices_are_checked() -> None:
-    """An index outside an array raises an IndexError, in builds of both kinds, and does not read or write beside it."""
-    lean = "class A(NamedTuple):\n    t: np.ndarray\n    def f(self, s, rng): return self.t[4 + int(s)]"
-    counting = (
-        "class A(NamedTuple):\n    t: np.ndarray\n    def f(self, s, rng): return np.append(self.t, 1.0)[5 + int(s)]"
-    )
-    for source in (lean, counting):
-        thing = cell(source)["A"](np.zeros(4))
-        with pytest.raises(IndexError):
-            compiled(plain_loop, 1, thing, np.random.default_rng(0))(1, thing, np.random.default_rng(0))
+    monkeypatch.setattr(compiler, "_built", {})
+    kind = cell(f"class A(NamedTuple):\n    t: np.ndarray\n    def f(self, s, rng):\n        {body}\n")["A"]
+    run = compiled(loop, 1, kind(np.arange(4.0)), np.random.default_rng(0))
+    interpreted, machine_code = (way(50, kind(np.arange(4.0)), np.random.default_rng(5)) for way in (loop, run))
+    assert str(interpreted) == str(machine_code)
+    assert [options.get("_nrt", True) for options in built] == [False, True][: 1 + counts]
+    assert all(options["boundscheck"] for options in built)
+    values = kind(np.arange(4.0)), np.random.default_rng(0)
+    run(1, *values)
+    memory: Any = importlib.import_module("numba.core.runtime._nrt_python")
+    memory.memsys_enable_stats()
+    made, freed = memory.memsys_get_stats_alloc(), memory.memsys_get_stats_free()
+    references = [sys.getrefcount(value) for value in (*values, values[0].t)]
+    for _ in range(100):
+        run(10, *values)
+    assert [sys.getrefcount(value) for value in (*values, values[0].t)] == references
+    assert memory.memsys_get_stats_alloc() - made == memory.memsys_get_stats_free() - freed
+    memory.memsys_disable_stats()
 
 
 def test_threads() -> None:
     """Threads may compile at once, the same or different code."""
-    sources = [
-        f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + {k} * h(s)\ndef h(s): return {k}.5"
-        for k in range(4)
-    ]
-    things = [cell(source)["A"](1) for source in sources] * 2
-    results: dict[int, Any] = {}
-
-    def work(i: int) -> None:
-        arguments = 10, things[i], np.random.default_rng(0)
-        results[i] = compiled(plain_loop, *arguments)(*arguments)
-
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert results == {i: plain_loop(10, things[i], np.random.default_rng(0)) for i in range(8)}
+    source = "class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + {0} * h(s)\ndef h(s): return {0}.5"
+    all_arguments = [(10, cell(source.format(k))["A"](1), np.random.default_rng(0)) for k in range(4)] * 2
+    with ThreadPoolExecutor(8) as threads:
+        results = list(threads.map(lambda arguments: compiled(plain_loop, *arguments)(*arguments), all_arguments))
+    assert results == [plain_loop(*arguments) for arguments in all_arguments]
 
 
 def user_helper(x: float) -> float:
@@ -325,105 +236,17 @@ def test_users_own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert list(tmp_path.iterdir()) == []
 
 
-def test_where_the_cache_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """$EDUGYM_CACHE_DIR, or `edugym` in the user's cache directory."""
-    monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path / "mine"))
-    assert cache_directory() == tmp_path / "mine"
-    monkeypatch.delenv("EDUGYM_CACHE_DIR")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    assert cache_directory() == tmp_path / "edugym"
-    monkeypatch.delenv("XDG_CACHE_HOME")
-    monkeypatch.setenv("HOME", str(tmp_path))
-    assert cache_directory() == tmp_path / ".cache" / "edugym"
-
-
-def test_cache_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without a folder to keep machine code in, it is made anew and works."""
-    (tmp_path / "file").write_text("no folder")
-    monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path / "file" / "cache"))
-
-    monkeypatch.setattr(compiler, "_built", {})  # as in a new process
-    interpreted, machine_code = both(plain_loop, 10, Adder(0.5))
-    assert interpreted == machine_code
-
-
-STUDENT = """
-from typing import NamedTuple
-import numpy as np
-from student_constants import SPEED
-
-def helper(s): return s + SPEED
-
-class Task(NamedTuple):
-    k: int
-    def f(self, s, rng): return helper(s) + 1.0 * self.k
-"""
-
-MAIN = """
-import sys
-from pathlib import Path
-import numpy as np
-from student_loop import loop
-from student import Task
-from edugym.compiled.compiler import compiled
-
-arguments = 10, Task(1), np.random.default_rng(0)
-assert compiled(loop, *arguments)(*arguments) == loop(*arguments)
-print(loop(*arguments))
-"""
-
-LOOP = """
-def loop(n, task, rng):
-    s = 0.0
-    for _ in range(n):
-        s = task.f(s, rng)
-    return s
-"""
-
-
-def files(folder: Path) -> dict[str, int]:
-    """All files below a folder, and when each was last written."""
-    return {str(path): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
-
-
-@pytest.mark.slow
-def test_disk_cache(tmp_path: Path) -> None:
-    """Another process finds machine code on the disk, and does not use it once what it was made of has changed."""
-    code, cache = tmp_path / "code", tmp_path / "cache"
-    code.mkdir()
-    environment = os.environ | {"EDUGYM_CACHE_DIR": str(cache), "PYTHONPATH": str(code), "PYTHONDONTWRITEBYTECODE": "1"}
-
-    def write(**modules: str) -> None:
-        for name, source in modules.items():
-            (code / f"{name}.py").write_text(source)
-
-    def run() -> float:
-        done = subprocess.run(
-            [sys.executable, "-c", MAIN], env=environment, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, done.stderr
-        return float(done.stdout)
-
-    write(student=STUDENT, student_constants="SPEED = 2", student_loop=LOOP)
-    assert run() == 30
-    first = files(cache)
-    assert len(first) >= 2
-    assert run() == 30
-    assert files(cache) == first
-    for modules, result in (
-        ({"student_constants": "SPEED = 3"}, 40),
-        ({"student": STUDENT.replace("+ 1.0 *", "+ 2.0 *")}, 50),
-        ({"student_loop": LOOP.replace("s = task", "s = 1 + task")}, 60),
-    ):
-        write(**modules)
-        before = files(cache)
-        assert run() == result
-        assert set(files(cache)) > set(before)
+def test_nothing_is_left_of_a_build() -> None:
+    """Not its options, nor functions, which would keep a notebook's old classes alive; after an error, too."""
+    function: Any = plain_loop
+    with pytest.raises(KeyError), namedtuples.building({"boundscheck": True}, {function}):
+        raise KeyError(len(namedtuples._helpers))
+    assert (namedtuples._options, namedtuples._helpers, namedtuples._parts) == ({}, set(), {})
 
 
 def test_the_first_result_needs_no_linear_algebra() -> None:
     """Numba imports scipy.linalg at its start only to see that it is there: a sixth of the time to the first result."""
-    code = """
+    printed("""
 import sys
 from edugym import QLearning, make_mdp, train
 wall = make_mdp("Boulder")
@@ -432,5 +255,4 @@ assert "numba" in sys.modules
 assert "scipy.linalg" not in sys.modules
 import numba.np.linalg
 assert numba.np.linalg.ensure_blas.__name__ == "ensure_blas", "a user's own code still has it looked at"
-"""
-    subprocess.run([sys.executable, "-c", code], check=True)
+""")

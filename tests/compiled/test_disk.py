@@ -2,21 +2,23 @@
 
 import os
 import signal
-import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from edugym.compiled import disk
+from edugym.compiled import compiler, disk
+from edugym.compiled.compiler import compiled
+from edugym.compiled.disk import cache_directory
+from tests.compiled.processes import printed, started
+from tests.compiled.test_compiler import Adder, plain_loop
 
 MAIN = """
 import warnings
 warnings.simplefilter("error")
-import numba.core.dispatcher as dispatcher
 from edugym.compiled import compiler
 builds = []
 original = compiler._compile
@@ -30,25 +32,13 @@ task = edugym.make_mdp("Boulder", height=4)
 run = edugym.train(task, edugym.QLearning.create(task), 6000, evaluate_every=6000)
 print(run.agent.Q.sum().hex(), builds)
 """
-
-
-def started(cache: Path) -> "subprocess.Popen[str]":
-    """A process that trains."""
-    environment = os.environ | {"EDUGYM_CACHE_DIR": str(cache), "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    command = [sys.executable, "-c", MAIN]
-    return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+FOUND, MADE = (1, True), (0, True)
 
 
 def result(cache: Path) -> tuple[str, list[tuple[int, bool]]]:
     """What training comes to in a new process, and of each build whether it was found on the disk and is a lean one."""
-    process = started(cache)
-    out, err = process.communicate(timeout=120)
-    assert process.returncode == 0, err
-    value, _, builds = out.strip().partition(" ")
+    value, _, builds = printed(MAIN, EDUGYM_CACHE_DIR=str(cache)).strip().partition(" ")
     return value, eval(builds)
-
-
-FOUND, MADE = (1, True), (0, True)
 
 
 def change_byte(file: Path) -> None:
@@ -56,14 +46,6 @@ def change_byte(file: Path) -> None:
     data = bytearray(file.read_bytes())
     data[len(data) // 2] ^= 0xFF
     file.write_bytes(data)
-
-
-FAULTS: dict[str, Callable[[Path], object]] = {
-    "flipped": change_byte,
-    "truncated": lambda file: file.write_bytes(file.read_bytes()[: file.stat().st_size // 2]),
-    "emptied": lambda file: file.write_bytes(b""),
-    "removed": lambda file: file.unlink(),
-}
 
 
 @pytest.fixture(scope="module")
@@ -76,15 +58,13 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("fault", "endings"), [*((fault, (".nbi", ".nbc")) for fault in FAULTS), ("flipped", (".json",))]
-)
-def test_damage_costs_one_build(fault: str, endings: tuple[str, ...], cache: Path) -> None:
+@pytest.mark.parametrize("endings", [(".nbi", ".nbc"), (".json",)], ids=lambda endings: endings[0])
+def test_damage_costs_one_build(endings: tuple[str, ...], cache: Path) -> None:
     """A damaged file of any kind is noticed; the folder is made again, as fast code, and is then found."""
     for k, ending in enumerate(endings):  # in one folder the index, in the other the machine code
         files = [file for file in sorted(cache.rglob("*")) if file.suffix == ending]
         assert len(files) == 2
-        FAULTS[fault](files[k])
+        change_byte(files[k])
     value, builds = result(cache)
     assert sorted(builds) == [MADE] * len(endings) + [FOUND] * (2 - len(endings))
     assert result(cache) == (value, [FOUND, FOUND])
@@ -94,7 +74,7 @@ def test_damage_costs_one_build(fault: str, endings: tuple[str, ...], cache: Pat
 def test_killed_while_it_writes(tmp_path: Path) -> None:
     """Processes that are killed at any moment leave nothing that is worse than nothing."""
     for delay in (0.9, 1.3, 1.7):
-        process = started(tmp_path)
+        process = started(MAIN, EDUGYM_CACHE_DIR=str(tmp_path))
         time.sleep(delay)
         process.send_signal(signal.SIGKILL)
         process.communicate()
@@ -106,21 +86,87 @@ def test_killed_while_it_writes(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_full_disk(tmp_path: Path) -> None:
     """Where nothing more can be written machine code is made and used all the same, and kept once there is room."""
-    program = MAIN.replace(
-        "import edugym\n",
-        "import resource, edugym\nresource.setrlimit(resource.RLIMIT_FSIZE, (20_000, -1))\n"
-        "import signal; signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n",
+    limits = (
+        "import resource, signal, edugym\nresource.setrlimit(resource.RLIMIT_FSIZE, (20_000, -1))\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
     )
-    environment = os.environ | {
-        "EDUGYM_CACHE_DIR": str(tmp_path),
-        "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
-    }
-    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    value = done.stdout.split()[0]
+    value = printed(MAIN.replace("import edugym\n", limits), EDUGYM_CACHE_DIR=str(tmp_path)).split()[0]
     assert not any(tmp_path.iterdir())
     assert result(tmp_path) == (value, [MADE, MADE])
     assert result(tmp_path) == (value, [FOUND, FOUND])
+
+
+STUDENT = """
+from typing import NamedTuple
+from student_constants import SPEED
+
+def helper(s): return s + SPEED
+
+class Task(NamedTuple):
+    k: int
+    def f(self, s, rng): return helper(s) + 1.0 * self.k
+"""
+USE = """
+import numpy as np
+from student_loop import loop
+from student import Task
+from edugym.compiled.compiler import compiled
+
+arguments = 10, Task(1), np.random.default_rng(0)
+assert compiled(loop, *arguments)(*arguments) == loop(*arguments)
+print(loop(*arguments))
+"""
+LOOP = "def loop(n, task, rng):\n    s = 0.0\n    for _ in range(n):\n        s = task.f(s, rng)\n    return s\n"
+
+
+@pytest.mark.slow
+def test_students_modules(tmp_path: Path) -> None:
+    """Another process finds machine code on the disk, and does not use it once what it was made of has changed."""
+    code, cache = tmp_path / "code", tmp_path / "cache"
+    code.mkdir()
+
+    def run(**modules: str) -> tuple[float, dict[Path, int]]:
+        for name, source in modules.items():
+            (code / f"{name}.py").write_text(source)
+        value = float(printed(USE, path=str(code), EDUGYM_CACHE_DIR=str(cache)))
+        return value, {path: path.stat().st_mtime_ns for path in cache.rglob("*") if path.is_file()}
+
+    first = run(student=STUDENT, student_constants="SPEED = 2", student_loop=LOOP)
+    value, files = first
+    assert value == 30
+    assert len(files) >= 2
+    assert run() == first
+    for modules, result in (
+        ({"student_constants": "SPEED = 3"}, 40),
+        ({"student": STUDENT.replace("+ 1.0 *", "+ 2.0 *")}, 50),
+        ({"student_loop": LOOP.replace("s = task", "s = 1 + task")}, 60),
+    ):
+        before = files
+        value, files = run(**modules)
+        assert value == result
+        assert files.keys() > before.keys()
+
+
+def test_where_the_cache_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """$EDUGYM_CACHE_DIR, or `edugym` in the user's cache directory."""
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path / "mine"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert cache_directory() == tmp_path / "mine"
+    monkeypatch.delenv("EDUGYM_CACHE_DIR")
+    assert cache_directory() == tmp_path / "edugym"
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    assert cache_directory() == tmp_path / ".cache" / "edugym"
+
+
+def test_a_cache_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without a folder to keep machine code in, it is made anew and works."""
+    (tmp_path / "file").write_text("no folder")
+    monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path / "file" / "cache"))
+    monkeypatch.setattr(compiler, "_built", {})  # as in a new process
+    fast = compiled(plain_loop, 10, Adder(0.5), np.random.default_rng(0))
+    results = [run(10, Adder(0.5), np.random.default_rng(5)) for run in (plain_loop, fast)]
+    assert results[0] == results[1]
 
 
 def folder(parent: Path, name: str, size: int) -> Path:
@@ -138,7 +184,6 @@ def folder(parent: Path, name: str, size: int) -> Path:
         (10_000, "abc", "abcd"),
         (2_500, "abc", "bcd"),  # the oldest goes, whatever it is called
         (2_500, "cab", "abd"),
-        (2_500, "bca", "acd"),
         (1, "abc", "d"),  # the latest stays in any case
     ],
 )
@@ -149,7 +194,6 @@ def test_the_least_recently_used_go(
     for name in "abc":
         os.utime(folder(tmp_path, name, 1000), (10 + used.index(name),) * 2)
     if limit == 10_000:
-        os.utime(tmp_path / "a", (5, 5))
         assert disk.is_whole(tmp_path / "a")
         assert (tmp_path / "a").stat().st_mtime > time.time() - 100
     monkeypatch.setattr(disk, "LIMIT", limit)

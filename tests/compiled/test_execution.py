@@ -1,8 +1,6 @@
 """What a student meets when code runs fast: the same results, ordinary tracebacks, and one plain warning at most."""
 
 import io
-import os
-import subprocess
 import sys
 import traceback
 import warnings
@@ -10,6 +8,7 @@ from itertools import count as count_up
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -20,6 +19,7 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.compiled import compiler, execution
 from edugym.compiled.execution import COMPILE_FROM, executable
 from tests.compiled.cells import LEARNER, WALK, cell
+from tests.compiled.processes import printed
 
 pytestmark = pytest.mark.usefixtures("compiled_at_once")
 N_STEPS = 120_000  # more than one call of machine code
@@ -77,75 +77,87 @@ def test_a_build_takes_as_long_as_the_last_one(monkeypatch: pytest.MonkeyPatch) 
     assert 0.0 < compiler.seconds_to_build() < 1_000.0
 
 
-def test_rehearsal_changes_nothing() -> None:
-    """Code of a student is rehearsed on copies: tables and random streams stay as they are."""
-    table, rng = np.zeros(4), np.random.default_rng(0)
+def test_who_is_rehearsed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Code of a student, on copies: tables and streams stay as they are. The package's own goes straight on."""
+    table, _, rng = arguments = arguments_of(COUNTER)
     before = rng.bit_generator.state
-    executable(count, (table, cell(COUNTER)["Counter"](4), rng))
+    executable(count, arguments)
     assert rng.bit_generator.state == before
     assert table.sum() == 0
-
-
-def test_own_code_is_not_rehearsed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The package's own code goes straight to the compiler."""
-    task = edugym.make_mdp("Boulder")
     monkeypatch.setattr(execution, "copied", lambda value: pytest.fail("rehearsed"))
-    agent = edugym.QLearning.create(task)
-    edugym.train(task, agent, 10_000)
+    agent = edugym.QLearning.create((11, 2))
+    edugym.train("Boulder", agent, 10_000)
     assert agent.Q.any()
 
 
-def lines_of(error: BaseException) -> list[str]:
-    """The lines of a traceback, from the outermost to the one at fault."""
-    return [frame.line or "" for frame in traceback.extract_tb(error.__traceback__)]
+def line_of(error: BaseException) -> str:
+    """The line at fault."""
+    return traceback.extract_tb(error.__traceback__)[-1].line or ""
 
 
-def walk_and_learner(slip: str = "", where: str = "learn(self, state, action, reward, next_state, terminated):") -> Any:
-    """A student's task and agent, which has a mistake in some method."""
-    notebook = cell(
-        WALK
-        + LEARNER.replace(f"def {where}", f"def {where}\n        {slip or 'pass'}").replace(
-            "rate: float = 0.5", "rate: float = 0.5\n    calls: np.ndarray = np.zeros(1, np.int64)"
-        )
-    )
-    return notebook["Walk"](5), notebook["Learner"](np.zeros((6, 2)))._replace(calls=np.zeros(1, np.int64))
+def with_slip(slip: str) -> Any:
+    """A student's task and agent, which counts its calls and then does something wrong."""
+    head, counts = "def learn(self, state, action, reward, next_state, terminated):", "calls: np.ndarray"
+    source = LEARNER.replace(head, f"{head}\n        self.calls[0] += 1\n        {slip}")
+    notebook = cell(WALK + source.replace("rate: float = 0.5", f"{counts}\n    rate: float = 0.5"))
+    return notebook["Walk"](5), notebook["Learner"](np.zeros((6, 2)), np.zeros(1, np.int64))
 
 
-def test_student_agent_learns(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A student's agent in a student's task, compiled, learns exactly what it learns when it is interpreted."""
+ADAPTED = """
+class Adapted(NamedTuple):
+    agent: object
+
+    def act(self, state, rng):
+        return self.agent.act(state=state, rng=rng)
+
+    def learn(self, state, action, reward, next_state, terminated, truncated):
+        self.agent.learn(
+            state=state, action=action, reward=reward, next_state=next_state, terminated=terminated)
+"""
+SHUFFLED = LEARNER.replace(
+    "self, state, action, reward, next_state, terminated",
+    "self, reward, terminated, next_state, action, state, alpha=0.5",
+).replace("self.rate *", "alpha *")
+
+
+@pytest.mark.parametrize("adapted", [False, True])
+def test_students_agents_learn(adapted: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A student's agent in a student's task learns the same, compiled and interpreted.
+
+    So does one whose methods an adapter calls by keywords, with defaults and in another order.
+    """
     runs = []
     for seconds in (0.0, 1e9):
         monkeypatch.setattr(execution, "seconds_to_build", lambda seconds=seconds: seconds)
-        task, agent = walk_and_learner()
-        runs.append(edugym.train(task, agent, 12_000, evaluate_every=1500, seed=3))
-    machine_code, interpreted = runs
-    assert interpreted.returns.tolist() == machine_code.returns.tolist()
-    assert interpreted.training_returns[1:].tolist() == machine_code.training_returns[1:].tolist()
-    assert interpreted.agent.Q.tolist() == machine_code.agent.Q.tolist()
-    assert machine_code.returns[-1] == 1 - 4 * 0.25  # five steps, the last of which pays
+        notebook = cell(WALK + (SHUFFLED + ADAPTED if adapted else LEARNER))
+        learner = notebook["Learner"](np.zeros((6, 2)))
+        agent = notebook["Adapted"](learner) if adapted else learner
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            run = edugym.train(notebook["Walk"](5), agent, 12_000, evaluate_every=1500, seed=3)
+        runs.append((run.returns.tolist(), run.training_returns[1:].tolist(), learner.Q.tolist()))
+        assert run.returns[-1] == 1 - 4 * 0.25  # five steps, the last of which pays
+    assert runs[0] == runs[1]
 
 
 @pytest.mark.parametrize("after", [3, 50_000])
 def test_slips_of_the_index(after: int) -> None:
     """A wrong index stops at the student's line, whether it comes at once or in the middle of a long compiled run."""
     line = f"if self.calls[0] == {after}: self.Q[state, action + 7] = 1.0"
-    task, agent = walk_and_learner(f"self.calls[0] += 1\n        {line}")
-    with pytest.raises(IndexError) as caught:
-        edugym.train(task, agent, N_STEPS, seed=1)
-    assert lines_of(caught.value)[-1] == line
-    if after > execution.REHEARSED:
-        expected = agent.Q.copy()
-        task, agent = walk_and_learner(f"self.calls[0] += 1\n        {line}")
-        with pytest.raises(IndexError):
-            edugym.train(task, agent, after, seed=1, evaluate_every=N_STEPS)
+    tables = []
+    for n_steps, evaluate_every in ((N_STEPS, None), (after, N_STEPS)):
+        task, agent = with_slip(line)
+        with pytest.raises(IndexError) as caught:
+            edugym.train(task, agent, n_steps, seed=1, evaluate_every=evaluate_every)
+        assert line_of(caught.value) == line
         assert agent.calls.tolist() == [after]
-        np.testing.assert_array_equal(agent.Q, expected)
+        tables.append(agent.Q)
+    np.testing.assert_array_equal(*tables)
 
 
 def test_mistake_in_a_task() -> None:
     """A mistake in a student's task stops at its line in training, in an environment and in a vector environment."""
-    source = WALK.replace("return max(0, state", "return max(0, self.sise + state")
-    notebook = cell(source + LEARNER)
+    notebook = cell(WALK.replace("return max(0, state", "return max(0, self.sise + state") + LEARNER)
     task = notebook["Walk"](5)
     for use in (
         lambda: edugym.train(task, notebook["Learner"](np.zeros((6, 2))), N_STEPS),
@@ -154,7 +166,7 @@ def test_mistake_in_a_task() -> None:
     ):
         with pytest.raises(AttributeError, match="sise") as caught:
             use()
-        assert lines_of(caught.value)[-1] == "return max(0, self.sise + state + 2 * action - 1)"
+        assert line_of(caught.value) == "return max(0, self.sise + state + 2 * action - 1)"
 
 
 def stepped(env: Any) -> None:
@@ -166,20 +178,16 @@ def stepped(env: Any) -> None:
 def test_what_cannot_be_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     """A class that cannot be compiled runs interpreted, with the same results, after one short warning."""
     source = COUNTER.replace("return int", "notes = {'size': self.size, 2: None}\n        return int")
-    table, task = np.zeros(4), cell(source)["Counter"](4)
-    with pytest.warns(UserWarning, match="Counter") as caught:
-        assert executable(count, (table, task, np.random.default_rng(0))) is count
+    arguments = arguments_of(source)
+    with pytest.warns(UserWarning, match="^Counter cannot be compiled and runs interpreted, .*: ") as caught:
+        assert executable(count, arguments) is count
     (warning,) = caught
-    message = str(warning.message)
-    assert message.startswith("Counter cannot be compiled and runs interpreted, some hundred times slower: ")
-    assert "\n" not in message
-    assert len(message) < 300
+    assert "\n" not in str(warning.message)
+    assert len(str(warning.message)) < 300
+    monkeypatch.setattr(compiler, "_build", lambda *_: pytest.fail("tried again"))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        executable(count, (table, task, np.random.default_rng(0)))
-    with monkeypatch.context() as patch:
-        patch.setattr(compiler, "_build", lambda *_: pytest.fail("tried again"))
-        assert executable(count, (table, task, np.random.default_rng(0))) is count
+        assert executable(count, arguments) is count
 
 
 class Terminal(io.StringIO):
@@ -202,11 +210,9 @@ def test_where_it_is_announced(shell: str, stderr: type[io.StringIO], monkeypatc
     monkeypatch.setattr(execution, "is_on_disk", lambda code: False)
     monkeypatch.setattr(execution, "_warned", set())
     code: Any = SimpleNamespace(names=lambda: "Walk")
-    monkeypatch.setenv("EDUGYM_QUIET", "1")
-    execution._announce(code)
-    monkeypatch.delenv("EDUGYM_QUIET")
-    execution._announce(code)
-    execution._announce(code)
+    for quiet in ("1", "", ""):
+        monkeypatch.setenv("EDUGYM_QUIET", quiet)
+        execution._announce(code)
     notebook, terminal = shell.startswith("ZMQ"), stderr is Terminal
     lines = [stream.getvalue().count("compiling Walk") for stream in (out, err)]
     assert lines == [int(notebook), int(terminal and not notebook)]
@@ -240,101 +246,11 @@ print("numba" in sys.modules and sys.modules["numba"] is not None)
 @pytest.mark.slow
 def test_without_a_compiler() -> None:
     """Without Numba, or with it switched off, everything gives the same results, and no warning."""
-    outputs = []
-    for how, variables in (("numba", {}), ("numba off", {"NUMBA_DISABLE_JIT": "1"}), ("no numba", {})):
-        environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))} | variables
-        command = [sys.executable, "-c", EVERYWHERE, how]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, (how, done.stderr)
-        outputs.append(done.stdout.splitlines())
-    assert [lines.pop() for lines in outputs] == ["True", "True", "False"]
+    ways: tuple[tuple[str, dict[str, str]], ...] = ("numba", {}), ("off", {"NUMBA_DISABLE_JIT": "1"}), ("no numba", {})
+    outputs = [printed(EVERYWHERE, how, **variables).splitlines() for how, variables in ways]
+    assert [lines.pop() for lines in outputs] == ["True", "False", "False"]
     assert outputs[0] == outputs[1] == outputs[2]
     assert len(outputs[0]) == 51
-
-
-def test_a_living_environment_runs_what_its_class_has_become() -> None:
-    """A method, a global or a constant of a class that changes shows at the next step, also as machine code."""
-    notebook = cell("BONUS = 1.0\n" + WALK.replace("else -0.25", "else -0.25 * BONUS"))
-    task = notebook["Walk"](50)
-    vector = MDPVectorEnv(MDPEnv(task), 4)
-    vector.reset(seed=0)
-    step = np.ones(4, np.int64)
-    assert vector.step(step)[1].tolist() == [-0.25] * 4
-    notebook["BONUS"] = 2.0
-    assert vector.step(step)[1].tolist() == [-0.5] * 4
-    cell(WALK.replace("else -0.25", "else -3.0"), notebook)
-    task.__class__.reward = notebook["Walk"].reward
-    assert vector.step(step)[1].tolist() == [-3.0] * 4
-    notebook["BONUS"] = []  # which is not to be compiled, and not used any more
-    assert vector.step(step)[1].tolist() == [-3.0] * 4
-
-
-def test_machine_code_that_differs_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What the first steps come to is compared; where it differs the class runs interpreted and says so."""
-    monkeypatch.setattr(execution, "_warned", set())
-    original = compiler.compiled
-
-    def wrong(loop: Any, *arguments: Any, **named: Any) -> Any:
-        made = original(loop, *arguments, **named)
-
-        def run(n: int, table: Any, *rest: Any) -> Any:
-            table[3] += 1e-9
-            return made(n, table, *rest)
-
-        return run
-
-    monkeypatch.setattr(execution, "compiled", wrong)
-    table, rng = np.zeros(4), np.random.default_rng(0)
-    with pytest.warns(UserWarning, match="comes to something else than Python in the first steps"):
-        assert executable(count, (table, cell(COUNTER)["Counter"](4), rng)) is count
-    assert not table.any()
-
-
-def test_no_step_happens_twice(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    """What a student's code prints, or counts outside, it does once for each step."""
-    monkeypatch.setattr(execution, "_warned", set())
-    for line in ("print('step')", "seen.append(1)", "T.k[0] += 1"):
-        source = "seen = []\nclass T: k = [0]\n" + COUNTER.replace("return int", f"{line}\n        return int")
-        notebook = cell(source)
-        monkeypatch.setattr(execution, "_warned", set())
-        with pytest.warns(UserWarning, match="runs interpreted"):
-            run = executable(count, (np.zeros(4), notebook["Counter"](4), np.random.default_rng(0)))
-        run(7, np.zeros(4), notebook["Counter"](4), np.random.default_rng(0))
-        assert (capsys.readouterr().out.count("step"), len(notebook["seen"]), notebook["T"].k[0]) in (
-            (7, 0, 0), (0, 7, 0), (0, 0, 7),
-        )  # fmt: skip
-
-
-ADAPTED = """
-class Adapted(NamedTuple):
-    agent: object
-
-    def act(self, state, rng):
-        return self.agent.act(state=state, rng=rng)
-
-    def learn(self, state, action, reward, next_state, terminated, truncated):
-        self.agent.learn(
-            state=state, action=action, reward=reward, next_state=next_state, terminated=terminated)
-"""
-
-
-def test_methods_are_called_by_keywords(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An adapter that names what it passes compiles, also where other parameters have defaults, or another order."""
-    kept: list[Any] = []
-    shuffled = LEARNER.replace(
-        "self, state, action, reward, next_state, terminated",
-        "self, reward, terminated, next_state, action, state, alpha=0.5",
-    ).replace("self.rate *", "alpha *")
-    for seconds in (0.0, 1e9):
-        monkeypatch.setattr(execution, "seconds_to_build", lambda seconds=seconds: seconds)
-        notebook = cell(WALK + shuffled + ADAPTED)
-        agent = notebook["Adapted"](notebook["Learner"](np.zeros((6, 2))))
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            edugym.train(notebook["Walk"](5), agent, 6000, seed=3)
-        kept.append(agent.agent.Q.tolist())
-    assert kept[0] == kept[1]
-    assert np.any(kept[0])
 
 
 MOVED = """
@@ -363,38 +279,74 @@ print(run.complete, [str(w.message) for w in caught])
 )
 def test_a_numba_that_is_not_as_expected(change: str, tmp_path: Path) -> None:
     """Where something in Numba has moved, everything runs interpreted, after one warning."""
-    environment = os.environ | {
-        "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
-        "EDUGYM_CACHE_DIR": str(tmp_path),
-    }
-    command = [sys.executable, "-c", MOVED.format(change=change)]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    complete, _, said = done.stdout.partition(" ")
+    complete, _, said = printed(MOVED.format(change=change), EDUGYM_CACHE_DIR=str(tmp_path)).partition(" ")
     assert complete == "True"
     assert said.count("interpreted") == 1, said
+
+
+def test_a_living_environment_runs_what_its_class_has_become() -> None:
+    """A method, a global or a constant of a class that changes shows at the next step, also as machine code."""
+    notebook = cell("BONUS = 1.0\n" + WALK.replace("else -0.25", "else -0.25 * BONUS"))
+    task = notebook["Walk"](50)
+    vector = MDPVectorEnv(MDPEnv(task), 4)
+    vector.reset(seed=0)
+    step = np.ones(4, np.int64)
+    assert vector.step(step)[1].tolist() == [-0.25] * 4
+    notebook["BONUS"] = 2.0
+    assert vector.step(step)[1].tolist() == [-0.5] * 4
+    cell(WALK.replace("else -0.25", "else -3.0"), notebook)
+    task.__class__.reward = notebook["Walk"].reward
+    assert vector.step(step)[1].tolist() == [-3.0] * 4
+    notebook["BONUS"] = []  # which is not to be compiled, and not used any more
+    assert vector.step(step)[1].tolist() == [-3.0] * 4
+
+
+def test_machine_code_that_differs_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the first steps come to is compared; where it differs the class runs interpreted and says so."""
+    original = compiler.compiled
+
+    def wrong(loop: Any, *arguments: Any, **named: Any) -> Any:
+        made = original(loop, *arguments, **named)
+
+        def run(n: int, table: Any, *rest: Any) -> Any:
+            table[3] += 1e-9
+            return made(n, table, *rest)
+
+        return run
+
+    monkeypatch.setattr(execution, "compiled", wrong)
+    arguments = arguments_of(COUNTER)
+    with pytest.warns(UserWarning, match="comes to something else than Python in the first steps"):
+        assert executable(count, arguments) is count
+    assert not arguments[0].any()
+
+
+def test_no_step_happens_twice(capsys: pytest.CaptureFixture[str]) -> None:
+    """What a student's code prints, or counts outside, it does once for each step."""
+    for line in ("print('step')", "seen.append(1)", "T.k[0] += 1"):
+        source = "seen = []\nclass T: k = [0]\n" + COUNTER.replace("return int", f"{line}\n        return int")
+        notebook = cell(source)
+        arguments = np.zeros(4), notebook["Counter"](4), np.random.default_rng(0)
+        with pytest.warns(UserWarning, match="runs interpreted"):
+            run = executable(count, arguments)
+        run(7, *arguments)
+        assert capsys.readouterr().out.count("step") + len(notebook["seen"]) + notebook["T"].k[0] == 7
 
 
 def test_builds_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run the cell of a class again unchanged, and nothing is compiled; change it, and the oldest builds go."""
     monkeypatch.setattr(compiler, "_built", {})
-    made: list[Any] = []
-    original = compiler._compile
-
-    def counted(*arguments: Any) -> Any:
-        made.append(0)
-        return original(*arguments)
-
-    monkeypatch.setattr(compiler, "_compile", counted)
+    compile_once = Mock(wraps=compiler._compile)
+    monkeypatch.setattr(compiler, "_compile", compile_once)
 
     def run(source: str) -> None:
-        arguments = np.zeros(9), cell(source)["Counter"](4), np.random.default_rng(0)
+        arguments = arguments_of(source)
         executable(count, arguments)(10, *arguments)
 
     for _ in range(3):
         run(COUNTER)
-    assert len(made) == 1
+    assert compile_once.call_count == 1
     for k in range(1, 7):
-        run(COUNTER.replace("* self.size", f"* self.size + {k / 10}"))
-    assert len(made) == 7
+        run(COUNTER.replace("* self.size", f"* self.size * {1 - k / 10}"))
+    assert compile_once.call_count == 7
     assert len(compiler._built) == compiler.KEPT

@@ -10,27 +10,20 @@ from numba.core import compiler, ir
 from edugym.compiled.interrupt_polling import insert_polling
 
 EXPECTED = {
-    "training": ["in the loop at line 38 of your code", "False True 0.0", "Timeout", "False"],
+    "training": ["in the loop at line 6 of your code", "False True 0.0", "Timeout", "False"],
     "in_threads": ["Interrupted True", "Interrupted True"],
     "vector": ["True 300 300"],
     "planning": ["Interrupted"],
     "evaluation": ["Interrupted 0"],
 }
-
-
 SLOW = ("in_threads", "evaluation")
 
 
 @pytest.mark.parametrize("how", [pytest.param(how, marks=[pytest.mark.slow] * (how in SLOW)) for how in EXPECTED])
 def test_what_never_ends_can_be_stopped(how: str) -> None:
     """See `unending.py`. Without `edugym.compiled.interrupt_polling` these programs go on until they are killed."""
-    done = subprocess.run(
-        [sys.executable, "-m", "tests.compiled.unending", how],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
+    command = [sys.executable, "-m", "tests.compiled.unending", how]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
     assert (done.stdout.splitlines(), done.stderr) == (EXPECTED[how], "")
 
 
@@ -53,9 +46,8 @@ def test_which_loops_count(foreign: bool, lines: list[int]) -> None:
     frontend: Any = compiler.run_frontend
     function = frontend(loops)
     insert_polling(function, foreign)
-    assigned: list[Any] = [
-        one for block in function.blocks.values() for one in block.body if isinstance(one, ir.Assign)
-    ]
+    statements = (one for block in function.blocks.values() for one in block.body)
+    assigned: list[Any] = [one for one in statements if isinstance(one, ir.Assign)]
     given = [one.value.value for one in assigned if one.target.name.startswith("$line")]
     assert sorted(line and line - loops.__code__.co_firstlineno for line in given) == lines
     called = [one.value.value.__name__ for one in assigned if one.target.name.startswith("$count.")]

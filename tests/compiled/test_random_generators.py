@@ -3,7 +3,7 @@
 import copy
 import sys
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from edugym.compiled import compiler, random_generators
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
+from tests.compiled.cells import cell
 
 KINDS = [np.random.PCG64, np.random.PCG64DXSM, np.random.MT19937, np.random.Philox, np.random.SFC64]
 
@@ -45,14 +46,18 @@ def test_same_numbers(kind: Any) -> None:
     assert drawn(fast, mixed) == drawn(draw, alone)
 
 
+NOTEBOOK = cell("""
 class Draws(NamedTuple):
-    """One of a range of whole numbers, as a student draws it."""
-
     endpoint: bool
+    def one(self, rng, low, high): return rng.integers(low, high, endpoint=self.endpoint)
 
-    def one(self, rng: Random, low: int, high: int) -> Any:
-        """The number."""
-        return rng.integers(low, high, endpoint=self.endpoint)
+class Choices(NamedTuple):
+    values: np.ndarray
+    p: np.ndarray
+    def one(self, rng, low, high):
+        return rng.choice(self.values, p=self.p) + 10 * rng.choice(len(self.p), p=self.p) + 100 * rng.choice(high)
+""")
+Draws, Choices = NOTEBOOK["Draws"], NOTEBOOK["Choices"]
 
 
 def draw_whole(n: int, draws: Any, rng: Random, low: int, high: int, out: Any) -> None:
@@ -79,17 +84,6 @@ def test_whole_numbers(low: int, span: int, seed: int) -> None:
         assert results[0] == results[1]
 
 
-class Choices(NamedTuple):
-    """One of some values, as a student chooses it."""
-
-    values: Any
-    p: Any
-
-    def one(self, rng: Random, low: int, high: int) -> Any:
-        """The value; by its number where there are no probabilities."""
-        return rng.choice(self.values, p=self.p) + 10 * rng.choice(len(self.p), p=self.p) + 100 * rng.choice(high)
-
-
 @given(st.lists(st.floats(0.0, 1.0) | st.floats(1e-12, 1e-9), min_size=1, max_size=40), st.integers(0, 99))
 @example([0.0, 0.0, 1.0, 0.0], 0)
 @example([1.0] * 3 + [0.0] * 9, 0)
@@ -108,20 +102,17 @@ def test_choices(weights: list[float], seed: int) -> None:
 
 
 def test_many_generators() -> None:
-    """Each has its own address, also when more are in use than are remembered, and when old ones are gone."""
+    """Each has its own address, also when more are in use than are remembered, and when old ones are gone.
+
+    A generator is referred to once, by those that are remembered, however often it is passed; and no array is.
+    """
     fast = compiled(draw, 1, np.random.default_rng(), np.zeros((1, 5)))
     for _ in range(3):
         streams = [np.random.default_rng(seed) for seed in range(150)]
         copies = copy.deepcopy(streams)
         for _ in range(2):
             assert [drawn(fast, rng, 2) for rng in streams] == [drawn(draw, rng, 2) for rng in copies]
-
-
-def test_no_call_keeps_a_reference() -> None:
-    """The generator is referred to once, by those that are remembered, however often it is passed; and no array is."""
-    rng, out = np.random.default_rng(0), np.zeros((1, 5))
-    fast = compiled(draw, 1, rng, out)
-    fast(1, rng, out)
+    rng, out = streams[-1], np.zeros((1, 5))
     before = sys.getrefcount(rng), sys.getrefcount(out)
     for _ in range(1_000):
         fast(1, rng, out)

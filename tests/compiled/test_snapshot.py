@@ -24,14 +24,14 @@ class Agent(NamedTuple):
     rng: Any
 
 
-def agent(order: str = "C") -> Agent:
+def agent(order: Any = "C") -> Agent:
     """One of them."""
-    Q = np.asarray(np.arange(12.0).reshape(3, 4), order="F" if order == "F" else "C")
+    Q = np.asarray(np.arange(12.0).reshape(3, 4), order=order)
     return Agent(Q, Q[1], Q[:, 2][::-1], np.random.default_rng(0))
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
-def test_views_stay_views(order: str) -> None:
+def test_views_stay_views(order: Any) -> None:
     """A change of one table shows in its views, in the copy as in the original, and in nothing else."""
     original = agent(order)
     copy = copied((original, original.rng))
@@ -42,14 +42,8 @@ def test_views_stay_views(order: str) -> None:
     assert copy[0].rng is copy[1]
     copy[1].random()
     assert original.rng.bit_generator.state != copy[1].bit_generator.state
-
-
-def test_what_cannot_be_written_to() -> None:
-    """Neither can its copy: a loop that writes there fails when it is tried, and not later."""
-    original = agent()
-    original.row.flags.writeable = False
-    copy = copied(original)
-    assert [part.flags.writeable for part in copy[:3]] == [True, False, True]
+    original.row.flags.writeable = False  # a loop that writes there fails when it is tried, and not later
+    assert [part.flags.writeable for part in copied(original)[:3]] == [True, False, True]
 
 
 def test_arrays_of_other_kinds() -> None:
@@ -106,22 +100,11 @@ def test_memory_is_used_again_only_for_what_fits(first: Any, then: Any) -> None:
     assert getattr(then, "dtype", None) == getattr(was, "dtype", None)
 
 
-def test_difference_names_what_differs() -> None:
-    """The first field that differs is named; a stream is one."""
-    one = agent()
-    changes: dict[str, Callable[[Agent], Any]] = {
-        "Q": lambda other: other.Q.__setitem__((2, 3), 5.0),
-        "a random stream": lambda other: other.rng.random(),
-    }
-    for name, change in changes.items():
-        other = agent()
-        change(other)
-        assert difference(one, other, "the agent") == name
-
-
 @pytest.mark.parametrize(
     ("one", "other", "name"),
     [
+        (agent(), agent()._replace(Q=np.zeros((3, 4))), "Q"),
+        (agent(), agent()._replace(rng=np.random.default_rng(1)), "a random stream"),
         ((1, 2.0), (1, 3.0), "x[1]"),
         ((1,), (1, 2), "x"),
         ((1, 2), 3, "x"),
@@ -130,7 +113,6 @@ def test_difference_names_what_differs() -> None:
         ("a", "b", "x"),
         (np.array([1, None]), np.array([2, None]), "x"),
         (np.array([1, None]), np.array([1, None]), None),
-        (None, None, None),
         (np.nan, np.nan, None),
         (np.array([1.0, 1e6]), np.array([1.0, 1e6]) * (1 + 1e-15), None),
         (np.array([1.0, 1e6]), np.array([1.0, 1e6]) * (1 + 1e-9), "x"),
@@ -150,10 +132,9 @@ def test_differences(one: Any, other: Any, name: str | None) -> None:
 def test_large_arrays_may_be_left_out() -> None:
     """Small ones and streams are put back; the next whole one is whole again."""
     large, small, rng = np.zeros(LARGE // 8), np.zeros(3), np.random.default_rng(0)
-    kept = Snapshot()
+    state, kept = rng.bit_generator.state, Snapshot()
     for with_large in (True, False, True):
-        large[:], small[:] = 0.0, 0.0
-        state = rng.bit_generator.state
+        large[:] = 0.0
         kept.take((1, (large, small), rng), large=with_large)
         assert kept.is_whole == with_large
         large += 1.0
@@ -163,10 +144,6 @@ def test_large_arrays_may_be_left_out() -> None:
         assert rng.bit_generator.state == state
         assert not small.any()
         assert large.any() != with_large
-    kept.take((large,))
-    large += 1.0
-    kept.put_back()
-    assert not large.any()
 
 
 TAKER = """
@@ -188,35 +165,35 @@ def call(n: int, taker: Any, rng: np.random.Generator) -> float:
     return total
 
 
+def taker(step: str, large: bool, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, Callable[..., float]]:
+    """A value with a large table, which is copied before each call or never, and the machine code of a loop over it."""
+    monkeypatch.setattr(execution, "COPYING", 1e-9 if large else np.inf)
+    thing = cell(TAKER.format(step))["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8))
+    run = execution.executable(call, (thing, RNG))
+    assert run is not call
+    return thing, run
+
+
 @pytest.mark.parametrize("large", [True, False])
 def test_a_late_mistake_with_a_large_table(large: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """It shows the student's line, whether the table was copied before the call or not."""
-    monkeypatch.setattr(execution, "COPYING", 0.0 if large else np.inf)
-    values = cell(TAKER.format("self.memory[LARGE * (self.table[0] > 3_500)]").replace("LARGE", str(LARGE)))
-    taker, rng = values["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8)), np.random.default_rng(0)
-    run = execution.executable(call, (taker, rng))
-    assert run is not call
-    run(1_000, taker, rng)
-    run(1_000, taker, rng)
+    thing, run = taker(f"self.memory[{LARGE} * (self.table[0] > 3_500)]", large, monkeypatch)
+    for _ in range(2):
+        run(1_000, thing, RNG)
     with pytest.raises(IndexError, match="out of bounds") as error:
-        run(2_000, taker, rng)
-    *_, last = traceback.extract_tb(error.value.__traceback__)
-    assert last.name == "take"
-    assert taker.table[0] == 3_501
-    assert taker.memory[0] == (3_501 if large else 5_002)  # what the failed call had done to it is still there
+        run(2_000, thing, RNG)
+    assert traceback.extract_tb(error.value.__traceback__)[-1].name == "take"
+    assert thing.table[0] == 3_501
+    assert thing.memory[0] == (3_501 if large else 5_002)  # what the failed call had done to it is still there
 
 
 @pytest.mark.parametrize("large", [True, False])
 def test_where_only_machine_code_stops(large: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Python counts on beyond 64 bits; from tables that were not kept that would be another run: an error says so."""
-    monkeypatch.setattr(execution, "COPYING", 0.0 if large else np.inf)
-    values = cell(TAKER.format("1.0 * (4_611_686_018_427_387_904 * (1 + int(self.table[0] > 1_500)))"))
-    taker, rng = values["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8)), np.random.default_rng(0)
-    run = execution.executable(call, (taker, rng))
-    assert run is not call
-    run(1_000, taker, rng)
+    thing, run = taker("1.0 * (4_611_686_018_427_387_904 * (1 + int(self.table[0] > 1_500)))", large, monkeypatch)
+    run(1_000, thing, RNG)
     if large:
-        assert run(1_000, taker, rng) == 1_500 * 2.0**62
-        return
-    with pytest.raises(RuntimeError, match=r"tables are too large to be kept .*NUMBA_DISABLE_JIT=1"):
-        run(1_000, taker, rng)
+        assert run(1_000, thing, RNG) == 1_500 * 2.0**62
+    else:
+        with pytest.raises(RuntimeError, match=r"tables are too large to be kept .*NUMBA_DISABLE_JIT=1"):
+            run(1_000, thing, RNG)

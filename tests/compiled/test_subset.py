@@ -8,9 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.compiled.programs import COMPILED, RAISE, REFUSED, SURPRISES
-
-EVERY = [*COMPILED.values(), *RAISE.values(), *SURPRISES.values(), *(source for source, _ in REFUSED.values())]
+from tests.compiled.programs import COMPILED, RAISE, RARE, REFUSED, SURPRISES
 
 
 def verdicts(programs: list[str]) -> list[dict[str, Any]]:
@@ -33,45 +31,31 @@ def verdicts(programs: list[str]) -> list[dict[str, Any]]:
     return found
 
 
-@pytest.fixture(scope="module")
-def catalogue() -> dict[str, dict[str, Any]]:
-    """The verdicts on all programs, by their source."""
-    return dict(zip(EVERY, verdicts(EVERY), strict=True))
+REFUSED_SOURCES = {name: source for name, (source, _) in REFUSED.items()}
+EVERY = COMPILED | RAISE | SURPRISES | REFUSED_SOURCES
+USUAL = [name for name in EVERY if name not in RARE]
 
 
-@pytest.mark.parametrize("name", COMPILED)
-def test_compiled(name: str, catalogue: dict[str, Any]) -> None:
-    """These are compiled, with the same results."""
-    found = catalogue[COMPILED[name]]
-    assert found["same"], found["seen"]
-    assert found["compiled"], found["said"]
-    assert not found["error"]
+@pytest.mark.parametrize("names", [USUAL, pytest.param(RARE, marks=pytest.mark.slow)], ids=["usual", "rare"])
+def test_programs(names: list[str]) -> None:
+    """All give the same results, or the same error at the same line; where one is refused a sentence says why."""
+    found = dict(zip(names, verdicts([EVERY[name] for name in names]), strict=True))
+    assert not {name: verdict["seen"] for name, verdict in found.items() if not verdict["same"]}
+    assert not {name: found[name]["said"] for name in names if name in COMPILED and not found[name]["compiled"]}
+    assert {name for name in names if name in RAISE} <= {name for name in names if found[name]["error"]}
+    assert not {name for name in names if name in COMPILED and found[name]["error"]}
+    for name in names:
+        word = REFUSED[name][1] if name in REFUSED else None
+        if word is not None and not found[name]["error"]:
+            said = found[name]["said"]
+            assert not found[name]["compiled"], name
+            assert said.count("runs interpreted") == 1, (name, said)
+            assert word in said.partition("slower: ")[2], (name, said)
+            assert "\n" not in said
+            assert len(said) < 300
 
 
-@pytest.mark.parametrize("name", RAISE)
-def test_errors(name: str, catalogue: dict[str, Any]) -> None:
-    """These raise what they raise interpreted, at the same line."""
-    found = catalogue[RAISE[name]]
-    assert found["same"], found["seen"]
-    assert found["error"]
-
-
-@pytest.mark.parametrize("name", SURPRISES)
-def test_surprises(name: str, catalogue: dict[str, Any]) -> None:
-    """These go on as Python does, with a sentence if machine code was given up."""
-    found = catalogue[SURPRISES[name]]
-    assert found["same"], found["seen"]
-
-
-@pytest.mark.parametrize("name", REFUSED)
-def test_refused(name: str, catalogue: dict[str, Any]) -> None:
-    """These run interpreted, and one sentence names the class and the reason."""
-    source, word = REFUSED[name]
-    found = catalogue[source]
-    assert found["same"], found["seen"]
-    if word is not None and not found["error"]:
-        assert not found["compiled"]
-        assert found["said"].count("runs interpreted") == 1
-        assert word in found["said"].partition("slower: ")[2]
-        assert "\n" not in found["said"]
-        assert len(found["said"]) < 300
+def test_every_program_has_a_name_of_its_own() -> None:
+    """And those that are called rare are there."""
+    assert len(EVERY) == len(COMPILED) + len(RAISE) + len(SURPRISES) + len(REFUSED)
+    assert EVERY.keys() >= set(RARE)

@@ -8,93 +8,54 @@ import sys
 import threading
 import time
 import warnings
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from gymnasium.spaces import Discrete
 
 import edugym
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.compiled import execution
 from edugym.system.interrupts import Interrupted
+from tests.compiled.cells import cell
 
 PATIENT = 20_000  # steps before the first that does not end
 SOME_SECONDS = 3.0  # of processor time: compiling takes one or two
 BOULDER = "edugym/Boulder-v0"
 
 
-class Timeout(Exception):
-    """What the handler of another signal raises."""
-
-
+NOTEBOOK = cell(f"""
 class Waiting(NamedTuple):
-    """An agent that waits for ever after some actions. `count` holds the actions, and whether it waits."""
-
-    count: Any
-
-    def act(self, state: int, rng: np.random.Generator) -> int:
-        """Choose at random."""
+    count: np.ndarray  # the actions, and whether it waits
+    def act(self, state, rng):
         self.count[0] += 1
-        while self.count[0] > PATIENT:
+        while self.count[0] > {PATIENT}:
             self.count[1] = 1
         return int(rng.integers(2))
-
-    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
-        """Nothing."""
-
+    def learn(self, state, action, reward, next_state): pass
 
 class Interpreted:
-    """The same, which cannot be compiled."""
-
-    def __init__(self) -> None:
-        """Count from 0."""
-        self.count = np.zeros(2)
-
+    def __init__(self): self.count = np.zeros(2)
     act, learn = Waiting.act, Waiting.learn
 
-
 class Circle(NamedTuple):
-    """From one place to the other and back, without end.
-
-    Attributes:
-        last: the state from which a step does not end.
-        rich: the state from which every step has a reward.
-    """
-
-    last: int
-    rich: int
-
-    @property
-    def observation_space(self) -> Any:
-        """The two places."""
-        return Discrete(2)
-
-    @property
-    def action_space(self) -> Any:
-        """Two actions, which do the same."""
-        return Discrete(2)
-
-    def initial(self, rng: np.random.Generator) -> int:
-        """The state is the number of steps."""
-        return 0
-
-    def transition(self, state: int, action: int, rng: np.random.Generator) -> int:
-        """Go on."""
+    last: int  # the state from which a step does not end
+    rich: int  # the state from which every step has a reward
+    observation_space = property(lambda self: spaces.Discrete(2))
+    action_space = property(lambda self: spaces.Discrete(2))
+    def initial(self, rng): return 0
+    def transition(self, state, action, rng):
         while state >= self.last:
             action = 1 - action
         return state + 1
+    def reward(self, state, action, next_state, rng): return 1.0 if state >= self.rich else 0.0
+    def terminal(self, state): return False
+    def observation(self, state, rng): return state % 2
+""")
+Waiting, Interpreted, Circle = (NOTEBOOK[name] for name in ("Waiting", "Interpreted", "Circle"))
 
-    def reward(self, state: int, action: int, next_state: int, rng: np.random.Generator) -> float:
-        """Nothing at first, then one for each step."""
-        return 1.0 if state >= self.rich else 0.0
 
-    def terminal(self, state: int) -> bool:
-        """Never."""
-        return False
-
-    def observation(self, state: int, rng: np.random.Generator) -> int:
-        """One of two places."""
-        return state % 2
+class Timeout(Exception):
+    """What the handler of another signal raises."""
 
 
 def stopped_by(error: type[BaseException], work: Any, press: Any, waits: Any = None) -> Any:
@@ -146,13 +107,8 @@ def in_threads() -> None:
     """After Ctrl-C no thread goes on. A compilation would, to its end: so a shorter run comes first."""
     edugym.repeat(BOULDER, {"waiting": Waiting(np.zeros(2))}, n_steps=PATIENT // 2, repetitions=2, jobs=2)
     for agent in (Waiting(np.zeros(2)), Interpreted()):
-        stopped = stopped_by(
-            Interrupted,
-            lambda agent=agent: edugym.repeat(
-                BOULDER, {"waiting": agent}, n_steps=10**9, evaluate_every=10**9, repetitions=2, jobs=2
-            ),
-            ctrl_c,
-        )
+        repeat = functools.partial(edugym.repeat, BOULDER, {"waiting": agent}, n_steps=10**9, repetitions=2, jobs=2)
+        stopped = stopped_by(Interrupted, functools.partial(repeat, evaluate_every=10**9), ctrl_c)
         time.sleep(1.0)
         began = time.process_time()
         time.sleep(0.5)
@@ -161,8 +117,7 @@ def in_threads() -> None:
 
 def vector() -> None:
     """The copies are where they were before the step that does not end."""
-    circle: Any = Circle(last=300, rich=0)
-    copies: Any = MDPVectorEnv(circle, 100)
+    copies = MDPVectorEnv(Circle(last=300, rich=0), 100)
     copies.reset(seed=0)
     for _ in range(300):
         copies.step(np.zeros(100, np.int64))
@@ -173,9 +128,8 @@ def vector() -> None:
 def planning() -> None:
     """An agent of the package plans for ever where values grow without end."""
     endless = edugym.PrioritisedSweeping.create((2, 2), discount=1.0, planning_steps=float("inf"))
-    print(
-        type(stopped_by(Interrupted, lambda: train(endless, Circle(last=10**12, rich=1000), PATIENT), ctrl_c)).__name__
-    )
+    stopped = stopped_by(Interrupted, lambda: train(endless, Circle(last=10**12, rich=1000), PATIENT), ctrl_c)
+    print(type(stopped).__name__)
 
 
 def evaluation() -> None:
