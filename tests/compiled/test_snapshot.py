@@ -191,7 +191,7 @@ def call(n: int, taker: Any, rng: np.random.Generator) -> float:
 @pytest.mark.parametrize("large", [True, False])
 def test_a_late_mistake_with_a_large_table(large: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """It shows the student's line, whether the table was copied before the call or not."""
-    monkeypatch.setattr(execution, "COPYING", 0.0 if large else np.inf)
+    monkeypatch.setattr(execution, "COPY_EVERY", 0.0 if large else np.inf)
     values = cell(TAKER.format("self.memory[LARGE * (self.table[0] > 3_500)]").replace("LARGE", str(LARGE)))
     taker, rng = values["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8)), np.random.default_rng(0)
     run = execution.executable(call, (taker, rng))
@@ -209,7 +209,7 @@ def test_a_late_mistake_with_a_large_table(large: bool, monkeypatch: pytest.Monk
 @pytest.mark.parametrize("large", [True, False])
 def test_where_only_machine_code_stops(large: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Python counts on beyond 64 bits; from tables that were not kept that would be another run: an error says so."""
-    monkeypatch.setattr(execution, "COPYING", 0.0 if large else np.inf)
+    monkeypatch.setattr(execution, "COPY_EVERY", 0.0 if large else np.inf)
     values = cell(TAKER.format("1.0 * (4_611_686_018_427_387_904 * (1 + int(self.table[0] > 1_500)))"))
     taker, rng = values["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8)), np.random.default_rng(0)
     run = execution.executable(call, (taker, rng))

@@ -345,7 +345,7 @@ STEPS: dict[str, Where] = {
 def test_an_agent_that_does_not_learn_from_some_steps(task: Task, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """It is refused. The usual mistakes are looked up for one kind of steps, which takes time."""
     if (task, kind) != (LOOP, "a step that stays"):
-        monkeypatch.setattr(Update, "_why", lambda *arguments: "")
+        monkeypatch.setattr(Update, "_diagnosis", lambda *arguments: "")
 
     class Mine(task.right):  # type: ignore[misc, name-defined]
         """The solution, but for some steps."""
