@@ -1,4 +1,4 @@
-"""The form of a lesson's experiments: one function for the command line and for tests.
+"""Every lesson has a function `report`; the command line and the tests call it.
 
     report(*, repetitions=..., seed=0, jobs=-1, progress=False, stop=None, folder=None) -> Report
 
@@ -91,7 +91,7 @@ def reporting(
         judge: makes the claims and figures of these results, which are its arguments.
         repetitions: the number of runs of each method, unless the caller chooses another.
     """
-    default = repetitions
+    default = repetitions  # the name is taken by the parameter of `report`
 
     def report(
         *,

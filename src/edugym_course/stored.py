@@ -46,24 +46,24 @@ class Stored(NamedTuple):
         """The stored results; they have no agents."""
         return Results.load(self.path)
 
-    def code(self) -> str:
+    def code_hash(self) -> str:
         """A hash of the code that determines the results.
 
-        Imports, docstrings, comments, pictures (`scene`) and functions that judge the results do not count; the last
-        have names in `_claims`.
+        Imports, docstrings, comments, pictures (`scene`) and functions that judge the results do not count; those
+        are the functions whose names end in `_claims`.
         """
         trees = (_what_determines(_source(name)) for name in (f"{LESSONS}.{self.module}", *self.determined_by))
         return hashlib.sha256("\n".join(trees).encode()).hexdigest()[:32]
 
     def is_current(self) -> bool:
         """Whether the results were made by the code that is there now."""
-        return set(self.load().table[CODE]) == {self.code()}
+        return set(self.load().table[CODE]) == {self.code_hash()}
 
     def make_again(self) -> Results:
         """Run the experiment, and store its results; finished runs are kept in a folder until all are complete."""
         unfinished = self.path.with_suffix(".unfinished")
         results = self.make(repetitions=REPETITIONS, checkpoints=unfinished)
-        results.table[CODE] = self.code()
+        results.table[CODE] = self.code_hash()
         results.save(self.path)
         shutil.rmtree(unfinished, ignore_errors=True)
         return results
@@ -84,6 +84,7 @@ def _what_determines(path: Path) -> str:
     for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
             described = ast.get_docstring(node) is not None
+            # Without the docstring, which is the first statement, if there is one (True counts as 1).
             node.body = [part for part in node.body[described:] if getattr(part, "name", "") != "scene"]
     return ast.dump(tree)
 
@@ -110,7 +111,8 @@ def stored_in(module: str) -> Stored:
 
 
 if __name__ == "__main__":
-    from edugym_course.stored import stored_in as stored_of  # the class `Stored` of this run is not that of the package
+    # Run as a script, this module is loaded twice; `isinstance` needs the package's class.
+    from edugym_course.stored import stored_in as stored_of
 
     if len(sys.argv) < 2:
         raise SystemExit("give the modules whose results to make again, such as memory.recurrent")

@@ -167,7 +167,7 @@ def call(n: int, taker: Any, rng: np.random.Generator) -> float:
 
 def taker(step: str, large: bool, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, Callable[..., float]]:
     """A value with a large table, which is copied before each call or never, and the machine code of a loop over it."""
-    monkeypatch.setattr(execution, "COPYING", 1e-9 if large else np.inf)
+    monkeypatch.setattr(execution, "COPY_EVERY", 1e-9 if large else np.inf)
     thing = cell(TAKER.format(step))["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8))
     run = execution.executable(call, (thing, RNG))
     assert run is not call

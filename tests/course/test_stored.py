@@ -40,7 +40,7 @@ def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 
     def code(text: str) -> str:
         path.write_text(f"{text}\nLATE = rate()\n")
-        return found.code()
+        return found.code_hash()
 
     before = code('"""Before."""\n\ndef rate():\n    """The rate."""\n    return 0.1\n')
     assert code('"""After."""\n\ndef rate():\n    """Its rate."""\n    return 0.1  # small\n') == before
@@ -83,13 +83,13 @@ def test_made_again_they_are_current(tmp_path: Path, monkeypatch: pytest.MonkeyP
         return Results(table.copy())
 
     found = Stored("lesson", make, ("a.other",))
-    assert found.make_again().table[CODE].unique().tolist() == [found.code()]
+    assert found.make_again().table[CODE].unique().tolist() == [found.code_hash()]
     assert asked == [(REPETITIONS, tmp_path / "lesson.unfinished")]
     names = sorted(path.name for path in tmp_path.iterdir())
     assert names == ["lesson.csv", "lesson.csv.json", "lesson.py", "other.py"]
     pd.testing.assert_frame_equal(found.load().table.drop(columns=CODE), table)
     assert found.is_current()
-    assert len(found.code()) == 32
+    assert len(found.code_hash()) == 32
     (tmp_path / "other.py").write_text("def other_claim():\n    return 2\n")
     assert not found.is_current()
 

@@ -1,8 +1,8 @@
 """A double buffer for observations that are arrays: the loops pass on the number of a slot, 0 or 1, not the array.
 
 The MDP writes its observations into the two slots in turn, and the agent reads them there: a step needs the present
-observation and the next. With actions that are arrays it is the other way round. So the loops handle nothing but
-numbers, no step makes an array, and machine code counts no references.
+observation and the next. Array actions take the same way back: the agent writes, the MDP reads. So the loops handle
+nothing but numbers, no step makes an array, and machine code counts no references.
 """
 
 from collections.abc import Callable
@@ -61,8 +61,10 @@ class BufferedActions(BufferedObservations):
 class BufferedActor(NamedTuple):
     """An agent that is told the number of a slot, and looks up what is in it; subclasses add how it learns.
 
+    The number is called `state`: the loops call `act` and `learn` of every agent with the same names.
+
     Attributes:
-        agent: the agent, in the form that the loops ask for.
+        agent: the agent, as `contract.learner` returns it.
         rows: shape (2, ...): the slots for observations of the MDP that it plays.
         latest: shape (1,): the slot of its latest action.
         actions: shape (2, ...): slots for actions.
@@ -79,7 +81,7 @@ class BufferedActor(NamedTuple):
 
 
 class OffPolicyLearner(BufferedActor):
-    """One that learns before it chooses its next action."""
+    """A buffered agent that learns before it chooses its next action."""
 
     __slots__ = ()
 
@@ -89,7 +91,7 @@ class OffPolicyLearner(BufferedActor):
 
 
 class OnPolicyLearner(BufferedActor):
-    """One that learns from the action that it will take next, too."""
+    """A buffered agent that also learns from the action that it will take next."""
 
     __slots__ = ()
 
@@ -108,7 +110,7 @@ class OnPolicyLearner(BufferedActor):
 
 
 class WritingLearner(BufferedActor):
-    """One for agents that write their actions into an array (`act_into`)."""
+    """A buffered agent that writes its actions into an array (`act_into`)."""
 
     __slots__ = ()
 
@@ -178,13 +180,14 @@ class DoubleBuffer:
         mdp: the task.
         agent: the agent.
         on_policy: whether it learns from the action that it will take next.
-        guard: puts guards around the task, for an agent, once the task has shown what it observes.
+        guard: puts guards around the task, for an agent. The rows are made before that, from an observation of the
+            task itself: a wrong first one is then refused by a message, not by a guard.
 
     Attributes:
         mdp: the task for the loops.
 
     Raises:
-        ValueError: the agent takes vectors, and the observations are none.
+        ValueError: the agent takes vectors, and the observations are not vectors.
     """
 
     def __init__(
@@ -199,11 +202,12 @@ class DoubleBuffer:
         writes = hasattr(agent, "act_into") and isinstance(space, spaces.Box) and not on_policy
         actions = np.zeros((2, *space.shape), space.dtype) if writes else np.zeros((2, 1))
         self.mdp = (BufferedActions if writes else BufferedObservations)(self.mdp, rows, np.zeros(1, np.int64), actions)
+        # `writes` implies off-policy: an agent that learns from its next action gets that action itself.
         self._kind = WritingLearner if writes else OnPolicyLearner if on_policy else OffPolicyLearner
         self._slots = (rows.rows.reshape(2, -1) if takes_vectors(agent) else rows.rows), np.zeros(1, np.int64), actions
 
     def of(self, agent: Any) -> Any:
-        """An agent, in the form that the loops ask for, at this buffer."""
+        """An agent as `contract.learner` returns it, or a policy, made to read and write this buffer."""
         return agent if self._kind is None else self._kind(agent, *self._slots)
 
 

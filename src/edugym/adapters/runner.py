@@ -1,4 +1,7 @@
-"""Running the loops over copies: as machine code, and interpreted where that would not give the same results."""
+"""Steps all copies of an MDP in a vector environment: as machine code, or interpreted if results would differ.
+
+The storage of their states is columns (compiled) or loose (interpreted): a list of Python states.
+"""
 
 import copy
 import math
@@ -18,14 +21,14 @@ from edugym.system.interrupts import SignalGuard
 
 Loop = Callable[..., int]
 REHEARSED = 100  # copies
-MOST_CHANGES = 3  # of code, for each of which machine code is made anew
+MOST_CHANGES = 3  # so often is machine code rebuilt because the student's code changed
 
 
 class Runner:
     """Runs loops over the copies of an MDP, whose states it keeps.
 
     Before a call of machine code made from a student's classes it keeps a copy of what the call changes. If the call
-    raises an error, a reward is no finite number, or a state does not fit its storage, it is repeated interpreted, and
+    raises an error, a reward is not finite, or a state does not fit its storage, it is repeated interpreted, and
     the copies stay interpreted from then on: an error then shows the student's line, and no digit is lost.
 
     Args:
@@ -44,7 +47,7 @@ class Runner:
         self._mdp, self._n, self._sample = mdp, n, sample
         self._code: dict[Loop, Loop] = {}
         self._watched: list[Code] = []
-        self._foreign, self._changes = False, 0
+        self._is_students, self._changes = False, 0
         self._interpreted = _is_loose(states)
         if self._interpreted and find_spec("numba"):
             warnings.warn(
@@ -64,7 +67,7 @@ class Runner:
         return storage.load(i) if isinstance(storage, Listed) else as_sampled(storage.load(i), self._sample)
 
     def run(
-        self, loop: Loop, rng: np.random.Generator, batch: Batch, few: Callable[[int], Batch], *arguments: Any
+        self, loop: Loop, rng: np.random.Generator, batch: Batch, make_batch: Callable[[int], Batch], *arguments: Any
     ) -> int:
         """Run a loop over all copies.
 
@@ -72,9 +75,8 @@ class Runner:
             loop: `reset_copies` or `step_copies`.
             rng: the random stream of all.
             batch: what the loop reads and writes besides the states.
-            few: makes the same for some copies, to rehearse with.
-            *arguments: what the loop takes between the random stream and the states. Those that are arrays have a place
-                for each copy.
+            make_batch: `make_batch(n)` makes the same for n copies, to rehearse with.
+            *arguments: what the loop takes between the random stream and the states. Arrays have one element per copy.
         """
         if self._watched and (changed := next(filter(None, (code.first_change() for code in self._watched)), None)):
             self._code.clear()
@@ -84,30 +86,30 @@ class Runner:
                 self._interpret()
                 self._say_why(f"{changed} changes again and again: what changes should be a field")
         if loop not in self._code:
-            self._prepare(loop, rng, few, arguments)
-        if self._interpreted and self._foreign:
-            return self._explained(loop, rng, batch, arguments)
+            self._prepare(loop, rng, make_batch, arguments)
+        if self._interpreted and self._is_students:
+            return self._run_interpreted_and_explain(loop, rng, batch, arguments)
         if self._interpreted:
-            return self._once(loop, self._mdp, rng, batch, _plain(arguments))
-        fast = self._code[loop]
-        if not self._foreign:
-            return self._once(fast, self._mdp, rng, batch, arguments)
-        kept = self._kept(rng, batch)
-        done = STATE_LOST
+            return self._run_loop(loop, self._mdp, rng, batch, _plain(arguments))
+        machine_code = self._code[loop]
+        if not self._is_students:
+            return self._run_loop(machine_code, self._mdp, rng, batch, arguments)
+        saved = self._saved(rng, batch)
+        succeeded = False
         with SignalGuard() as guard:
             guard.defer(machine_code=True)
             try:
-                done = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
-                if done != STATE_LOST and np.isfinite(batch.rewards).all():
+                done = machine_code(self._n, self._mdp, rng, *arguments, self.states, batch)
+                succeeded = done != STATE_LOST and bool(np.isfinite(batch.rewards).all())
+                if succeeded:
                     return done
-                done = STATE_LOST
             except Exception:  # the interpreter shows it, at the student's line
                 pass
             finally:
-                if done == STATE_LOST:  # also after Ctrl-C
-                    self._put_back(kept, rng, batch)
+                if not succeeded:  # also after Ctrl-C
+                    self._put_back(saved, rng, batch)
         self._interpret()
-        done = self._explained(loop, rng, batch, arguments)
+        done = self._run_interpreted_and_explain(loop, rng, batch, arguments)
         self._say_why("its states have changed their type")
         return done
 
@@ -115,46 +117,50 @@ class Runner:
         name = type(self._mdp).__name__
         warnings.warn(f"{name} runs interpreted from here on, some hundred times slower: {reason}", stacklevel=4)
 
-    def _once(self, loop: Loop, mdp: Any, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
+    def _run_loop(
+        self, loop: Loop, mdp: Any, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]
+    ) -> int:
         """Run a loop as it is, and refuse a state that its storage cannot hold."""
         done: int = loop(self._n, mdp, rng, *arguments, self.states, batch)
         if done == STATE_LOST:
             raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
         return done
 
-    def _explained(self, loop: Loop, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
+    def _run_interpreted_and_explain(
+        self, loop: Loop, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]
+    ) -> int:
         """Run a loop interpreted over a student's MDP; where it fails, run it again with checks that say why."""
-        arguments, kept = _plain(arguments), self._kept(rng, batch)
+        arguments, saved = _plain(arguments), self._saved(rng, batch)
         failure: Exception | None = None
         try:
-            done = self._once(loop, self._mdp, rng, batch, arguments)
+            done = self._run_loop(loop, self._mdp, rng, batch, arguments)
         except Exception as error:
             failure = error
         if failure or not np.isfinite(batch.rewards).all() or _has_none(self.states):
-            self._put_back(kept, rng, batch)
-            done = self._once(loop, checked_mdp(self._mdp, math.inf), rng, batch, arguments)
-        if failure:
+            self._put_back(saved, rng, batch)
+            done = self._run_loop(loop, checked_mdp(self._mdp, math.inf), rng, batch, arguments)
+        if failure:  # the checks have found nothing to explain it by, so it is raised as it came
             raise failure
         return done
 
-    def _kept(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
+    def _saved(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
         """A copy of what a loop changes and goes on from."""
         return copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
 
-    def _put_back(self, kept: tuple[Any, ...], rng: np.random.Generator, batch: Batch) -> None:
+    def _put_back(self, saved: tuple[Any, ...], rng: np.random.Generator, batch: Batch) -> None:
         """Go back to where a loop began."""
-        self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
+        self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = saved
 
     def _prepare(
-        self, loop: Loop, rng: np.random.Generator, few: Callable[[int], Batch], arguments: tuple[Any, ...]
+        self, loop: Loop, rng: np.random.Generator, make_batch: Callable[[int], Batch], arguments: tuple[Any, ...]
     ) -> None:
         """Find the fastest safe way to run a loop, from a few of the copies."""
         n = min(self._n, REHEARSED)
-        batch = few(n)
+        batch = make_batch(n)
         some = [part[:n] if isinstance(part, np.ndarray) else part for part in arguments]
         states = head(self.states, n)
         code = Code(loop, (self._mdp, rng, *some, states, batch))
-        self._foreign = code.foreign
+        self._is_students = code.foreign
         if not self._interpreted:
             if code.foreign:
                 self._watched.append(code)

@@ -16,11 +16,11 @@ ENDLESS = 1_000
 """From so many training steps on there is a warning if no episode has ended, or if the agent has learned nothing."""
 
 
-class Snapshot(NamedTuple):
+class BeforeTraining(NamedTuple):
     """What is kept of a student's agent before training, to compare it with afterwards.
 
     Attributes:
-        shared: what it has from its class: see `shared_by_class`.
+        shared: copies of the mutable values that it shares with its class: see `shared_by_class`.
         blank: the number that each blank table holds: see `blank_tables`.
     """
 
@@ -28,12 +28,12 @@ class Snapshot(NamedTuple):
     blank: dict[str, float]
 
 
-def snapshot(contract: Contract) -> Snapshot | None:
+def before_training(contract: Contract) -> BeforeTraining | None:
     """What is kept of an agent before training; nothing of the package's own."""
-    return None if contract.is_own else Snapshot(shared_by_class(contract.agent), blank_tables(contract.agent))
+    return None if contract.is_own else BeforeTraining(shared_by_class(contract.agent), blank_tables(contract.agent))
 
 
-def warnings_after(task: Any, agent: Any, limit: int | None, run: Any, before: Snapshot | None) -> list[str]:
+def warnings_after(task: Any, agent: Any, limit: int | None, run: Any, before: BeforeTraining | None) -> list[str]:
     """What is probably wrong with a student's task or agent after training, in a sentence each.
 
     Args:
@@ -41,7 +41,7 @@ def warnings_after(task: Any, agent: Any, limit: int | None, run: Any, before: S
         agent: the agent.
         limit: the step limit of its episodes, if there is one.
         run: what training has produced: a `Run`.
-        before: the snapshot of the agent.
+        before: what `before_training` kept of the agent.
     """
     found = [] if limit else _endless(task, run)
     if before is not None:
@@ -50,7 +50,7 @@ def warnings_after(task: Any, agent: Any, limit: int | None, run: Any, before: S
 
 
 def _endless(task: Any, run: Any) -> list[str]:
-    """The sentence about a student's task in which no episode has ended, if it is one."""
+    """A sentence about a student's task, if no episode has ended."""
     is_env = isinstance(task, gymnasium.Env)
     student = task.unwrapped if is_env else innermost(task)
     if is_own(student) or run.episodes.sum() or run.steps[-1] < ENDLESS:
@@ -109,8 +109,8 @@ def _changed_for_all(agent: Any, before: dict[str, Any]) -> list[str]:
 def blank_tables(agent: Any) -> dict[str, float]:
     """The tables of an agent that hold one number everywhere, by name, with the number.
 
-    An agent whose `learn` computes nothing, or assigns to an element of an array, has none: it means to change nothing,
-    or knows how.
+    An agent whose `learn` computes nothing, or assigns to an element of an array, is left out: it either intends no
+    change or already assigns in place.
     """
     code = getattr(getattr(agent, "learn", None), "__code__", None)
     does = {instruction.opname for instruction in dis.get_instructions(code)} if code else set()
@@ -120,8 +120,8 @@ def blank_tables(agent: Any) -> dict[str, float]:
     return {name: table.flat[0] for name, table in tables.items() if (table == table.flat[0]).all()}
 
 
-def _nothing_learned(agent: Any, before: Snapshot, run: Any) -> list[str]:
-    """The sentence about an agent whose tables are all as blank as before although rewards came, if it is one."""
+def _nothing_learned(agent: Any, before: BeforeTraining, run: Any) -> list[str]:
+    """A sentence about the agent, if all its tables are as blank as before although rewards came."""
     blank, rewarded = before.blank, np.nansum(np.abs(run.training_returns)) > 0 and run.steps[-1] >= ENDLESS
     if not (blank and rewarded and len(blank) == len(tables_of(agent)) and blank_tables(agent) == blank):
         return []

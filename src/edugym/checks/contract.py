@@ -1,6 +1,7 @@
 """What an agent is, and how the loops call it: the names of the parameters of `learn` decide what it is told.
 
-`contract_of` is the gate: what a user gives as an agent becomes a `Contract`, and from there on nobody asks again.
+`contract_of` is the gate: what a user gives as an agent becomes a `Contract`; later code does not inspect the
+input again.
 """
 
 import difflib
@@ -36,7 +37,7 @@ class Contract(NamedTuple):
     """What a user gave as an agent, looked at once.
 
     Attributes:
-        agent: the agent, the numbers in its fields Python's own.
+        agent: the agent, with NumPy numbers in its fields made Python numbers.
         learns_from: which of `LEARN_PARAMETERS` its `learn` has.
         is_own: whether it is made of nothing but the package's own classes.
         has_greedy: whether it has `greedy`, the policy of its evaluation.
@@ -53,19 +54,19 @@ class Contract(NamedTuple):
 
     @property
     def is_on_policy(self) -> bool:
-        """Whether it learns from the action that it will take next, like SARSA: the loop chooses that before."""
+        """Whether it learns from the action that it will take next, like SARSA: the loop chooses that first."""
         return "next_action" in self.learns_from
 
 
 def contract_of(agent: Any) -> Contract:
-    """Look at what a user gave as an agent, and refuse what is none.
+    """Look at what a user gave as an agent, and refuse what is not one.
 
     Args:
         agent: an agent, or a `Contract`, which is returned.
 
     Raises:
         ValueError: something is missing or not as it must be, see `require_agent`; or `learn` has a
-            parameter without a default that is none of `LEARN_PARAMETERS`.
+            parameter without a default that is not in `LEARN_PARAMETERS`.
     """
     if isinstance(agent, Contract):
         return agent
@@ -91,11 +92,12 @@ def is_on_policy(agent: Any) -> bool:
 
 
 def require_agent(agent: Any, *, own: bool = False) -> None:
-    """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
+    """Refuse what is not an agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
 
     Args:
         agent: the value.
-        own: whether it is the package's own, the methods of which its tests have looked at.
+        own: whether it is made only of this package's classes, whose methods tests already cover; their signatures are
+            not checked.
 
     Raises:
         ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` does not take (state, rng), or
@@ -220,7 +222,7 @@ def learner(agent: Any) -> Any:
 
 
 def forget_episode(agent: Any) -> None:
-    """Tell an agent that a run begins: what it remembers of an episode that was stopped has no end (see `Agent`)."""
+    """Tell an agent that a run begins, so that it drops what it remembers of an unfinished episode (see `Agent`)."""
     if hasattr(agent, "forget_episode"):
         agent.forget_episode()
 

@@ -33,11 +33,15 @@ OTHER_NAMES = {
     "greedy": ("greedy_act", "act_greedy"),
 }
 """What else students call these methods."""
+# What a parameter may be, as messages say it:
 MDP_ONLY = "an MDP"
+"""Not even an environment that wraps one."""
 MADE = "an MDP or a Gymnasium environment"
+"""An object, not the name of one."""
 SHAPED = "an MDP, a Gymnasium environment or a shape"
+"""Only the sizes of its spaces matter, so two numbers will do."""
 NAMED = "an MDP, a Gymnasium environment or a name"
-"""What a parameter may be, as messages say it."""
+"""A name or id is made into an environment."""
 HARMLESS = (OrderEnforcing, PassiveEnvChecker)
 """The wrappers that `gymnasium.make` adds, which change nothing."""
 

@@ -1,13 +1,13 @@
 """Runs a loop as machine code where that pays and is possible, and interpreted elsewhere, with the same results.
 
 A student meets ordinary Python. Code that is not the package's own is compiled only if it is in a stated subset
-(`edugym.compiled.subset`). Such code changes nothing but its arguments, so it can be rehearsed: a few hundred steps are
-run on copies of the arguments, first by the interpreter and then by machine code, and both must give the same. A
-mistake in the first steps shows in the rehearsal, as an ordinary traceback at its line. A later mistake stops machine
-code. The interpreter then repeats that call from its start, and stops at the very line.
+(`edugym.compiled.subset`). The subset allows changes only to the arguments, and the rehearsal checks that for arrays:
+a few hundred steps are run on copies of the arguments, first by the interpreter and then by machine code, and both must
+give the same. A mistake in the first steps shows in the rehearsal, as an ordinary traceback at its line. A later
+mistake stops machine code. The interpreter then repeats that call from its start, and stops at the very line.
 
-The rehearsal also measures the interpreter's pace. Code of a student's that has not been compiled yet is compiled once
-the interpreter would take longer than the compiler.
+The rehearsal also measures the interpreter's pace. New student code is compiled only if interpreting the remaining run
+would take longer than compiling.
 """
 
 import inspect
@@ -40,7 +40,7 @@ from edugym.system.packages import OURS
 Loop = Callable[..., Any]
 
 COMPILE_FROM = 5_000
-"""Runs of fewer steps are interpreted, in some 15 ms, unless there is machine code already."""
+"""Shorter runs (about 15 ms) are interpreted, unless machine code exists."""
 REHEARSED = 200
 """The steps of a rehearsal."""
 PACE_MEASUREMENTS = 2
@@ -49,8 +49,8 @@ REHEARSALS_PER_RUN = 25
 """A run is not rehearsed unless it is at least this many times as long as the rehearsal."""
 MOST_SURPRISES = 3
 """After this many calls in which machine code fails and the interpreter does not, machine code is given up."""
-COPYING = 10.0
-"""Large arrays are copied before a call once calls have taken this many times as long as the copying."""
+COPY_EVERY = 10.0
+"""Large arrays are copied again when calls since the last copy have taken this many times as long as that copy."""
 _warned: set[Any] = set()  # what was said: a text, or the classes of which it was said
 _interpreted: dict[tuple[Loop, str], float] = {}  # seconds of runs that were not compiled, by loop and fingerprint
 
@@ -69,11 +69,12 @@ def executable(
     Args:
         loop: a plain function whose first argument says how many steps (or episodes, or copies) it does.
         arguments: what follows the first argument, or values of the same types.
-        expected: how many steps it will be asked for in all; without it, enough to be worth compiling.
+        expected: the expected number of steps, all calls together; without it, enough to be worth compiling.
         rehearsed: how many are rehearsed by the interpreter, on copies, before code that is not the package's is
             compiled.
         replayed: whether the interpreter repeats a call that fails in such code, to stop at the very line, or to go on
-            where only machine code could not. Otherwise the caller does that, and notices changed code.
+            where only machine code could not. If False, the caller must replay failed calls and watch for changed
+            code, as `edugym.adapters.runner.Runner` does.
         replay: does what the loop does, interpreted, and explains errors better; by default the loop itself.
 
     Returns:
@@ -98,8 +99,8 @@ def executable(
         interpreted = _rehearse(replay or loop, rehearsed, arguments, code)
         if not (is_ready or is_on_disk(code) or _pays(loop, arguments, code, expected, rehearsed)):
             return loop
-        fast = _rehearsed_machine_code(loop, arguments, code, rehearsed, interpreted)
-        return _with_replay(fast, loop, code, replay or loop) if replayed else fast
+        machine_code = _rehearsed_machine_code(loop, arguments, code, rehearsed, interpreted)
+        return _with_replay(machine_code, loop, code, replay or loop) if replayed else machine_code
     except NoCompiler:
         return loop
     except CompilationError as error:
@@ -119,7 +120,7 @@ def _rehearse(loop: Loop, n: int, arguments: tuple[Any, ...], code: Code) -> tup
     snapshot.take(constants)
     try:
         result = loop(n, *copies)
-    finally:
+    finally:  # after an error, too, the arrays get back what they held; they are compared before that
         changed = difference(constants, constants_before, "an array", close=0.0)
         snapshot.put_back()
     if changed:
@@ -152,23 +153,23 @@ def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, 
     """Returns machine code that did in `n` steps, on copies, what the interpreter did.
 
     Raises:
-        CompilationError: there is none, or it does something else.
+        CompilationError: it cannot be compiled, or it does something else.
     """
     check_compiler()
     _announce(code)
-    fast = compiled(loop, n, *arguments, code=code)
+    machine_code = compiled(loop, n, *arguments, code=code)
     copies = copied(arguments)
     try:
         with deferring_signals():
-            result = fast(n, *copies)
+            result = machine_code(n, *copies)
     except Exception as error:
-        raise CompilationError(_surprise(error)) from error
+        raise CompilationError(_machine_code_failed(error)) from error
     if found := difference(interpreted, (result, copies), "the result"):
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return fast
+    return machine_code
 
 
-def _surprise(error: Exception) -> str:
+def _machine_code_failed(error: Exception) -> str:
     """Describes an error of machine code where Python has none."""
     if isinstance(error, OverflowError) and str(error) == "more than 64 bits":
         return "it computes a whole number of more than 64 bits, as a product of large ones: keep them smaller by %"
@@ -176,7 +177,7 @@ def _surprise(error: Exception) -> str:
     return f"machine code stops where Python goes on ({said})"
 
 
-def _with_replay(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
+def _with_replay(machine_code: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
     """Returns a function that calls machine code of a student's code, and lets the interpreter step in for it.
 
     Where machine code fails, the interpreter repeats the call from the same start. It stops at the very line, or goes
@@ -184,28 +185,28 @@ def _with_replay(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
     a value may change at every step.
 
     To be repeated, a call needs a copy of its arguments: small arrays are copied before every call, large ones only as
-    often as that costs a tenth of the time. A call that fails without a copy of the large ones is repeated with what
-    they hold by then, and always ends in an error.
+    often as that costs a tenth of the time. If the large ones were not copied, the replay starts from their
+    half-changed contents. It can only explain the error, so an error is raised in any case.
     """
     before = Snapshot()
     surprises = 0
     copying = calling = 0.0  # seconds: the last time that everything was copied, and all calls since
 
     def run(*arguments: Any) -> Any:
-        nonlocal fast, surprises, copying, calling
-        if fast is not loop and (changed := code.first_change()):
-            fast = loop
+        nonlocal machine_code, surprises, copying, calling
+        if machine_code is not loop and (changed := code.first_change()):
+            machine_code = loop
             _warn_once(code, arguments, f"{changed} changes during the run: what changes should be a field")
-        if fast is loop:
+        if machine_code is loop:
             with deferring_signals(machine_code=False):
                 return loop(*arguments)
         began = time.perf_counter()
-        before.take(arguments, large=calling >= COPYING * copying)
+        before.take(arguments, large=calling >= COPY_EVERY * copying)
         taken = time.perf_counter()
         if before.is_whole:
             copying, calling = taken - began, 0.0
         try:
-            result = fast(*arguments)
+            result = machine_code(*arguments)
         except Stopped:
             before.put_back()  # as if the call had not begun
             raise
@@ -217,15 +218,15 @@ def _with_replay(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
         before.put_back()
         with deferring_signals(machine_code=False):
             result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
-        if not before.is_whole:  # it has begun with other tables, and its result is not that of Python
+        if not before.is_whole:  # the replay began with half-changed tables, so its result is wrong
             raise RuntimeError(
-                f"{_surprise(failure)}, and the tables are too large to be kept"
+                f"{_machine_code_failed(failure)}, and the tables are too large to be kept"
                 " for such a case: set the environment variable NUMBA_DISABLE_JIT=1, and run it again"
             )
         surprises += 1
         if surprises == MOST_SURPRISES:
-            fast = loop
-            _warn_once(code, arguments, _surprise(failure))
+            machine_code = loop
+            _warn_once(code, arguments, _machine_code_failed(failure))
         return result
 
     return run

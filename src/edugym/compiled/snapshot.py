@@ -32,7 +32,7 @@ def copied(value: Any, known: dict[int, Any] | None = None) -> Any:
         made = type(value)([copied(part, known) for part in value])
     else:
         made = copy.deepcopy(value)
-    known[id(value)] = made, value  # kept, so that its id stays its own
+    known[id(value)] = made, value  # keeps the value alive, so that no other object gets its id
     return made
 
 
@@ -42,7 +42,7 @@ def _copied_array(array: Any, known: dict[int, Any]) -> Any:
         owner = owner.base
     if array.dtype.hasobject or not (owner.flags.c_contiguous or owner.flags.f_contiguous):
         return copy.deepcopy(array)
-    if -id(owner) not in known:
+    if -id(owner) not in known:  # negative, for `id(owner)` is the key of the copy of that array itself
         known[-id(owner)] = owner.ravel(order="K").copy(), owner
     memory = known[-id(owner)][0]
     offset = array.__array_interface__["data"][0] - owner.__array_interface__["data"][0]
@@ -57,7 +57,7 @@ def _is_typed_list(value: Any) -> bool:
 
 
 class Snapshot:
-    """What a call may change of its arguments, tables and random streams, as it was; its memory is used again.
+    """The tables and random streams that a call may change, as they were before it. The memory is reused.
 
     Attributes:
         is_whole: whether no large array was left out.
@@ -68,7 +68,7 @@ class Snapshot:
         self.is_whole = True
         self._leaves: list[Any] = []
         self._saved: list[Any] = []
-        self._left_out: set[int] = set()  # places in these lists
+        self._left_out: set[int] = set()  # indices of leaves
 
     def take(self, values: tuple[Any, ...], *, large: bool = True) -> None:
         """Saves what these values hold now; large arrays only if asked for."""
@@ -144,7 +144,7 @@ def difference(one: Any, other: Any, name: str, close: float = CLOSE) -> str | N
 
 
 def _pairs(one: tuple[Any, ...], other: tuple[Any, ...]) -> Iterator[tuple[Any, Any]]:
-    """The parts of two tuples, whatever their classes make of `for`."""
+    """The parts of two tuples, even if their classes override `__iter__`."""
     return zip(tuple.__iter__(one), tuple.__iter__(other), strict=True)
 
 

@@ -1,8 +1,8 @@
-"""A compiler pass over students' code before Numba infers types: it refuses or replaces what Python does otherwise.
+"""A compiler pass over students' code before types are known: refuses or replaces what Numba would do otherwise.
 
 Every variable must have a value wherever it is used. Functions of `math`, `np` and `rng` are replaced by those of
-`edugym.compiled.arithmetic` and `edugym.compiled.draws`, and arguments are written as Numba knows them. Once types are
-known, `edugym.compiled.typed_checks` goes on.
+`edugym.compiled.arithmetic` and `edugym.compiled.draws`, and arguments are written in the form that Numba supports.
+Once types are known, `edugym.compiled.typed_checks` goes on.
 """
 
 import importlib
@@ -30,8 +30,8 @@ class Refused(Exception):
 
 NEVER_NONE = words("initial transition reward terminal observation act greedy")
 """Methods of MDPs and agents that have to return something."""
-OF_64_BITS: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
-"""What Numba calls the types of arrays that are named by types of Python."""
+NUMPY_TYPE: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
+"""The types of arrays that Python's types stand for, as in `np.zeros(3, int)`."""
 
 
 def refuse(found: str, loc: Any) -> None:
@@ -40,7 +40,7 @@ def refuse(found: str, loc: Any) -> None:
 
 
 def statements(func_ir: Any) -> Iterator[tuple[Any, Any]]:
-    """All statements of a function, each with its block, which may change meanwhile."""
+    """All statements of a function, each with its block, whose body may be changed while iterating."""
     for block in func_ir.blocks.values():
         for statement in list(block.body):
             yield block, statement
@@ -110,7 +110,7 @@ def _variables_used(statement: Any) -> list[Any]:
 
 
 def _raise_instead_of_none(func_ir: Any) -> None:
-    """Raises an error where nothing is returned: the interpreter then says so, and the rest returns one type."""
+    """Makes a branch without `return` raise, so that the others have a single type; the replay explains it."""
     last = [(block, block.terminator) for block in func_ir.blocks.values()]
     returns = [(block, end) for block, end in last if isinstance(end, ir.Return)]
     nothing = [(block, end) for block, end in returns if _returns_none(func_ir, end.value)]
@@ -125,7 +125,7 @@ def _returns_none(func_ir: Any, variable: Any) -> bool:
 
 
 def _definition(func_ir: Any, variable: Any) -> Any:
-    """What is assigned to a variable, or None if that is not one thing."""
+    """What is assigned to a variable, or None if it is assigned more than once."""
     return ir_utils.guard(ir_utils.get_definition, func_ir, variable)
 
 
@@ -152,11 +152,11 @@ def _entry(table: dict[Any, Any], value: Any) -> Any:
 
 
 def _rewrite_arguments(func_ir: Any, block: Any, statement: Any) -> None:
-    """Writes the arguments of a call as Numba knows them: types of arrays, the start of `enumerate`, and defaults."""
+    """Writes arguments in the form that Numba supports: types of arrays, the start of `enumerate`, and defaults."""
     call = statement.value
     for given in (*call.args, *(variable for _, variable in call.kws)):
         kind = _definition(func_ir, given)
-        if isinstance(kind, ir.Global) and (named := _entry(OF_64_BITS, kind.value)):
+        if isinstance(kind, ir.Global) and (named := _entry(NUMPY_TYPE, kind.value)):
             kind.value = named
     called = _global(func_ir, call.func)
     if called is enumerate:
@@ -168,7 +168,7 @@ def _rewrite_arguments(func_ir: Any, block: Any, statement: Any) -> None:
 
 
 def _add_defaults(func_ir: Any, block: Any, statement: Any, kind: Any) -> None:
-    """Makes a NamedTuple of all its fields: Numba would make a shorter one where defaults are left out."""
+    """Passes every field of a NamedTuple explicitly: Numba would drop those left to their defaults."""
     call = statement.value
     if call.vararg is None:
         given = {*kind._fields[: len(call.args)], *(name for name, _ in call.kws)}
@@ -185,23 +185,33 @@ def _replace_call(func_ir: Any, block: Any, statement: Any) -> None:
     """Replaces a call of `int`, or of a method such as `rng.normal`, by a call of the checked function."""
     call = statement.value
     definition = _definition(func_ir, call.func)
+    function, owner = None, []
     if isinstance(definition, ir.Expr) and definition.op == "getattr":
-        if isinstance(_global(func_ir, definition.value), ModuleType):
-            return  # a function of a module, which may have any name
-        table = DRAWN if call.args or call.kws else {**DRAWN, **EXTREMES}
-        if definition.attr not in table:
-            return
-        function, owner = table[definition.attr], [definition.value]
-    elif isinstance(definition, ir.Global | ir.FreeVar) and (function := _entry(CALLED, definition.value)):
-        owner = []
-        if definition.value is round and len(call.args) + len(call.kws) > 1:
-            refuse("it rounds to decimals", statement.loc)
-        given = _definition(func_ir, call.args[0]) if call.args else None
-        if not call.args or (isinstance(given, ir.Const) and isinstance(given.value, str)):
-            return  # int(), float("inf")
-    else:
-        return
-    call.func, call.args = _assigned(func_ir, block, statement, function), [*owner, *call.args]
+        function, owner = _checked_method(func_ir, definition, call), [definition.value]
+    elif isinstance(definition, ir.Global | ir.FreeVar):
+        function = _checked_builtin(func_ir, definition.value, statement)
+    if function is not None:
+        call.func, call.args = _assigned(func_ir, block, statement, function), [*owner, *call.args]
+
+
+def _checked_method(func_ir: Any, method: Any, call: Any) -> Any:
+    """The function that replaces a method; None if the method stays."""
+    if isinstance(_global(func_ir, method.value), ModuleType):
+        return None  # a function of a module, which may have any name
+    table = DRAWN if call.args or call.kws else {**DRAWN, **EXTREMES}
+    return table.get(method.attr)
+
+
+def _checked_builtin(func_ir: Any, called: Any, statement: Any) -> Any:
+    """The function that replaces a built-in one such as `int`; None if that stays."""
+    call, function = statement.value, _entry(CALLED, called)
+    if function is None:
+        return None
+    if called is round and len(call.args) + len(call.kws) > 1:
+        refuse("it rounds to decimals", statement.loc)
+    given = _definition(func_ir, call.args[0]) if call.args else None
+    is_text = isinstance(given, ir.Const) and isinstance(given.value, str)
+    return function if call.args and not is_text else None  # int() and float("inf") stay
 
 
 def _assigned(func_ir: Any, block: Any, statement: Any, value: Any) -> Any:

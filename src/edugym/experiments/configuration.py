@@ -18,12 +18,12 @@ from edugym.mdp.task import task_of
 
 Setting = bool | int | float | str
 
-COPIES = "each run has a copy: give a function"
-"""What to say where a task or an agent cannot be copied."""
+GIVE_A_FUNCTION = "each run has a copy: give a function"
+"""How the message begins where a task or an agent cannot be copied; it goes on with "that makes ..."."""
 LISTED = 32  # entries: larger tables are described by their shape and contents' hash
 
 
-class Task(NamedTuple):
+class ExperimentTask(NamedTuple):
     """The task of an experiment.
 
     Attributes:
@@ -69,7 +69,7 @@ def planned_runs(methods: list[str], repetitions: int, seed: int) -> list[Planne
     return [Planned(method, repetition) for repetition in seeds for method in methods]
 
 
-def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
+def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> ExperimentTask:
     """The task that `environment` means.
 
     Args:
@@ -97,11 +97,14 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         # The settings that layouts have in common: what differs, such as the grips of a wall, comes from the seed.
         make = _by_layout(environment)
         first, second = (_settings(make(layout_seed)).items() for layout_seed in (0, 1))
-        return Task(make, True, dict(setting for setting in first if setting in second), (environment,))
+        return ExperimentTask(make, True, dict(setting for setting in first if setting in second), (environment,))
     task_of(environment)
     # A copy for each run: wrappers of MDPs have arrays to write into, which runs at the same time may not share.
-    return Task(
-        lambda _: deep_copy(environment, f"{COPIES} that makes one"), False, _settings(environment), (environment,)
+    return ExperimentTask(
+        lambda _: deep_copy(environment, f"{GIVE_A_FUNCTION} that makes one"),
+        False,
+        _settings(environment),
+        (environment,),
     )
 
 
@@ -137,7 +140,7 @@ def _settings(environment: Any) -> dict[str, Setting]:
     return {"environment": name, **_named(environment.spec.kwargs if environment.spec else {})}
 
 
-def _registered(name: str, parameters: dict[str, Any]) -> Task:
+def _registered(name: str, parameters: dict[str, Any]) -> ExperimentTask:
     """A task that is made anew for every repetition."""
     spec, allowed = specification(name, parameters)
     given = {**spec.kwargs, **parameters}
@@ -153,7 +156,7 @@ def _registered(name: str, parameters: dict[str, Any]) -> Task:
     if default_layout is not None and not has_layout:
         settings["layout_seed"] = default_layout
     entry = spec.entry_point if callable(spec.entry_point) else load_env_creator(str(spec.entry_point))
-    return Task(make, has_layout, settings, (spec, entry, parameters))
+    return ExperimentTask(make, has_layout, settings, (spec, entry, parameters))
 
 
 def _named(parameters: dict[str, Any]) -> dict[str, Setting]:

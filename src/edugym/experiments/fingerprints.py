@@ -1,4 +1,7 @@
-"""Fingerprints of what determines a run: values, and all code that they reach."""
+"""Fingerprints of what determines a run: values, and all code that they reach.
+
+`repeat` reuses a stored run only if its fingerprint shows that nothing that determines it has changed.
+"""
 
 import ast
 import dis
@@ -54,7 +57,7 @@ class _Hasher:
         self._kept: list[Any] = []  # while an object lives, no other one has its id
 
     def add(self, *things: Any) -> None:
-        """Hash values that are told apart by how Python writes them."""
+        """Hash values that are distinguished by their `repr`."""
         self.hash.update(repr(things).encode())
 
     def visit(self, thing: Any) -> None:
@@ -85,41 +88,41 @@ class _Hasher:
         elif isinstance(thing, type):
             self._class(thing)
         elif isinstance(thing, MethodType):
-            self._all(thing.__func__, thing.__self__)
+            self._visit_all(thing.__func__, thing.__self__)
         elif isinstance(thing, functools.partial):
-            self._all(thing.func, thing.args, thing.keywords)
+            self._visit_all(thing.func, thing.args, thing.keywords)
         elif isinstance(thing, property):
-            self._all(thing.fget)
+            self._visit_all(thing.fget)
         elif isinstance(thing, functools.cached_property):
-            self._all(thing.func)
+            self._visit_all(thing.func)
         elif inspect.isfunction(inner := getattr(thing, "__wrapped__", getattr(thing, "py_func", None))):
-            self._all(inner)  # cached, or decorated with Numba's own @njit
+            self._visit_all(inner)  # cached, or decorated with Numba's own @njit
         elif isinstance(thing, classmethod | staticmethod):
-            self._all(thing.__func__)
+            self._visit_all(thing.__func__)
         elif isinstance(thing, tuple | list):
-            self._all(type(thing), len(thing), *thing, getattr(thing, "__dict__", None))
+            self._visit_all(type(thing), len(thing), *thing, getattr(thing, "__dict__", None))
         elif isinstance(thing, Mapping):
             names = ("default_factory",) if _is_library(type(thing)) else ("__dict__", "default_factory")
-            more = (getattr(thing, name, None) for name in names)
-            self._all(type(thing), len(thing), *(part for item in thing.items() for part in item), *more)
+            attributes = (getattr(thing, name, None) for name in names)
+            self._visit_all(type(thing), len(thing), *(part for item in thing.items() for part in item), *attributes)
         elif isinstance(thing, set | frozenset):
             self.add(sorted(fingerprint(part) for part in thing))
         else:
             parts: Any = thing.__reduce_ex__(4)
-            self._all(type(thing), *parts[1:3])
-            for more in parts[3:5]:
-                self._all(*(more or ()))
+            self._visit_all(type(thing), *parts[1:3])
+            for contents in parts[3:5]:  # those of a list, and of a dictionary
+                self._visit_all(*(contents or ()))
 
     def _array(self, array: Any) -> None:
         self.add("array", array.dtype.str, array.shape, np.ascontiguousarray(array).tobytes())
 
-    def _all(self, *things: Any) -> None:
+    def _visit_all(self, *things: Any) -> None:
         for thing in things:
             self.visit(thing)
 
     def _class(self, kind: type) -> None:
         self.add(kind.__qualname__)
-        self._all(*kind.__bases__)
+        self._visit_all(*kind.__bases__)
         for name, member in sorted(vars(kind).items()):
             if name not in _OF_EVERY_CLASS:
                 self.add(name)
@@ -127,14 +130,14 @@ class _Hasher:
 
     def _function(self, function: FunctionType) -> None:
         self.add(function.__qualname__)
-        self._all(function.__defaults__, function.__kwdefaults__)
+        self._visit_all(function.__defaults__, function.__kwdefaults__)
         names = self._code(function.__code__)
-        self._all({name: value for name, value in vars(function).items() if name in names})
+        self._visit_all({name: value for name, value in vars(function).items() if name in names})
         for top in sorted(_imported(function.__code__, function.__globals__.get("__package__") or "")):
             self._module_of(top, set())
         for name in sorted(names & function.__globals__.keys()):
             self.add(name)
-            self._reached(function.__globals__[name], names)
+            self._visit_global(function.__globals__[name], names)
         self._closure(function)
 
     def _closure(self, function: FunctionType) -> None:
@@ -142,20 +145,20 @@ class _Hasher:
             with suppress(ValueError):  # not set yet
                 self.visit(cell.cell_contents)
 
-    def _reached(self, value: Any, names: set[str]) -> None:
+    def _visit_global(self, value: Any, names: set[str]) -> None:
         """Hash what a global name stands for; of a module, what the code may take from it."""
         self.visit(value)
         if isinstance(value, ModuleType) and not _is_library(value):
             for name in sorted(names & vars(value).keys()):
                 self.add(name)
-                self._reached(vars(value)[name], names - {name})
+                self._visit_global(vars(value)[name], names - {name})
 
     def _module_of(self, top: str, seen: set[str]) -> None:
         """Hash the files of a module or package that is not imported yet, and of those that it imports in turn."""
         if top in seen or top in {"", "__main__", *OURS}:
             return
         seen.add(top)
-        places = _places(top)
+        places = _files_of(top)
         if _are_installed(places):
             self.add(top, _version(top))
             return
@@ -163,8 +166,8 @@ class _Hasher:
             for file in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
                 contents = file.read_bytes()
                 self.add(top, file.name, contents)
-                with suppress(SyntaxError, ValueError):  # a call will say so; or it is a library of machine code
-                    for inner in sorted(_tops(ast.parse(contents))):
+                with suppress(SyntaxError, ValueError):  # shows when it is called; or an extension module, not text
+                    for inner in sorted(_top_level_imports(ast.parse(contents))):
                         self._module_of(inner, seen)
 
     def _code(self, code: CodeType) -> set[str]:
@@ -181,6 +184,7 @@ class _Hasher:
 
 def _imported(code: CodeType, package: str) -> set[str]:
     """The names of what a function imports when it is called, without what follows the first dot."""
+    # Two instructions before IMPORT_NAME stands the level: above 0 it is a relative import.
     lines = [line for line in dis.get_instructions(code) if line.opname != "EXTENDED_ARG"]
     found = {
         (package if lines[k - 2].argval else line.argval).partition(".")[0]
@@ -190,8 +194,11 @@ def _imported(code: CodeType, package: str) -> set[str]:
     return found.union(*(_imported(part, package) for part in code.co_consts if isinstance(part, CodeType)))
 
 
-def _tops(tree: ast.AST) -> set[str]:
-    """The names of what a file imports, without what follows the first dot; its own package counts already."""
+def _top_level_imports(tree: ast.AST) -> set[str]:
+    """The names of what a file imports, without what follows the first dot.
+
+    Relative imports are skipped: the whole folder is hashed.
+    """
     names: list[str] = []
     for part in ast.walk(tree):
         if isinstance(part, ast.Import):
@@ -201,7 +208,7 @@ def _tops(tree: ast.AST) -> set[str]:
     return {name.partition(".")[0] for name in names}
 
 
-def _places(top: str) -> list[Path]:
+def _files_of(top: str) -> list[Path]:
     """The file of a module, or the folders of a package; none of what is built into Python or missing."""
     try:
         spec = importlib.util.find_spec(top)

@@ -17,7 +17,7 @@ from edugym.checks.parameters import in_short, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints
-from edugym.experiments.configuration import COPIES, Planned, Task, described, planned_runs, task
+from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
 from edugym.experiments.results.tables import MEASURED, Results, with_types
 from edugym.system.extras import require
@@ -43,7 +43,7 @@ class Experiment(NamedTuple):
         configuration: for each label, what the results say about the method: task, agent, arguments, versions.
     """
 
-    task: Task
+    task: ExperimentTask
     makers: dict[str, Maker]
     plan: list[Planned]
     configuration: dict[str, dict[str, Any]]
@@ -140,9 +140,11 @@ def repeat(
         end_at_students_line(error)
         raise
     if checkpoints is not None:
-        check_writable(Path(checkpoints, ".edugym"))  # some name: whether the folder can be written to
+        check_writable(Path(checkpoints, ".edugym"))  # any file name: tests that the folder is writable
     plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
+    # The caller's event `stop` ends the work; a `StopFlag` hands it on to the runs, in other processes as well. The
+    # `SignalGuard` makes the first Ctrl-C set that flag, and `Interrupted` then gives the caller what is done.
     try:
         with SignalGuard() as guard:
             for library in ("joblib", "pandas"):  # Ctrl-C during an import would leave half a library
@@ -205,7 +207,7 @@ def _maker(label: str, agent: Any) -> Maker:
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
     if any(hasattr(agent, name) for name in METHODS):
-        return lambda _: deep_copy(agent, f"{COPIES} that makes one")
+        return lambda _: deep_copy(agent, f"{GIVE_A_FUNCTION} that makes one")
     if not callable(agent):
         raise ValueError(f"{needed} {in_short(agent)}")
     try:
@@ -221,13 +223,13 @@ def _maker(label: str, agent: Any) -> Maker:
         made = agent(environment)
         if not any(hasattr(made, name) for name in METHODS):
             raise ValueError(f"agents[{label!r}] must make an agent, but made {in_short(made)}")
-        return deep_copy(made, f"{COPIES} that makes all of it")
+        return deep_copy(made, f"{GIVE_A_FUNCTION} that makes all of it")
 
     return make
 
 
 def _configuration(
-    task: Task, makers: dict[str, Maker], first: Planned, arguments: dict[str, Any]
+    task: ExperimentTask, makers: dict[str, Maker], first: Planned, arguments: dict[str, Any]
 ) -> dict[str, dict[str, Any]]:
     """What the results say about each method: task, agent, arguments, versions."""
     settings = {**task.settings, **arguments, "versions": versions()}
@@ -239,11 +241,14 @@ def _configuration(
 def _checkpoints(
     folder: str | os.PathLike[str] | None,
     save_to: str | os.PathLike[str] | None,
-    task: Task,
+    task: ExperimentTask,
     agents: Mapping[str, Any],
     training: dict[str, Any],
 ) -> Checkpoints:
-    """Where finished runs are kept: in the folder, or else beside the file; nowhere if that is a device."""
+    """Where finished runs are kept: in the folder, or else beside the file.
+
+    There are no checkpoints if `save_to` is a device such as /dev/null.
+    """
     if folder is None and save_to is not None and (Path(save_to).is_file() or not Path(save_to).exists()):
         folder = f"{os.fspath(save_to)}.unfinished"
     store = Checkpoints(None if folder is None else Path(folder))
@@ -310,7 +315,7 @@ def _do_all(
 
 
 def _do(
-    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: StopFlag, done: Runs
+    planned: Planned, task: ExperimentTask, maker: Maker, training: dict[str, Any], stop: StopFlag, done: Runs
 ) -> tuple[Planned, Run | Exception]:
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.
 

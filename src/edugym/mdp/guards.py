@@ -1,4 +1,4 @@
-"""Guards around an MDP: they stop machine code at a reward, an observation or an action that cannot be.
+"""Guards around an MDP: they stop machine code at a reward, an observation or an action that is invalid.
 
 The first steps of a student's MDP or agent are checked in every way (see `edugym.checks`). A mistake in a rare state
 comes later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its
@@ -17,7 +17,7 @@ from edugym.system.generated import generated_class
 from edugym.system.packages import is_own
 
 FEW = 16
-"""Numbers of an observation that may be a tuple of several types."""
+"""Up to this many numbers an observation may be a tuple of several types."""
 
 
 @wrapper
@@ -34,7 +34,7 @@ class FiniteRewards(NamedTuple):
         """The reward of the task.
 
         Raises:
-            ValueError: it is no finite number.
+            ValueError: it is not finite.
         """
         reward: float = self.mdp.reward(state, action, next_state, rng)
         if not math.isfinite(reward):
@@ -54,7 +54,7 @@ class FiniteRewardsInPlace(FiniteRewards):
 
 @wrapper
 class RowsOfATable(NamedTuple):
-    """An MDP that stops at an observation that is no row of a table.
+    """An MDP that stops at an observation that is not a row of a table.
 
     Attributes:
         mdp: the task, which numbers its observations from 0.
@@ -122,8 +122,8 @@ class Bounds(NamedTuple):
 def _bounds(space: spaces.Box) -> Any:
     """Return the bounds of a space of vectors.
 
-    For a few numbers, which may come as a tuple of several types, it writes a class: machine code takes what is in such
-    a tuple only by constants, as in `vector[0]`.
+    A few numbers may come as a tuple of several types. Numba can index such a tuple only with constants, as in
+    `vector[0]`, so the comparison is written out as code.
     """
     low, high = _widened(space.low, -math.inf), _widened(space.high, math.inf)
     if low.size > FEW:

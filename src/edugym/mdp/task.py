@@ -1,4 +1,4 @@
-"""The gate: what a user gives as an environment becomes a `Task`, and from there on nobody asks again."""
+"""The gate: what a user gives as an environment becomes a `Task`; later code does not inspect the input again."""
 
 import math
 from typing import Any, NamedTuple
@@ -18,9 +18,9 @@ class Task(NamedTuple):
     """What a user gave as an environment, looked at once.
 
     Attributes:
-        environment: the MDP or the Gymnasium environment, as it was given, or as its name means.
+        environment: the MDP or the Gymnasium environment, as given, or what its name resolves to.
         played: what training plays: the MDP, if that alone gives the same episodes, else the Gymnasium environment.
-        is_mdp: whether `played` is an MDP; its numbers are Python's own then.
+        is_mdp: whether `played` is an MDP; then its numbers are plain Python, not NumPy.
         is_own: whether it is an MDP made of nothing but the package's own classes.
         max_steps: the step at which an episode is truncated; None where there is no limit, or it is unknown.
     """
@@ -48,17 +48,17 @@ class Task(NamedTuple):
         """How many numbers an observation is as a vector.
 
         Raises:
-            ValueError: it is none.
+            ValueError: the observation cannot be made a vector.
         """
         return vector_length(self.played.observation_space)
 
 
 def task_of(environment: Any, name: str = "environment", allowed: str = NAMED) -> Task:
-    """Look at what a user gave as an environment, and refuse what is none.
+    """Look at what a user gave as an environment, and refuse what is not one.
 
     Args:
         environment: an MDP, a Gymnasium environment, the name or id of one, or a `Task`, which is returned.
-        name: of the parameter that it was given for.
+        name: the argument's name, for error messages.
         allowed: `MDP_ONLY`, `MADE`, `SHAPED` or `NAMED`; only the last takes names.
 
     Raises:
@@ -107,7 +107,7 @@ def table_size(environment: Any) -> tuple[int, int]:
         environment: an MDP, a Gymnasium environment, or the shape itself.
 
     Raises:
-        ValueError: it is no environment, its observations are not whole numbers, or its actions are not 0, 1, ...
+        ValueError: it is not an environment, its observations are not whole numbers, or its actions are not 0, 1, ...
     """
     if is_shape(environment):
         return checked_shape(environment, "(n_states, n_actions)")
@@ -141,7 +141,7 @@ def vector_length(space: spaces.Space[Any]) -> int:
     """How many numbers an element of a space is as a vector.
 
     Raises:
-        ValueError: it is none.
+        ValueError: the observation cannot be made a vector.
     """
     if isinstance(space, spaces.Box):
         return math.prod(space.shape)
@@ -168,6 +168,6 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
         The states met, in order; an initial one first.
 
     Raises:
-        ValueError: it is no MDP, or one of its methods returns what it may not.
+        ValueError: it is not an MDP, or one of its methods returns what it may not.
     """
     return random_steps(task_of(mdp, "mdp", MDP_ONLY).environment, n_steps)

@@ -3,13 +3,13 @@
 Long work runs inside `with SignalGuard() as guard`, which guards it: a signal is answered within a fifth of a second.
 
 * In plain Python its handler runs at once, as without a guard. Python ignores errors in `__del__` and in weakref
-  callbacks; a `KeyboardInterrupt` that is lost there is raised again.
-* While machine code runs (`guard.defer`), signals are deferred until somebody asks `guard.should_stop`, between two
+  callbacks; a `KeyboardInterrupt` that is lost there is sent again 0.01 s later.
+* While machine code runs (`guard.defer`), signals are deferred until the loop calls `guard.should_stop`, between two
   calls. Numba expects no error where machine code returns a tuple: a handler that raised there would crash the process.
 * A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
 * While runs are under way in other threads and processes (`guard.on_ctrl_c`), Ctrl-C sets a flag on which they stop and
-  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that go on, and
-  `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
+  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, the wait ends. Threads still in Python get
+  `Stopped` raised in them; threads in machine code poll and stop themselves.
 
 What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`call_interruptibly`).
 """
@@ -37,7 +37,7 @@ PATIENCE = 0.15
 """The seconds in which runs may stop by themselves and return what is done, after the order to stop."""
 
 AGAIN = 0.01
-"""The seconds after which a `KeyboardInterrupt` that was swallowed is raised again."""
+"""The seconds after which a `KeyboardInterrupt` that was swallowed is sent again."""
 
 
 class Interrupted(KeyboardInterrupt):
@@ -113,7 +113,7 @@ class SignalGuard:
         self._pending: list[tuple[int, Any]] = []
         self._raised: KeyboardInterrupt | None = None
         self._error: BaseException | None = None  # what a handler raised while machine code ran
-        self._order: Callable[[], None] | None = None
+        self._tell_runs_to_stop: Callable[[], None] | None = None
         self._lock = threading.Lock()
 
     def __enter__(self) -> "SignalGuard":
@@ -131,7 +131,7 @@ class SignalGuard:
             self._deferring = False
             try:
                 self._deliver()
-            except BaseException as error:  # then the block does not begin, and Python does not end it
+            except BaseException as error:  # Python does not call `__exit__` when `__enter__` raises
                 self.__exit__(type(error), error, None)
                 raise
         elif self._stop is not None:
@@ -144,7 +144,7 @@ class SignalGuard:
         if self._stop is not None and not self._handlers:
             with _ending:
                 ended = _in_threads.pop(self, None) is None
-            if ended:
+            if ended:  # another thread took this guard off the list: a `Stopped` is on its way
                 _receive_stopped()
         self._deferring = True
         if self._handlers:
@@ -174,12 +174,12 @@ class SignalGuard:
     @contextmanager
     def on_ctrl_c(self, stop: Callable[[], None]) -> Iterator[None]:
         """Let the next Ctrl-C call `stop`, and raise an error only if the block goes on for `PATIENCE` seconds."""
-        self._order = stop
+        self._tell_runs_to_stop = stop
         try:
             yield
         finally:
             with self._lock:
-                self._order = None
+                self._tell_runs_to_stop = None
 
     def _arrive(self, number: int, frame: Any) -> None:
         if self._deferring:
@@ -196,9 +196,9 @@ class SignalGuard:
 
     def _handle(self, number: int, frame: Any) -> None:
         # A signal may come anywhere, also where a lock is held or another one is handled: nothing here takes a lock.
-        if number == signal.SIGINT and self._order is not None and not self.stop_ordered:
+        if number == signal.SIGINT and self._tell_runs_to_stop is not None and not self.stop_ordered:
             self.stop_ordered = True
-            self._order()
+            self._tell_runs_to_stop()
             _later(PATIENCE, self._insist)
             return
         try:
@@ -210,7 +210,7 @@ class SignalGuard:
     def _insist(self) -> None:
         """Press Ctrl-C again if the block of `on_ctrl_c` goes on, and end the threads that do."""
         with self._lock:
-            if self._order is not None:
+            if self._tell_runs_to_stop is not None:
                 _press_ctrl_c()
         with _ending:
             for guard in list(_in_threads):  # others may begin meanwhile
@@ -245,7 +245,7 @@ def _receive_stopped() -> None:
     Python can withdraw the error, but would then look for it for ever: all code would be slower, and traced code hangs.
     """
     with suppress(Stopped):
-        _raise_stopped(threading.get_ident())  # in place of one that waits; or else one more
+        _raise_stopped(threading.get_ident())  # replaces a pending one, or adds one, so that the loop below always ends
         while True:
             time.sleep(0)
 
@@ -259,12 +259,12 @@ def _press_ctrl_c() -> None:
         _thread.interrupt_main()
 
 
-def _later(seconds: float, press: Callable[[], None]) -> None:
+def _later(seconds: float, call: Callable[[], None]) -> None:
     """Call a function in a thread after some seconds. `Thread.start` would wait for locks, which no handler may do."""
 
     def wait() -> None:
         time.sleep(seconds)
-        press()
+        call()
 
     _thread.start_new_thread(wait, ())
 

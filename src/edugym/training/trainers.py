@@ -1,7 +1,7 @@
 """Trainers train an agent and evaluate it: one in MDPs, one in any other Gymnasium environment.
 
-`trainer` passes what a user gave through the two gates, `task_of` and `contract_of`, fits the task to the agent, and
-chooses the trainer.
+`trainer` validates environment and agent (`task_of`, `contract_of`), fits the task to the agent, and chooses the
+trainer.
 """
 
 import math
@@ -14,7 +14,7 @@ import numpy as np
 
 from edugym.adapters.double_buffer import DoubleBuffer
 from edugym.adapters.fitting import fitted
-from edugym.checks.afterwards import snapshot, warnings_after
+from edugym.checks.afterwards import before_training, warnings_after
 from edugym.checks.agents import checked_agent
 from edugym.checks.contract import Contract, actor, contract_of, forget_episode, learner
 from edugym.checks.envs import checked_env
@@ -34,8 +34,9 @@ CALL_SECONDS = 0.02
 FIRST_STEPS = 50
 """How many steps the first call takes, when it is not known how long a step takes."""
 EPISODES = 100
-"""After so many interpreted evaluation episodes it is asked again whether machine code pays; most runs have as many."""
+"""Every so many interpreted evaluation episodes, try again to compile; most runs evaluate about as many."""
 NO_LIMIT = 2**62
+"""The step limit that stands for none: no episode reaches it."""
 MOST_STEPS = 10_000
 """The steps that evaluation takes in one call of machine code, unless one episode is longer: some milliseconds."""
 EVALUATION_LIMIT = 1_000
@@ -78,7 +79,7 @@ def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expe
         expected: the number of steps in all; fewer than some thousands are not worth compiling.
 
     Raises:
-        ValueError: one is no environment or no agent, or they do not fit each other.
+        ValueError: the environment or the agent is invalid, or they do not fit each other.
     """
     task, contract = task_of(environment), contract_of(agent)
     task = fitted(task, contract)
@@ -95,18 +96,17 @@ class MDPTrainer:
     """
 
     def __init__(self, task: Task, contract: Contract, seed: int, limit: int | None, expected: int) -> None:
-        """See `trainer`; the limit is None where there is none."""
+        """See `trainer`; without a limit, `limit` is None."""
         self.agent, self._task, self._expected = contract.agent, task.played, expected
         self.log, self._chunk = new_log(), Chunk()
-        self._contract, self._before = contract, snapshot(contract)
+        self._contract, self._before = contract, before_training(contract)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._limit, self._evaluation_limit = limit, limit or EVALUATION_LIMIT
-        training, self._playing = (
-            DoubleBuffer(task.played, self.agent, on_policy, guarded) for on_policy in (contract.is_on_policy, False)
-        )
+        training = DoubleBuffer(task.played, self.agent, contract.is_on_policy, guarded)
+        self._playing = DoubleBuffer(task.played, self.agent, False, guarded)
         self._is_own = contract.is_own and task.is_own
         self._steps_to_check = 0 if self._is_own else CHECKED_STEPS
-        self._rest = (
+        self._plain_arguments = (
             training.mdp,
             training.of(learner(contract)),
             limit or NO_LIMIT,
@@ -114,7 +114,8 @@ class MDPTrainer:
             agent_rng,
             self.log,
         )
-        self._first = mdp, learning, *_ = self._checked(*self._rest)
+        self._checked_arguments = self._checked(*self._plain_arguments)
+        mdp, learning, *_ = self._checked_arguments
         self._loop: Callable[..., Any]
         self._advance: Callable[..., Any]
         self._carry: Any
@@ -136,12 +137,12 @@ class MDPTrainer:
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            arguments = self._rest if self.is_compiled else self._first
+            arguments = self._plain_arguments if self.is_compiled else self._checked_arguments
             with self._chunk.steps(at_most) as n_steps:
                 self._carry = self._advance(n_steps, *arguments, self._carry)
             return n_steps
         with self._chunk.steps(min(at_most, self._steps_to_check)) as n_steps:
-            self._carry = self._loop(n_steps, *self._first, self._carry)
+            self._carry = self._loop(n_steps, *self._checked_arguments, self._carry)
         self._steps_to_check -= n_steps
         if not self._steps_to_check:
             self._compile_training()
@@ -166,7 +167,7 @@ class MDPTrainer:
                 steps = 0 if self._is_own or self._interpreted_episodes else CHECKED_STEPS
                 self._play(n_episodes, *self._checked(*evaluation, steps=steps))
                 self._interpreted_episodes += 1
-                if not self._is_own and self._interpreted_episodes % EPISODES == 1:
+                if not self._is_own and self._interpreted_episodes % EPISODES == 1:  # after the first, 101st, ...
                     self._compile_playing()
         returns: list[float] = evaluation[-1].tolist()
         return returns
@@ -179,17 +180,18 @@ class MDPTrainer:
         """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
         self._advance = executable(
             self._loop,
-            (*self._rest, self._carry),
+            (*self._plain_arguments, self._carry),
             expected=self._expected,
             replay=lambda n, *rest: self._loop(n, *self._checked(*rest, steps=math.inf)),
         )
 
     def _compile_playing(self) -> None:
         mdp, agent, limit, *rest = self._evaluation()
+        of_students = EPISODES if self._expected >= COMPILE_FROM else 0
         self._play = executable(
             loops.play_episodes,
             (mdp, agent, min(limit, CHECKED_STEPS), *rest),
-            expected=self._expected if self._is_own else EPISODES * (self._expected >= COMPILE_FROM),
+            expected=self._expected if self._is_own else of_students,
             rehearsed=1,
             replay=lambda n, *rest: loops.play_episodes(n, *self._checked(*rest, steps=math.inf)),
         )
@@ -217,7 +219,7 @@ class GymnasiumTrainer:
         self.log, self._chunk = new_log(), Chunk()
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluated = deep_copy(env, "evaluation plays a copy: make it in reset")  # before anything is drawn
-        self._limit, self._contract, self._before = limit, contract, snapshot(contract)
+        self._limit, self._contract, self._before = limit, contract, before_training(contract)
         self._learner: Any = checked_agent(learner(contract), env)
         self._actor: Any = None
         self._steps_to_check, self._has_played = CHECKED_STEPS, False

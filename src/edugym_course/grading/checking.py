@@ -18,7 +18,7 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
     Args:
         exercise: the exercise, a function of the answer and a `seed`, such as `exercise_2` of a lesson.
         answer: what the student defined: a number, a function, a class, results.
-        seed: the number from which the cases are drawn, 0 or more; another one checks the same with other cases.
+        seed: the number from which the cases are drawn, 0 or more; another seed draws other cases.
         quiet: whether a right answer prints nothing, as in hidden tests.
 
     Raises:
@@ -26,7 +26,7 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
         Unsolved: there is no answer yet.
     """
     whole_number("seed", seed, 0)
-    with student_code("your code", limit=math.inf):
+    with student_code("your code", limit=math.inf):  # calls inside it have limits of their own
         worth_knowing = exercise(answer, seed)
     lesson = exercise.__module__.removeprefix("edugym_course.lessons.").partition(".")[0]
     number = re.fullmatch(r"exercise_(\d+)", exercise.__name__)

@@ -1,4 +1,7 @@
-"""An end for a student's code that has none, such as a `while` loop that waits for ever."""
+"""An end for a student's code that has none, such as a `while` loop whose condition stays true.
+
+The limit is one of processor time: code that sleeps or waits is not caught.
+"""
 
 import _thread
 import threading
@@ -12,12 +15,12 @@ from edugym_course.grading.errors import WrongAnswer
 LIMIT = 30.0
 """The seconds of processor time that one call of a student's code may take."""
 INTERVAL = 0.2
-"""The seconds between two looks at the time."""
+"""The seconds between two checks of the time."""
 
 
 @dataclass
-class _Stretch:
-    """A stretch of a student's code.
+class _TimedCode:
+    """Code of a student's, while it runs.
 
     Attributes:
         deadline: the processor time at which it is interrupted.
@@ -36,34 +39,34 @@ class _Watch:
     def __init__(self) -> None:
         """Watch nothing yet."""
         self._lock = threading.Lock()
-        self._stretches: list[_Stretch] = []
+        self._timed: list[_TimedCode] = []
         self._is_running = False
 
-    def add(self, stretch: _Stretch) -> None:
-        """Watch a stretch until it is over."""
+    def add(self, code: _TimedCode) -> None:
+        """Watch code until it is over."""
         with self._lock:
-            self._stretches.append(stretch)
+            self._timed.append(code)
             if not self._is_running:
                 self._is_running = True
                 threading.Thread(target=self._run, name="edugym-time-limit", daemon=True).start()
 
-    def end(self, stretch: _Stretch) -> None:
-        """Stop watching a stretch; after that it is not interrupted."""
+    def end(self, code: _TimedCode) -> None:
+        """Stop watching code; after that it is not interrupted."""
         with self._lock:
-            stretch.over = True
+            code.over = True
 
     def _run(self) -> None:
         while True:
             time.sleep(INTERVAL)
             with self._lock:
-                self._stretches = [one for one in self._stretches if not one.over]
-                if not self._stretches:
+                self._timed = [one for one in self._timed if not one.over]
+                if not self._timed:
                     self._is_running = False
                     return
-                late = [one for one in self._stretches if time.process_time() > one.deadline]
+                late = [one for one in self._timed if time.process_time() > one.deadline]
                 for one in late:
                     one.interrupted = True
-                if late:  # again at every look, for code that catches every error goes on
+                if late:  # repeat at every check: a bare `except:` may swallow the interrupt
                     _thread.interrupt_main()
 
 
@@ -72,7 +75,7 @@ _watch = _Watch()
 
 @contextmanager
 def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
-    """Run a student's code, and end it when it takes too long. Only the main thread can be interrupted.
+    """Run a student's code, and end it when it takes too long. In other threads than the main one it does nothing.
 
     Args:
         what: what is running, for the sentence: "act(3)".
@@ -84,18 +87,18 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    stretch = _Stretch(time.process_time() + limit)
+    code = _TimedCode(time.process_time() + limit)
     try:
-        _watch.add(stretch)
+        _watch.add(code)
         try:
             yield
         finally:
-            _watch.end(stretch)
+            _watch.end(code)
     except KeyboardInterrupt:
-        stretch.over = True  # the interrupt may have come in `end`
-        if not stretch.interrupted:
+        code.over = True  # the interrupt may have come in `end`
+        if not code.interrupted:
             raise
-    if stretch.interrupted:
+    if code.interrupted:
         raise WrongAnswer(
             f"{what} has not ended after {limit:g} seconds: is there a `while` whose condition stays true?"
         )

@@ -1,9 +1,18 @@
-"""An agent's `learn` against an update rule, on tables and transitions that are made up for the check.
+"""Compares a student's `learn` with the correct rule, on small made-up tables and transitions.
 
 The rule is written once, as a function with keyword arguments. Each usual mistake is the same rule with other arguments
-("the mean for the maximum": `backup="mean"`), so what it gives in every case is known. The answer is run on many cases.
-If it differs from the rule in any of them, the mistake that agrees in all of them is named; if no single one does, then
-two of them together, or a wrong number (a learning rate) that is computed from what came out.
+("the mean for the maximum": `backup="mean"`), so what it gives in every case is known. Where the student's tables
+differ from the rule's, these explanations are tried in turn, and the first that fits all cases is told:
+
+1. `learn` changes nothing;
+2. one mistake;
+3. wrong numbers, such as a learning rate, which are computed from what came out (none of them 0);
+4. two mistakes together;
+5. one mistake, and wrong numbers;
+6. wrong numbers, 0 among them;
+7. a count that does not grow by one.
+
+If none does, it is said which mistake fits the first case that differs, or that too many entries change.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -60,7 +69,7 @@ class Difference(NamedTuple):
     entry: tuple[int, ...]
 
 
-NEWTON_STEPS = 8  # the rules are products of few numbers
+NEWTON_STEPS = 8  # Gauss-Newton iterations; enough, since rules are products of few numbers
 
 Outcomes = list[list[Tables]]
 """The tables after every transition of every case."""
@@ -74,7 +83,7 @@ class Update:
         rule: changes tables in place: `rule(tables, transition, **settings)`.
         tables: makes tables up: `tables(n_states, n_actions, rng)`. Take simple numbers, so that a student can follow a
             case by hand, and include negative values, and counts that are 0 and more.
-        mistakes: by the sentence that tells of it, the settings of the rule that change.
+        mistakes: maps the sentence shown to the student to the settings that reproduce the mistake.
         numbers: the settings that are numbers, each with what to say of a wrong one, with {found} and {right} in it.
     """
 
@@ -97,12 +106,12 @@ class Update:
         """
         cases = self.cases(size, seed)
         right = self.outcomes(cases, settings)
-        found, names, returned = _students(make, cases)
+        found, names, returned = _run_student(make, cases)
         difference = _first_difference(right, found)
         if difference is not None:
-            why = self._why(cases, right, found, settings, difference, returned)
+            why = self._diagnosis(cases, right, found, settings, difference, returned)
             numbers = {name: settings[name] for name in self.numbers}
-            raise WrongAnswer(f"{_told(cases, right, found, difference, names, numbers)}: {why}")
+            raise WrongAnswer(f"{_describe(cases, right, found, difference, names, numbers)}: {why}")
 
     def cases(self, size: tuple[int, int], seed: int) -> list[Case]:
         """Make cases up: ordinary steps, ends, cut-off episodes, steps that stay in their state, steps taken twice."""
@@ -120,7 +129,7 @@ class Update:
                 self.rule(tables, transition, **settings)
                 yield {name: values.copy() for name, values in tables.items()}
 
-    def _why(
+    def _diagnosis(
         self,
         cases: list[Case],
         right: Outcomes,
@@ -139,26 +148,26 @@ class Update:
             if self._fits(cases, found, {**settings, **change}):
                 return sentence
         wrong = self._numbers_that_fit(cases, found, settings)
-        if wrong and all(wrong.values()):  # where a number is 0, a term is missing, and that says more
-            return self._told_numbers(wrong, settings)
+        if wrong and all(wrong.values()):  # a fitted 0 means a missing term: prefer a named mistake, tried below
+            return self._describe_numbers(wrong, settings)
         for (one, first), (two, second) in combinations(singles.items(), 2):
             if not first.keys() & second.keys() and self._fits(cases, found, {**settings, **first, **second}):
                 return f"{one}; and {two}"
         for sentence, change in singles.items():
             if other := self._numbers_that_fit(cases, found, {**settings, **change}):
-                return f"{sentence}; and {self._told_numbers(other, settings)}"
+                return f"{sentence}; and {self._describe_numbers(other, settings)}"
         if wrong:
-            return self._told_numbers(wrong, settings)
+            return self._describe_numbers(wrong, settings)
         if counted := _miscounted(cases, right, found, difference):
             return counted
-        mine, asked = (outcomes[difference.case][difference.step] for outcomes in (found, right))
+        student, expected = (outcomes[difference.case][difference.step] for outcomes in (found, right))
         for sentence, change in singles.items():  # none fits everywhere: one that fits here
             outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
-            if all_same(outcome[difference.table], mine[difference.table]):
+            if all_same(outcome[difference.table], student[difference.table]):
                 return f"in this case it looks like this: {sentence}"
         before = _before(cases, found, difference)
-        changed = len(differing(before, mine[difference.table]))
-        if changed > len(differing(before, asked[difference.table])):
+        changed = len(differing(before, student[difference.table]))
+        if changed > len(differing(before, expected[difference.table])):
             return f"{changed} entries of `{difference.table}` change, and only one should"
         return UNUSUAL
 
@@ -174,7 +183,7 @@ class Update:
         Gauss and Newton's method fits them to the first transition of every case; what it finds must fit all others.
         """
         firsts = [Case(case.tables, case.transitions[:1]) for case in cases]
-        mine = _entries([steps[:1] for steps in found])
+        student = _entries([steps[:1] for steps in found])
         right = np.array([settings[name] for name in self.numbers], float)
         numbers = right.copy()
         for _ in range(NEWTON_STEPS):
@@ -183,10 +192,10 @@ class Update:
                 _entries(self.outcomes(firsts, {**settings, **dict(zip(self.numbers, map(float, point), strict=True))}))
                 for point in points
             )
-            if not all(np.isfinite(entries).all() for entries in (mine, at, *beside)):
+            if not all(np.isfinite(entries).all() for entries in (student, at, *beside)):
                 return {}
             slopes = np.array(beside).T - at[:, np.newaxis]
-            step = np.linalg.lstsq(slopes, mine - at, rcond=None)[0]
+            step = np.linalg.lstsq(slopes, student - at, rcond=None)[0]
             numbers = numbers + step
             if np.abs(step).max(initial=0.0) < TOLERANCE:
                 break
@@ -195,7 +204,7 @@ class Update:
         wrong = {name: value for name, value in fitted.items() if value != settings[name]}
         return wrong if self._fits(cases, found, {**settings, **fitted}) else {}
 
-    def _told_numbers(self, wrong: Mapping[str, float], settings: Settings) -> str:
+    def _describe_numbers(self, wrong: Mapping[str, float], settings: Settings) -> str:
         return "; and ".join(
             self.numbers[name].format(found=value, right=settings[name]) for name, value in wrong.items()
         )
@@ -248,7 +257,7 @@ def _transitions(n_states: int, n_actions: int, rng: np.random.Generator) -> Ite
     yield [draw(), draw(), draw(truncated=True), draw(terminated=True)]
 
 
-def _students(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, tuple[str, ...], bool]:
+def _run_student(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, tuple[str, ...], bool]:
     """Run the student's `learn` on every case.
 
     Returns:
@@ -309,10 +318,10 @@ def table_of(agent: Any, name: str, shape: tuple[int, ...] | None, kind: str = "
 
 def _first_difference(right: Outcomes, found: Outcomes) -> Difference | None:
     """Return the first entry in which two outcomes differ."""
-    for case, (steps, mine) in enumerate(zip(right, found, strict=True)):
-        for step, (tables, my_tables) in enumerate(zip(steps, mine, strict=True)):
+    for case, (steps, student) in enumerate(zip(right, found, strict=True)):
+        for step, (tables, student_tables) in enumerate(zip(steps, student, strict=True)):
             for name, values in tables.items():
-                wrong = differing(values, my_tables[name])
+                wrong = differing(values, student_tables[name])
                 if len(wrong):
                     return Difference(case, step, name, tuple(map(int, wrong[0])))
     return None
@@ -322,7 +331,7 @@ def _agree(one: Tables, other: Tables) -> bool:
     return all(all_same(values, other[name]) for name, values in one.items())
 
 
-def _told(
+def _describe(
     cases: list[Case],
     right: Outcomes,
     found: Outcomes,
@@ -337,7 +346,9 @@ def _told(
     number, step, table, entry = difference
     before = right[number][step - 1] if step else cases[number].tables
     now = cases[number].transitions[step]
-    old, expected, mine = (float(tables[table][entry]) for tables in (before, right[number][step], found[number][step]))
+    old, expected, student = (
+        float(tables[table][entry]) for tables in (before, right[number][step], found[number][step])
+    )
     known = [f"{name} = {value:g}" for name, value in numbers.items()]
     known += [
         f"{name}[{now.next_state}] = {_short(values[now.next_state])}"
@@ -346,11 +357,13 @@ def _told(
     ]
     where = f" where {', '.join(known)}," if before[table].dtype.kind == "f" else ""
     should = (
-        f"go from {digits(old, mine)} to {digits(expected, mine)}" if expected != old else f"stay {digits(old, mine)}"
+        f"go from {digits(old, student)} to {digits(expected, student)}"
+        if expected != old
+        else f"stay {digits(old, student)}"
     )
     call = f"learn({_arguments({name: getattr(now, name) for name in names})})"
     index = ", ".join(map(str, entry))
-    return f"after {call},{where} {table}[{index}] should {should}, but is {digits(mine, expected)}"
+    return f"after {call},{where} {table}[{index}] should {should}, but is {digits(student, expected)}"
 
 
 def _short(values: Any) -> str:

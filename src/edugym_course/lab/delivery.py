@@ -23,7 +23,8 @@ def deliver(contents: str, path: Path) -> Path:
         path: where the file goes, directly inside the student's folder.
 
     Returns:
-        The path of the newest version: `path`, or one beside it. A newest version that the student has changed counts.
+        The path of the newest version: `path`, or one beside it. If the student has edited the newest version, that
+        file is returned.
 
     Raises:
         OSError: the file cannot be written.

@@ -272,7 +272,7 @@ def test_an_agent_that_does_not_learn_from_some_steps(task: Task, where: str, mo
     if (task, where) == (EXPLORER, "self.Q.shape[1] == 4"):
         return  # its walls have two or three grips
     if (task, where) != (LOOP, "state == next_state"):
-        monkeypatch.setattr(Update, "_why", lambda *arguments: "")
+        monkeypatch.setattr(Update, "_diagnosis", lambda *arguments: "")
 
     def learn(
         self: Any, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool

@@ -1,9 +1,9 @@
 """The depth of credit assignment (lesson 3): n-step SARSA from one step to Monte Carlo.
 
 On Study, n-step SARSA with n = 1, 3, 5 and ∞ (Monte Carlo) trains for 4 000 episodes of ten days, with learning rate
-0.1, ε = 0.1 and discount 1, at standard deviations σ of the reward noise of 0, 0.2 and 1 (n = 1 and ∞ only, but at
-0.2). 80 repetitions; each has its own layout (lecture days and action rewards), which is the same for every method and
-every σ.
+0.1, ε = 0.1 and discount 1, at standard deviations σ of the reward noise of 0, 0.2 and 1 (at σ = 0 and 1 only n = 1
+and ∞). 80 repetitions; each has its own layout (lecture days and action rewards), which is the same for every method
+and every σ.
 
 "Final" returns are the exact expected returns of the final greedy policies: the dynamics are deterministic, so a greedy
 policy has one path. Learning curves show the mean of 3 greedy evaluation episodes. The optimum and the best ε-soft
@@ -42,6 +42,10 @@ from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
 
 RATES = (0.01, 0.1, 0.3, 1.0)
+EXTREMES = (1, math.inf)
+"""The values of n where only one step and Monte Carlo are compared."""
+WITH_TEN_ACTIONS = (1, math.inf, 5)
+"""The values of n with ten actions."""
 
 
 def final_difference(results: Results, method: str, other: str) -> Interval:
@@ -64,25 +68,27 @@ def difference_where_both_pass(results: Results, method: str, other: str) -> Int
 def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     by_sigma = {
-        sigma: compare(sigma=sigma, depths=DEPTHS if sigma == 0.2 else DEPTHS[:2], **how(f"sigma_{sigma:g}"))
+        sigma: compare(sigma=sigma, depths=DEPTHS if sigma == 0.2 else EXTREMES, **how(f"sigma_{sigma:g}"))
         for sigma in SIGMAS
     }
-    many = compare(n_actions=10, depths=DEPTHS[:3], **how("ten_actions"))
-    wary = compare(initial_value=-5.0, depths=DEPTHS[:2], **how("start_values"))
-    return by_sigma, many, wary, through_rates(RATES, **how())
+    ten_actions = compare(n_actions=10, depths=WITH_TEN_ACTIONS, **how("ten_actions"))
+    pessimistic = compare(initial_value=-5.0, depths=EXTREMES, **how("start_values"))
+    return by_sigma, ten_actions, pessimistic, through_rates(RATES, **how())
 
 
-def judge(by_sigma: Mapping[float, Results], many: Results, wary: Results, by_rate: Mapping[float, Results]) -> Report:
+def judge(
+    by_sigma: Mapping[float, Results], ten_actions: Results, pessimistic: Results, by_rate: Mapping[float, Results]
+) -> Report:
     """Return claims and figures."""
     claims = [
         *early_claims(by_sigma),
         *late_claims(by_sigma),
-        *action_claims(by_sigma[0.2], many),
-        *meeting_claims(many, wary),
+        *action_claims(by_sigma[0.2], ten_actions),
+        *meeting_claims(ten_actions, pessimistic),
         *rate_claims(by_rate),
         *target_claims(),
     ]
-    return Report(claims, figures(by_sigma, many, by_rate))
+    return Report(claims, figures(by_sigma, ten_actions, by_rate))
 
 
 report = reporting(measure, judge, REPETITIONS)
@@ -151,33 +157,33 @@ def late_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
     ]
 
 
-def action_claims(few: Results, many: Results) -> list[Claim]:
+def action_claims(five_actions: Results, ten_actions: Results) -> list[Claim]:
     """Return the claims on more actions without a use."""
     return [
         Claim(
             f"With ten actions {label(n)} ends far behind n = 1",
             "final return less that of n = 1",
-            final_difference(many, label(n), ONE_STEP),
+            final_difference(ten_actions, label(n), ONE_STEP),
             Below(-1.5),
             "deep targets hand less of the value of untried actions back, so that more runs never meet the exam",
         )
-        for n in DEPTHS[1:3]
+        for n in WITH_TEN_ACTIONS[1:]
     ] + [
         Claim(
             "Going from five to ten actions costs Monte Carlo more than n = 1",
             "loss of Monte Carlo less that of n = 1",
             paired_difference(
-                expected_returns(few, MONTE_CARLO) - expected_returns(many, MONTE_CARLO),
-                expected_returns(few, ONE_STEP) - expected_returns(many, ONE_STEP),
+                expected_returns(five_actions, MONTE_CARLO) - expected_returns(ten_actions, MONTE_CARLO),
+                expected_returns(five_actions, ONE_STEP) - expected_returns(ten_actions, ONE_STEP),
             ),
             Above(0.0),
         )
     ]
 
 
-def meeting_claims(many: Results, wary: Results) -> list[Claim]:
+def meeting_claims(ten_actions: Results, pessimistic: Results) -> list[Claim]:
     """Return the claims on who meets the exam at all, with ten actions, and with start values of -5."""
-    met = {method: met_exam(many, method) for method in many.methods}
+    met = {method: met_exam(ten_actions, method) for method in ten_actions.methods}
     return [
         *(
             Claim(
@@ -187,7 +193,7 @@ def meeting_claims(many: Results, wary: Results) -> list[Claim]:
                 Below(0.0),
                 "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
             )
-            for n in DEPTHS[1:3]
+            for n in WITH_TEN_ACTIONS[1:]
         ),
         Claim(
             "With ten actions some Monte Carlo runs meet the exam",
@@ -199,14 +205,14 @@ def meeting_claims(many: Results, wary: Results) -> list[Claim]:
         Claim(
             "With ten actions Monte Carlo runs that meet the exam still pass it in the end",
             "share of runs that pass in the end, less the share that ever passed",
-            paired_difference(passes(many, MONTE_CARLO), met[MONTE_CARLO]),
+            paired_difference(passes(ten_actions, MONTE_CARLO), met[MONTE_CARLO]),
             Within(-0.1, 0.1),
             "so its loss is one of exploration, not of credit",
         ),
         Claim(
             "Negative control: with start values of -5, where untried actions look worst, Monte Carlo passes more",
             "share of runs that pass, less that of n = 1 (five actions, σ = 0.2)",
-            paired_difference(passes(wary, MONTE_CARLO), passes(wary, ONE_STEP)),
+            paired_difference(passes(pessimistic, MONTE_CARLO), passes(pessimistic, ONE_STEP)),
             Above(0.0),
         ),
     ]
@@ -249,11 +255,11 @@ def rate_claims(by_rate: Mapping[float, Results]) -> list[Claim]:
     ]
 
 
-def figures(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[float, Results]) -> list[Sheet]:
+def figures(by_sigma: Mapping[float, Results], ten_actions: Results, by_rate: Mapping[float, Results]) -> list[Sheet]:
     """Return the figures: learning curves, the learning rates, and the target by n."""
     tasks = layouts(by_sigma[0.2])
     optimum, soft = best_returns(tasks, 0.0, EPSILON)
-    [ten] = best_returns(layouts(many), 0.0)
+    [ten] = best_returns(layouts(ten_actions), 0.0)
     greedy = [Curves(results, f"σ = {sigma:g}", optimum=optimum) for sigma, results in by_sigma.items()]
     exploring = [
         Curves(results, f"exploring, σ = {sigma:g}", column="training_return", soft_optimum=soft)
@@ -261,7 +267,7 @@ def figures(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[f
     ]
     return [
         Sheet("depth", [greedy, exploring]),
-        Sheet("ten_actions", [[Curves(many, "ten actions, σ = 0.2", optimum=ten)]]),
+        Sheet("ten_actions", [[Curves(ten_actions, "ten actions, σ = 0.2", optimum=ten)]]),
         Sheet("rates", [[rate_series(by_rate)]]),
         variance_sheet(),
         Sheet("bias", [[bias_series()]]),
