@@ -6,6 +6,7 @@ import shutil
 import signal
 import sys
 import tempfile
+import threading
 from collections.abc import Iterator
 
 import pytest
@@ -52,6 +53,15 @@ def compiled_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     from edugym.compiled import execution
 
     monkeypatch.setattr(execution, "seconds_to_build", lambda: 0.0)
+
+
+@pytest.fixture(autouse=True)
+def builds_are_over() -> Iterator[None]:
+    """Wait for a build that a stopped run has left to its thread: at its end it would restore that run's warnings."""
+    yield
+    for thread in threading.enumerate():
+        if thread.name == "edugym-_build_once":
+            thread.join(60)
 
 
 @pytest.fixture(autouse=True)
