@@ -171,7 +171,7 @@ def test_the_same_command_goes_on(tmp_path: Path) -> None:
     code = """
 import signal
 from edugym_course.cli import main
-from edugym_course.lessons import exploration
+from edugym_course.lessons.exploration import experiments as exploration
 
 exploration.HEIGHTS, exploration.N_STEPS, exploration.RANDOM_SEARCH = (3, 4), 2_000, ((2, 4),)
 exploration.compare.__kwdefaults__["n_steps"] = 2_000
