@@ -6,6 +6,8 @@
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
 #   make bench      measure speed, against what one would use instead
+#   make dist       build the package from what is committed, and try it in an empty environment
+#   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
 #   make clean      remove .venv and what tools left behind
 
 PYTHON ?= python3
@@ -13,7 +15,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all reproduce bench clean
+.PHONY: lab test test-all test-lowest reproduce bench dist clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -41,6 +43,29 @@ bench: .venv/dev.installed
 
 reproduce: .venv/lab.installed
 	.venv/bin/edugym reproduce $(ARGS)
+
+# From a copy of what is committed, so that nothing of the working folder gets in.
+dist: .venv/dev.installed
+	rm -rf dist build && mkdir -p build/tree build/empty
+	git archive HEAD | tar -x -C build/tree
+	$(RUN) build --no-isolation --outdir dist build/tree
+	$(RUN) twine check --strict dist/*
+	$(PYTHON) -m venv build/venv
+	build/venv/bin/pip install --quiet "$$(echo dist/*.whl)[lab]"
+	cd build/empty && ../venv/bin/edugym list && ../venv/bin/edugym lab --help && ../venv/bin/python -c "import edugym; \
+		edugym.train('Boulder', edugym.QLearning.create(edugym.make_mdp('Boulder')), n_steps=1000, seed=0)"
+
+# Without the extras that need PyTorch or nbgrader: these have lowest versions of their own.
+LOWEST := build/lowest
+test-lowest:
+	rm -rf $(LOWEST) && $(PYTHON) -m venv $(LOWEST)
+	$(PYTHON) .ci/lowest.py > $(LOWEST)/constraints.txt
+	$(LOWEST)/bin/pip install --quiet --constraint $(LOWEST)/constraints.txt --editable ".[notebook]" \
+		hypothesis pytest pytest-xdist
+	@# Old libraries use what newer ones call deprecated: that is no fault of ours.
+	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning $(ARGS) \
+		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \
+		tests/mdp tests/rendering tests/system tests/training
 
 clean:
 	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -1,6 +1,7 @@
 """The package that is built for users has everything, and no solutions."""
 
 import importlib.util
+import re
 import subprocess
 import sys
 import zipfile
@@ -20,6 +21,10 @@ def test_the_wheel_has_every_file_and_the_students_notebooks(tmp_path: Path) -> 
     made = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     (wheel,) = tmp_path.glob("*.whl")
+    assert subprocess.run([sys.executable, "-m", "twine", "check", "--strict", str(wheel)]).returncode == 0
+    (metadata,) = (name for name in zipfile.ZipFile(wheel).namelist() if name.endswith("/METADATA"))
+    readme = zipfile.ZipFile(wheel).read(metadata).decode()
+    assert re.findall(r"\]\((?!https://)", readme) == []  # its links lead somewhere on PyPI too
     inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(("edugym/", "edugym_course/"))}
     sources = [path for path in (ROOT / "src").rglob("*") if path.is_file() and path.suffix != ".pyc"]
     sources = [path for path in sources if "answers" not in path.parts and not path.name[0].isdigit()]

@@ -60,6 +60,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         max_episode_steps: int | None = None,
     ) -> None:
         """See the class."""
+        self.closed = True  # Gymnasium closes what is thrown away: until this is made, there is nothing to close
         try:
             env = environment_of(env, "env")
         except Exception as error:
@@ -77,6 +78,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
                     f" {getattr(env, name)}"
                 )
         self._env = copy.copy(env)  # to draw with
+        self.closed = False
         num_envs = whole_number("num_envs", num_envs, 1)
         if not isinstance(autoreset_mode, AutoresetMode):
             one_of("autoreset_mode", autoreset_mode, [mode.value for mode in MODES])
