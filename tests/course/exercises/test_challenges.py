@@ -92,6 +92,7 @@ def optimist(kind: Any, **settings: Any) -> Callable[[Any], Any]:
         ("02_on_off_policy", optimist(DynaQ), 75, 100),
         ("03_depth", optimist(TreeBackup, learning_rate=0.5, n=10, initial_value=5.0), 75, 100),
         ("04_dimensionality", "DQN", 10, 30),
+        ("05_memory", "Q-learning", 1, 5),
         ("06_signal", "majority vote", 61, 69),
         ("07_continuous_actions", "the lesson's agent", 20, 80),
         ("08_stochasticity", optimist(QLearning, learning_rate=0.1, exploration=EpsilonGreedy(0.1)), 70, 95),
