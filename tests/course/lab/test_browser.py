@@ -7,7 +7,6 @@ screenshots to look at.
 import importlib.util
 import os
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -90,10 +89,7 @@ def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
 
 
 def try_sliders(page: Page, box: Any) -> int:
-    """Move each slider in a box to an end, see that the picture changes, and return their number.
-
-    What lessons draw at both ends is the matter of their transcripts.
-    """
+    """Move each slider in a box to an end, see that the picture changes, and return their number."""
     handles = page("[...arguments[0].querySelectorAll('.widget-hslider .noUi-handle')]", box)
     for handle in handles:
         low, high, now = (float(handle.get_attribute(f"aria-value{name}")) for name in ("min", "max", "now"))
@@ -101,15 +97,10 @@ def try_sliders(page: Page, box: Any) -> int:
         side, value = ("left", low) if now == high else ("right", high)
         before = page.picture(box)
         page.drag(handle, side)
-        until(partial(is_another_picture, page, box, before), f"another picture: {name} moved to {value:g}", 30)
+        until(lambda before=before: page.picture(box) != before, f"another picture: {name} moved to {value:g}", 30)
         assert float(handle.get_attribute("aria-valuenow")) == value
     assert page.errors(box) == []
     return len(handles)
-
-
-def is_another_picture(page: Page, box: Any, before: str) -> bool:
-    """Whether the picture in a box is not what it was before."""
-    return page.picture(box) != before
 
 
 def try_buttons(page: Page, box: Any) -> int:
