@@ -3,12 +3,11 @@
 import inspect
 import threading
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 from edugym.experiments.checkpoints import CHECKPOINTS
 from edugym_course.report import Report, Section, markdown
-from edugym_course.reporting import SharedArguments, for_mdp, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 
 def test_how_an_experiment_is_run() -> None:
@@ -46,12 +45,6 @@ def test_a_report_is_measured_and_judged() -> None:
     stop.set()
     assert report(stop=stop) == Report([], [])
     assert inspect.signature(report).parameters["repetitions"].default == 30
-
-
-def test_an_agent_for_the_mdp_of_an_environment() -> None:
-    """Wrappers are passed over."""
-    environment = SimpleNamespace(unwrapped=SimpleNamespace(mdp="the MDP"))
-    assert for_mdp(lambda mdp: ("agent", mdp))(environment) == ("agent", "the MDP")
 
 
 FIRST: dict[str, Any] = {

@@ -5,7 +5,7 @@ Of all others, which theory and planning give, it has the first and the last num
 """
 
 import re
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -36,7 +36,7 @@ class Series(NamedTuple):
     ends: tuple[float, ...] = ()
 
 
-def shown_in(sheets: list[Sheet], frames: dict[str, list[str]] | None = None) -> dict[str, list[Series]]:
+def shown_in(sheets: Sequence[Sheet], frames: dict[str, list[str]] | None = None) -> dict[str, list[Series]]:
     """Return the series of all panels of all sheets, by what is written on the panels; `frames` takes their frames."""
     curves = [panel for sheet in sheets for row in sheet.rows for panel in row if isinstance(panel, Curves)]
     tables = [panel.results.table.filter(regex=r"^(environment|n_steps)") for panel in curves]

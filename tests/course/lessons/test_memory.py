@@ -1,5 +1,7 @@
 """Partial observability in MemoryCorridor: the claims hold with other seeds than those the lesson shows."""
 
+from typing import Any
+
 import gymnasium
 import numpy as np
 import pytest
@@ -79,7 +81,7 @@ def test_windows_on_the_lake() -> None:
     right, down = 2, 1
     seen, cells, actions = lake.Window(ice, 2), [0, 1, 2, 6], [right, right, down]
     assert [seen.reset(seed=0)[0], *[seen.step(action)[0] for action in actions]] == [0, 1, 1 * 16 + 2, 2 * 16 + 6]
-    window = lake.Window(ice, 2, actions=True)
+    window: Any = lake.Window(ice, 2, actions=True)
     rows = [(cell * 4 + action) * 16 + then for cell, action, then in zip(cells, actions, cells[1:], strict=False)]
     assert [window.reset(seed=0)[0], *[window.step(action)[0] for action in actions]] == [0, *rows]
     assert rows[-1] < window.observation_space.n
