@@ -27,7 +27,7 @@ sys.path.pop()
 few_runs.limit_runs() if {TRAINED!r} in os.environ["JPY_SESSION_NAME"] else few_runs.make_runs_up()
 del os, sys, few_runs
 """
-"""In one lesson agents train in two runs, in the others their results are made up: a student sees and moves the same."""
+"""In one lesson agents train in two runs, in the others results are made up: a student sees and moves the same."""
 LESSONS = [lesson.name for lesson in student_lessons()]
 
 pytestmark = [
