@@ -9,8 +9,8 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from rich.console import Console
@@ -160,16 +160,6 @@ def test_lab_hands_everything_on(
     assert str(tmp_path / options[0]) in where
 
 
-def full(file: int, error: OSError) -> Any:
-    """An output with a file of its own, every flush of which raises the error."""
-
-    def flush() -> None:
-        raise error
-
-    output: Any = io.StringIO()
-    return SimpleNamespace(fileno=lambda: file, flush=flush, write=output.write)
-
-
 NO_SPACE = OSError(errno.ENOSPC, "No space left")
 
 
@@ -190,7 +180,8 @@ def test_output_that_fails(
     """One line says why, unless the command has failed already and said so, or nobody reads."""
     monkeypatch.setattr(commands, "app", app)
     with (tmp_path / "output").open("w") as output:
-        monkeypatch.setattr(sys, "stdout", full(output.fileno(), error))
+        flush = Mock(side_effect=error)
+        monkeypatch.setattr(sys, "stdout", Mock(fileno=output.fileno, flush=flush, write=io.StringIO().write))
         with pytest.raises(SystemExit) as ended:
             commands.run()
         assert os.fstat(output.fileno()).st_rdev == os.stat(os.devnull).st_rdev  # Python's own last flush is lost

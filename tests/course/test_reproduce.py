@@ -1,9 +1,5 @@
 """The command `edugym reproduce`: what it writes, what it says, its exit status, and how it goes on."""
 
-import signal
-import subprocess
-import sys
-import threading
 import warnings
 from pathlib import Path
 from types import SimpleNamespace
@@ -172,43 +168,3 @@ def test_what_an_unfinished_command_left_goes(tmp_path: Path) -> None:
     commands._clear(folder, keep=CHECKPOINTS)
     assert names(folder) == [CHECKPOINTS]
     assert names(folder / CHECKPOINTS) == names(other) == ["file"]
-
-
-@pytest.mark.slow
-def test_the_same_command_goes_on(tmp_path: Path) -> None:
-    """Interrupted, killed, and then left to its end, it writes the files of one that was never disturbed."""
-    code = """
-import signal
-from edugym_course.cli import main
-from edugym_course.lessons.exploration import experiments as exploration
-
-exploration.HEIGHTS, exploration.N_STEPS, exploration.RANDOM_SEARCH = (3, 4), 2_000, ((2, 4),)
-exploration.compare.__kwdefaults__["n_steps"] = 2_000
-signal.signal(signal.SIGINT, signal.default_int_handler)
-main()
-"""
-
-    def command(output: str) -> subprocess.Popen[str]:
-        arguments = ["reproduce", "exploration", "--repetitions", "8", "--output", str(tmp_path / output)]
-        return subprocess.Popen([sys.executable, "-c", code, *arguments], stderr=subprocess.PIPE, text=True)
-
-    unfinished = tmp_path / "b" / "exploration.unfinished"
-    for number, runs in ((signal.SIGINT, 5), (signal.SIGKILL, 30)):
-        with command("b") as child:
-            while len(list(unfinished.glob("checkpoints/*.run"))) < runs and child.poll() is None:
-                threading.Event().wait(0.01)
-            child.send_signal(number)
-            assert child.stderr is not None
-            said = child.stderr.read()
-        if number == signal.SIGINT:
-            assert child.returncode == 130, said
-            assert f"interrupted; what is done is kept in {tmp_path / 'b'}" in said
-    for output in ("a", "b"):
-        with command(output) as child:
-            child.communicate(timeout=120)
-        assert child.returncode in (0, 1)
-        assert sorted(path.name for path in (tmp_path / output).iterdir()) == ["exploration", "report.md"]
-    one, other = (
-        {path.name: path.read_bytes() for path in (tmp_path / output / "exploration").iterdir()} for output in "ab"
-    )
-    assert one == other

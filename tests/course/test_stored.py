@@ -5,7 +5,6 @@ from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 
-import numpy as np
 import pandas as pd
 import pytest
 
@@ -92,19 +91,3 @@ def test_made_again_they_are_current(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert len(found.code_hash()) == 32
     (tmp_path / "other.py").write_text("def other_claim():\n    return 2\n")
     assert not found.is_current()
-
-
-@pytest.mark.slow
-def test_recurrent_ppo_again() -> None:
-    """The first points of a stored run, computed once more, are the same where the versions are."""
-    pytest.importorskip("sb3_contrib")
-    from edugym.deep.repeated import deep_versions
-    from edugym_course.lessons.memory.recurrent import N_STEPS, RECURRENT, trainer
-
-    table = stored_in("memory.recurrent").load().table
-    if set(table["versions"]) != {deep_versions()}:
-        pytest.skip("the results were made with other versions")
-    first = table[table["repetition"] == 0]
-    again = trainer()(N_STEPS // 10, seed=int(first["seed"].iloc[0]))
-    np.testing.assert_array_equal(again.returns[:2], first["return"].iloc[:2])
-    assert first["method"].iloc[0] == RECURRENT

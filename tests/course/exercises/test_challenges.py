@@ -14,6 +14,7 @@ from edugym_course.grading.challenge import Challenge, Sizes
 from edugym_course.lessons.continuous_actions.exercises import own_container
 from edugym_course.lessons.signal.moody import best_return
 from edugym_course.lessons.stochasticity.exact import optimum
+from tests.course.grading.test_challenge import systematic
 
 CHALLENGES: dict[str, Challenge] = {
     lesson: module.CHALLENGE
@@ -86,12 +87,15 @@ def optimist(kind: Any, **settings: Any) -> Callable[[Any], Any]:
 @pytest.mark.parametrize(
     ("lesson", "agent", "low", "high"),
     [
+        ("01_exploration", systematic, 96, 104),
+        ("01_exploration", QLearning.create, -1, 1),
         ("02_on_off_policy", "Q-learning", 15, 25),
         ("02_on_off_policy", "SARSA", 15, 25),
         ("02_on_off_policy", optimist(QLearning), 66, 78),
         ("02_on_off_policy", optimist(DynaQ), 75, 100),
         ("03_depth", optimist(TreeBackup, learning_rate=0.5, n=10, initial_value=5.0), 75, 100),
         ("04_dimensionality", "DQN", 10, 30),
+        ("05_memory", "Q-learning", 1, 5),
         ("06_signal", "majority vote", 61, 69),
         ("07_continuous_actions", "the lesson's agent", 20, 80),
         ("08_stochasticity", optimist(QLearning, learning_rate=0.1, exploration=EpsilonGreedy(0.1)), 70, 95),

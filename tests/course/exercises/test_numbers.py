@@ -6,17 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import (
-    SARSA,
-    CountBased,
-    EpsilonGreedy,
-    ExpectedSARSA,
-    NStepSARSA,
-    QLearning,
-    finite_model,
-    make_mdp,
-    repeat,
-)
+from edugym import SARSA, EpsilonGreedy, NStepSARSA, repeat
 from edugym.training.run import Run
 from edugym_course.grading import WrongAnswer
 from edugym_course.lessons.continuous_actions.exercises import episodes
@@ -25,80 +15,10 @@ from edugym_course.lessons.depth.exercises import exercise_1 as quiet_exercise
 from edugym_course.lessons.dimensionality.shuffled import shuffled_board
 from edugym_course.lessons.exploration import exercises as exploration
 from edugym_course.lessons.exploration import methods as climbing
-from edugym_course.lessons.exploration.exercises.explorer import check_act
-from edugym_course.lessons.loop import exercises as loop
 from edugym_course.lessons.model_based import methods as planning
 from edugym_course.lessons.model_based.plans import used_and_seen
-from edugym_course.lessons.on_off_policy.exact import best_run, switch
-from edugym_course.lessons.on_off_policy.exercises import TWO_POLICIES
-from edugym_course.lessons.signal import exercises as signal
-from edugym_course.lessons.signal.words import information
 from edugym_course.lessons.stochasticity import exercises as stochasticity
-from edugym_course.lessons.stochasticity.exact import crossing
 from tests.course.lessons.answers import solution
-
-SIZE = (6, 3)
-RATES = {"learning_rate": 0.25, "discount": 0.75}
-
-
-@pytest.mark.parametrize(
-    ("rule", "more", "agent"),
-    [
-        (exploration.EXPLORER, {"bonus": 3.0}, CountBased.create(SIZE, bonus=3.0, **RATES)),
-        (stochasticity.TWO_WEIGHTS, {"kappa": 0.0}, QLearning.create(SIZE, **RATES)),
-        (TWO_POLICIES, {"epsilon": 0.9, "target_epsilon": 0.0}, QLearning.create(SIZE, **RATES)),
-        *(
-            (
-                TWO_POLICIES,
-                {"epsilon": 0.9, "target_epsilon": epsilon},
-                ExpectedSARSA.create(SIZE, exploration=EpsilonGreedy(epsilon), **RATES),
-            )
-            for epsilon in (0.3, 1.0)
-        ),
-    ],
-)
-def test_a_rule_is_that_of_the_packages_agent(rule: Any, more: dict[str, float], agent: Any) -> None:
-    """In all tables that the agent has: with an attitude of 0 and for a greedy policy that is Q-learning."""
-    cases = rule.cases(SIZE, 5)
-    for case, outcome in zip(cases, rule.outcomes(cases, {**RATES, **more}), strict=True):
-        names = [name for name in case.tables if hasattr(agent, name)]
-        for name in names:
-            getattr(agent, name)[:] = case.tables[name]
-        for now, tables in zip(case.transitions, outcome, strict=True):
-            agent.learn(now.state, now.action, now.reward, now.next_state, now.terminated)
-            for name in names:
-                np.testing.assert_allclose(getattr(agent, name), tables[name], rtol=1e-12)
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_first_exercises_with_any_seed(seed: int) -> None:
-    """Right answers pass; of a mistake that looks like another one in the first case, the right one is told."""
-    right = solution("00_loop", 1, "discounted_return")
-    assert loop.exercise_1(right, seed)
-    assert loop.exercise_2(solution("00_loop", 2, "choose"), seed)
-    with pytest.raises(WrongAnswer, match="the last reward is left out"):
-        loop.exercise_1(lambda rewards, discount: right(rewards[:-1], discount), seed)
-    with pytest.raises(WrongAnswer, match="all later rewards are discounted by the same γ"):
-        loop.exercise_1(lambda rewards, discount: rewards[0] + discount * sum(rewards[1:]), seed)
-
-
-def test_what_an_explorer_is_asked_could_have_happened() -> None:
-    """A state was visited as often as its grips were tried: an explorer may look at either."""
-
-    class Explorer:
-        def __init__(self) -> None:
-            self.Q, self.visits, self.tries = np.zeros((101, 3)), np.zeros(101, int), np.zeros((101, 3), int)
-
-        def act(self, state: int, rng: np.random.Generator) -> int:
-            assert self.visits[state] == self.tries[state].sum()
-            seen.append(self.tries[state].tolist())
-            untried = np.flatnonzero(self.tries[state] == 0)
-            return int(rng.choice(untried if untried.size else np.flatnonzero(self.Q[state] == self.Q[state].max())))
-
-    seen: list[list[int]] = []
-    check_act(Explorer(), 3)
-    assert [0, 0, 0] in seen
-    assert [7, 1, 2] in seen
 
 
 def test_runs_that_solve_the_lake_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -117,22 +37,6 @@ def test_runs_that_solve_the_lake_are_counted(monkeypatch: pytest.MonkeyPatch) -
     assert exploration.exercise_4(answer, 0).startswith(
         "Right. Runs that solve the lake: ε-greedy 0 of 5, novelty reward 0 of 5, Go-Explore 2 of 5, mine 5 of 5. "
     )
-
-
-@pytest.mark.parametrize("size", [10, 12, 15])
-@pytest.mark.parametrize("penalty", [-40.0, -200.0])
-def test_roads_of_lesson_2_change_once(size: int, penalty: float) -> None:
-    """Below the change the best run is the fastest, and above it never, so that every search finds the same."""
-    change = switch(finite_model(make_mdp("Roadrunner", size=size, negative_reward=penalty)), tolerance=1e-6)
-    assert 0.005 < change < 0.15
-    fastest, *lengths = (len(best_run(k / 100, size=size, negative_reward=penalty)) for k in range(21))
-    assert [length > fastest for length in lengths] == [k / 100 > change for k in range(1, 21)]
-
-
-def test_numbers_by_the_package() -> None:
-    """22 words carry 0.4 bit, and 21 do not; the level of exercise 1 of lesson 8 differs from the estimate."""
-    assert information(0.1, signal.WORDS - 1) < signal.ENOUGH <= information(0.1, signal.WORDS)
-    assert crossing(0.02, 0.025, max_hits=stochasticity.HITS) == pytest.approx(0.0232, abs=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -188,14 +92,6 @@ def test_how_deep_and_how_fast_the_quiet_agent_learns(how: dict[str, Any], says:
     settings = {"n": math.inf, "learning_rate": 0.1, "discount": 1.0, "exploration": EpsilonGreedy(0.0), **how}
     with pytest.raises(WrongAnswer, match=says):
         quiet_exercise(lambda study: NStepSARSA.create(study, **settings), 0)
-
-
-def test_an_error_that_pays() -> None:
-    """With the error of the solution bumping for ever is worth what the best way is, and with a smaller one less."""
-    v, gamma = 40.0, 0.75
-    e = solution("09_model_based", 1, "smallest_error")(v, gamma)
-    for error, worth in ((e, v), (e - 1, v - 1 / (1 - gamma))):
-        assert sum((error - 1) * gamma**k for k in range(200)) == pytest.approx(worth)
 
 
 @pytest.mark.slow

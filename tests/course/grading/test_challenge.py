@@ -13,7 +13,6 @@ from edugym.experiments.results.statistics import Interval
 from edugym.experiments.results.tables import Results
 from edugym_course.grading import WrongAnswer, challenge, seed_from_name
 from edugym_course.lessons.exploration.exercises import CHALLENGE, best_average
-from edugym_course.lessons.exploration.methods import GO_EXPLORE, METHODS, best_return
 from tests.course.grading.test_checking import noted_limits
 
 
@@ -66,21 +65,6 @@ def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
     assert limits == [("making your agent", 30.0), ("training your agent", 30.0), ("training your agent", math.inf)]
     settings = {"n_steps": 5_000, "repetitions": 10, "seed": 2350958316, "parameters": {"height": 60}}
     assert asked == {"environment": "Boulder", "methods": ["your agent", *CHALLENGE.baselines], **settings}
-
-
-@pytest.mark.slow
-def test_scores() -> None:
-    """A systematic explorer gets nearly all points, a random one none, and what is possible is above all others."""
-    best = CHALLENGE.score(systematic, "Ada")
-    assert best.points == pytest.approx(100, abs=4)
-    assert best.rows["possible"] == (1.0, CHALLENGE.best_average)
-    assert best.ahead.low > 0
-    assert CHALLENGE.optimum == best_return(60)
-    none = CHALLENGE.score(lambda wall: QLearning.create(wall), "Ada")
-    assert none.points == 0
-    assert none.ahead.high < 0
-    assert none.rows[GO_EXPLORE] == best.rows[GO_EXPLORE]  # the same walls
-    assert none.rows[GO_EXPLORE] != CHALLENGE.score(METHODS[GO_EXPLORE], "Grace").rows["your agent"]
 
 
 @pytest.mark.parametrize(

@@ -45,13 +45,7 @@ class Lab(NamedTuple):
 
 @contextmanager
 def running_lab(folder: Path, theme: str = "JupyterLab Light", first: str = "") -> Iterator[Lab]:
-    """Run `edugym lab` on a free port, without a token and with settings of its own, and yield it.
-
-    Args:
-        folder: where it puts all its files.
-        theme: its colours.
-        first: the code that every kernel runs before the first cell.
-    """
+    """Run `edugym lab` on a free port, without a token, in a folder of its own; kernels run `first` at their start."""
     startup = folder / "ipython" / "profile_default" / "startup" / "first.py"
     startup.parent.mkdir(parents=True)
     startup.write_text(first)

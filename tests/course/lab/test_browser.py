@@ -7,7 +7,6 @@ screenshots to look at.
 import importlib.util
 import os
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -28,10 +27,7 @@ sys.path.pop()
 few_runs.limit_runs() if {TRAINED!r} in os.environ["JPY_SESSION_NAME"] else few_runs.make_runs_up()
 del os, sys, few_runs
 """
-"""In one lesson agents train in two runs, in the others their results are made up: a student sees and moves the same.
-
-Results, and what else lessons compute, are the matter of other tests.
-"""
+"""In one lesson agents train in two runs, in the others results are made up: a student sees and moves the same."""
 LESSONS = [lesson.name for lesson in student_lessons()]
 
 pytestmark = [
@@ -90,26 +86,19 @@ def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
 
 
 def try_sliders(page: Page, box: Any) -> int:
-    """Move each slider in a box to an end, see that the picture changes, and return their number.
-
-    What lessons draw at both ends is the matter of their transcripts.
-    """
+    """Move each slider in a box to an end, see that the picture changes, and return their number."""
     handles = page("[...arguments[0].querySelectorAll('.widget-hslider .noUi-handle')]", box)
+    before: list[str] = []
     for handle in handles:
         low, high, now = (float(handle.get_attribute(f"aria-value{name}")) for name in ("min", "max", "now"))
         name = page("arguments[0].closest('.widget-hslider').querySelector('.widget-label').innerText", handle)
         side, value = ("left", low) if now == high else ("right", high)
-        before = page.picture(box)
+        before.append(page.picture(box))
         page.drag(handle, side)
-        until(partial(is_another_picture, page, box, before), f"another picture: {name} moved to {value:g}", 30)
+        until(lambda: page.picture(box) != before[-1], f"another picture: {name} moved to {value:g}", 30)
         assert float(handle.get_attribute("aria-valuenow")) == value
     assert page.errors(box) == []
     return len(handles)
-
-
-def is_another_picture(page: Page, box: Any, before: str) -> bool:
-    """Whether the picture in a box is not what it was before."""
-    return page.picture(box) != before
 
 
 def try_buttons(page: Page, box: Any) -> int:

@@ -74,12 +74,8 @@ def test_what_is_not_a_notebook_any_more_stays(path: Path, damaged: str) -> None
     assert path.read_bytes() == damaged.encode(errors="surrogateescape")
 
 
-def test_a_folder_or_a_broken_link_in_its_place_stays(path: Path) -> None:
+def test_a_folder_in_its_place_stays(path: Path) -> None:
     """The lesson goes beside it."""
-    path.unlink()
-    path.symlink_to(path.with_name("nowhere"))
-    assert deliver(SECOND, path) != path
-    assert path.is_symlink()
     path.unlink()
     path.mkdir()
     assert deliver(SECOND, path).name == "lesson_new_version.ipynb"

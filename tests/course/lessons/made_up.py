@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import pandas as pd
+from gymnasium.spaces import Discrete
 
 from edugym.experiments.results.claims import Claim
 from edugym.experiments.results.tables import Results
@@ -47,3 +48,41 @@ def follower(actions: Mapping[int, int], **more: Any) -> Any:
 def measured(claims: Iterable[Claim]) -> list[float]:
     """Return what the claims measure, without the intervals, to six digits."""
     return [round(claim.measured.estimate, 6) for claim in claims]
+
+
+class Circle(NamedTuple):
+    """A problem of a student's own: action 0 never ends an episode, and every step costs."""
+
+    max_steps: int | None = None
+    states: int = 5
+    actions: int = 2
+
+    @property
+    def observation_space(self) -> Discrete:
+        """Five states, or as many as there are."""
+        return Discrete(self.states)
+
+    @property
+    def action_space(self) -> Discrete:
+        """Stay or go, and others that do what staying does."""
+        return Discrete(self.actions)
+
+    def initial(self, rng: Any) -> int:
+        """The beginning."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Any) -> int:
+        """Stay, or go on with luck."""
+        return state + 1 if action == 1 and rng.random() < 0.5 else state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+        """Each step costs."""
+        return -1.0
+
+    def terminal(self, state: int) -> bool:
+        """At the end."""
+        return state == self.states - 1
+
+    def observation(self, state: int, rng: Any) -> int:
+        """The state."""
+        return state

@@ -24,6 +24,7 @@ from edugym_course.grading.challenge import Challenge
 from edugym_course.lessons import load_experiments
 from edugym_course.lessons.dimensionality import networks
 from edugym_course.notebook.prediction import Prediction
+from edugym_course.report import Report
 from tests.course.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_runs, made_up_run
 
 NOTEBOOKS = {path.parent.name: path for path in build.lesson_sources().values()}
@@ -58,10 +59,11 @@ def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
         yield module
 
 
-def sheets_of_report(lesson: str, seed: int = 1, **short: int) -> list[Sheet]:
-    """Return the figures of a lesson's report."""
+def short_report(lesson: str, seed: int = 1, **short: int) -> Report:
+    """Return the claims and the figures of a lesson's report."""
     with short_training(lesson, **short) as module:
-        return list(module.report(repetitions=short.get("runs", 2), seed=seed, jobs=1).figures)
+        report: Report = module.report(repetitions=short.get("runs", 2), seed=seed, jobs=1)
+        return report
 
 
 def sheets_of_cells(lesson: str, **short: int) -> list[Sheet]:

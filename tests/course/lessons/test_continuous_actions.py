@@ -19,21 +19,6 @@ def test_deliveries_are_those_of_the_exact_search(n_bins: int) -> None:
     assert 2.0 * (1.0 - np.abs(found.places).min() / 0.1) == pytest.approx(plan.centring)
 
 
-def test_scores_are_derivatives_of_the_logarithm() -> None:
-    """By finite differences, with respect to μ and to ln σ."""
-    a, mean, spread, h = 0.7, 0.2, 0.6, 1e-6
-
-    def log_density(mean: float, log_spread: float) -> float:
-        return float(np.log(release.density(np.array(a), mean, np.exp(log_spread))))
-
-    of_mean, of_log_spread = release.scores(a, mean, spread)
-    log_spread = np.log(spread)
-    by_mean = (log_density(mean + h, log_spread) - log_density(mean - h, log_spread)) / (2 * h)
-    by_spread = (log_density(mean, log_spread + h) - log_density(mean, log_spread - h)) / (2 * h)
-    assert of_mean == pytest.approx(by_mean, rel=1e-6)
-    assert of_log_spread == pytest.approx(by_spread, rel=1e-6)
-
-
 @pytest.mark.parametrize("baseline", [0.0, 3.0])
 def test_the_estimate_is_right_on_average(baseline: float) -> None:
     """Of both slopes, whatever the baseline."""

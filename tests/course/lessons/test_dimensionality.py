@@ -23,7 +23,7 @@ from edugym_course.lessons.dimensionality import (
 from edugym_course.lessons.dimensionality.boards import Offset
 from edugym_course.lessons.dimensionality.layers import SmallCNN
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
-from edugym_course.lessons.model_based.figures import Clock, steps_to
+from edugym_course.lessons.model_based.figures import steps_to
 from tests.course.lessons.made_up import Curve, made_up, measured
 from tests.experiments.figures.samples import heights, new_axes
 
@@ -176,7 +176,5 @@ def test_the_run_in_the_middle(curves: list[Curve], median: float, monkeypatch: 
     """A level counts when it is reached for the first time; a run that never gets there takes for ever."""
     results = made_up({"one": curves}, 60)
     assert steps_to(results, "one", 0.99) == median
-    clock = Clock(results, {"one": np.ones((1, 60), np.int64)}, step_ms=1000.0, target_us=1.0)
-    assert clock.seconds_to("one", 0.99) == pytest.approx(median)
     monkeypatch.setattr(methods, "learn", lambda task, label, *more, **how: made_up({label: curves}, 60))
     assert {*methods.steps_to_solve(3).values()} == {median}

@@ -5,7 +5,7 @@ Of all others, which theory and planning give, it has the first and the last num
 """
 
 import re
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -15,10 +15,18 @@ import pytest
 from matplotlib.container import BarContainer
 
 from edugym.experiments.figures import Curves, Sheet
-from tests.course.lessons.shown import NOTEBOOKS, check_legends, sheets_of_cells, sheets_of_report
+from tests.course.lessons.shown import NOTEBOOKS, check_legends, sheets_of_cells, short_report
 
 IN_CELLS = "In the cells"  # the line of the file between the figures of the report and those that only cells show
+FRAMES = Path(__file__).parent / "frames"  # files with the limits of the panels in a lesson's report
 NUMBERS = re.compile(r" \[(\S+), (\S+)\]$")
+
+NO_SENTENCE = re.compile(
+    r"(?i:and|but|nor|or|so|than|then|that|which|who|whose|it|its|they|their|this|these|too|also)\b|[a-z]{2,}"
+)
+"""What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
+COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
+WRONG_PLURAL = re.compile(rf"(?<![\d.])(?<!\d )1 {COUNTED}s\b|(?<![\d.])([02-9]|\d\d+) {COUNTED}\b")
 
 
 class Series(NamedTuple):
@@ -28,8 +36,8 @@ class Series(NamedTuple):
     ends: tuple[float, ...] = ()
 
 
-def shown_in(sheets: list[Sheet]) -> dict[str, list[Series]]:
-    """Return the series of all panels of all sheets, by what is written on the panels."""
+def shown_in(sheets: Sequence[Sheet], frames: dict[str, list[str]] | None = None) -> dict[str, list[Series]]:
+    """Return the series of all panels of all sheets, by what is written on the panels; `frames` takes their frames."""
     curves = [panel for sheet in sheets for row in sheet.rows for panel in row if isinstance(panel, Curves)]
     tables = [panel.results.table.filter(regex=r"^(environment|n_steps)") for panel in curves]
     differing = varying(pd.concat(tables)) if tables else []
@@ -43,7 +51,10 @@ def shown_in(sheets: list[Sheet]) -> dict[str, list[Series]]:
                     series = [*curves_of(panel, series, differing)]
                 title = ax.get_title().partition("\n")[0]
                 written = " | ".join([f"{sheet.name}: {title}", ax.get_xlabel(), ax.get_ylabel()]).rstrip(" |")
-                found[f"{written} (again)" if written in found else written] = series
+                written = f"{written} (again)" if written in found else written
+                found[written] = series
+                if frames is not None:
+                    frames[written] = [*frame(ax)]
     return found
 
 
@@ -80,6 +91,17 @@ def drawn(ax: Any) -> Iterator[Series]:
         values: Any = np.ma.filled(np.ma.asarray(picture.get_array(), float), np.nan)
         if len(known := np.unique(values[np.isfinite(values)])) > 1:
             yield Series("picture", (known[0], known[-1]))
+
+
+def frame(ax: Any) -> Iterator[str]:
+    """Yield the limits that a panel sets, and over what its longest line goes."""
+    for name in "xy":
+        if not getattr(ax, f"get_autoscale{name}_on")():
+            yield "{} from {:.3g} to {:.3g}".format(name, *getattr(ax, f"get_{name}lim")())
+    yield f"{len(ax.lines)} lines, {len(ax.patches)} patches"
+    if ax.lines:
+        x = max((np.array(line.get_xdata(), float) for line in ax.lines), key=len)
+        yield f"{len(x)} points from {x[0]:.3g} to {x[-1]:.3g}"
 
 
 def labelled(artist: Any, values: Any) -> Iterator[Series]:
@@ -135,14 +157,24 @@ def torch_is_there_where_it_is_needed(lesson: str, tmp_path: Path, monkeypatch: 
 def test_figures_of_the_report(lesson: str) -> None:
     """If a change is meant, edit the file, or delete it: this test writes it anew, for you to read `git diff`."""
     path, report, _ = read(lesson)
-    sheets = sheets_of_report(lesson)
-    found = shown_in(sheets)
-    if not report:
-        cells = only_in_cells(sheets_of_cells(lesson), found)
-        others = shown_in(sheets_of_report(lesson, seed=2, runs=3, most=300))
-        path.write_text(f"{told(found, others)}\n{IN_CELLS}\n{told(cells, {})}\n", encoding="utf-8")
-        pytest.fail(f"{path} is new: read it, and commit it")
+    frames_path = FRAMES / f"{lesson}.txt"
+    (claims, sheets), frames = short_report(lesson), dict[str, list[str]]()
+    found = shown_in(sheets, frames)
+    if not report or not frames_path.exists():
+        other_frames: dict[str, list[str]] = {}
+        others = shown_in(short_report(lesson, seed=2, runs=3, most=300).figures, other_frames)
+        lines = [[name, *(part for part in parts if part in other_frames[name])] for name, parts in frames.items()]
+        frames_path.write_text("\n".join(map(" || ".join, lines)) + "\n", encoding="utf-8")
+        if not report:
+            cells = only_in_cells(sheets_of_cells(lesson), found)
+            path.write_text(f"{told(found, others)}\n{IN_CELLS}\n{told(cells, {})}\n", encoding="utf-8")
+        pytest.fail(f"{path} or {frames_path} is new: read it, and commit it")
     check(report, found)
+    statements = [claim.statement for claim in claims if not claim.statement.startswith("novelty reward ")]  # a label
+    assert [text for text in [*found, *statements] if WRONG_PLURAL.search(text)] == []
+    assert [statement for statement in statements if NO_SENTENCE.match(statement)] == []
+    for written, *parts in (line.split(" || ") for line in frames_path.read_text(encoding="utf-8").splitlines()):
+        assert {*parts} <= {*frames[written]}, written
     for sheet in sheets:
         check_legends(sheet)
 

@@ -79,17 +79,12 @@ def test_windows_on_the_lake() -> None:
     assert lake.blind_lake(6, actions=False).observation_space.n == 1
     ice = gymnasium.make("FrozenLake-v1", is_slippery=False)
     right, down = 2, 1
-    seen_by: tuple[tuple[Any, list[int]], ...] = (
-        (lake.Window(ice, 2), [0 * 16 + 1, 1 * 16 + 2, 2 * 16 + 6]),
-        (
-            lake.Window(ice, 2, actions=True),
-            [(0 * 4 + right) * 16 + 1, (1 * 4 + right) * 16 + 2, (2 * 4 + down) * 16 + 6],
-        ),
-    )
-    for window, rows in seen_by:
-        assert window.reset(seed=0)[0] == 0
-        assert [window.step(action)[0] for action in (right, right, down)] == rows
-        assert rows[-1] < window.observation_space.n
+    seen, cells, actions = lake.Window(ice, 2), [0, 1, 2, 6], [right, right, down]
+    assert [seen.reset(seed=0)[0], *[seen.step(action)[0] for action in actions]] == [0, 1, 1 * 16 + 2, 2 * 16 + 6]
+    window: Any = lake.Window(ice, 2, actions=True)
+    rows = [(cell * 4 + action) * 16 + then for cell, action, then in zip(cells, actions, cells[1:], strict=False)]
+    assert [window.reset(seed=0)[0], *[window.step(action)[0] for action in actions]] == [0, *rows]
+    assert rows[-1] < window.observation_space.n
 
 
 @pytest.mark.parametrize(("step", "back"), [(1, 1), (3, 3), (4, 2), (6, 6), (7, 5), (8, 3)])

