@@ -31,14 +31,6 @@ def test_runs_share_no_array_of_a_wrapper() -> None:
     assert same(one, other)
 
 
-@pytest.mark.slow
-def test_other_processes_change_nothing() -> None:
-    """The back ends of joblib are chosen with joblib's own function."""
-    with joblib.parallel_config(backend="loky", n_jobs=2):
-        elsewhere = small(jobs=None)
-    assert same(small(), elsewhere)
-
-
 class Faulty(QLearning):
     """A student's agent with a mistake."""
 
@@ -50,10 +42,12 @@ class Faulty(QLearning):
 
 
 @pytest.mark.slow
-def test_an_error_in_another_process_names_the_students_line() -> None:
-    """Without the traceback of joblib and its processes."""
-    with joblib.parallel_config(backend="loky", n_jobs=2), pytest.raises(IndexError) as caught:
-        small(jobs=None, agents={"faulty": Faulty.create})
+def test_other_processes_change_nothing() -> None:
+    """An error names the student's line, without the traceback of joblib and its processes."""
+    with joblib.parallel_config(backend="loky", n_jobs=2):
+        assert same(small(), small(jobs=None))
+        with pytest.raises(IndexError) as caught:
+            small(jobs=None, agents={"faulty": Faulty.create})
     assert caught.value.__cause__ is None
     (note,) = caught.value.__notes__
     assert note.startswith("In another process: ")

@@ -2,7 +2,6 @@
 
 import math
 import threading
-import time
 from pathlib import Path
 from typing import Any
 from unittest.mock import MagicMock
@@ -118,15 +117,12 @@ def test_stop_ends_a_run_on_the_way() -> None:
 
 
 def test_a_long_evaluation_stops_between_episodes() -> None:
-    """A point that is stopped on the way is none: all of its episodes would take minutes."""
+    """A point that is stopped on the way is none: all of its episodes would take hours."""
     stop = threading.Event()
     threading.Timer(0.5, stop.set).start()
     wall = make_mdp("Boulder", height=100, max_steps=100_000)
-    began = time.perf_counter()
-    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=100_000, stop=stop)
-    assert not run.complete
-    assert not len(run.steps)
-    assert time.perf_counter() - began < 30
+    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=10**7, stop=stop)
+    assert (run.complete, len(run.steps)) == (False, 0)
 
 
 @pytest.fixture
