@@ -19,10 +19,8 @@ from tests.contract.play import every_environment
 def test_limits_in_the_specification() -> None:
     """The limit of the parameters, which no wrapper cuts short; a wrapper's own lower limit is kept."""
     spec: Any = gymnasium.make("edugym/Boulder-v0", max_steps=5000).spec
-    made: list[Any] = [
-        gymnasium.make(EnvSpec.from_json(spec.to_json())),
-        gymnasium.make(pickle.loads(pickle.dumps(spec))),
-    ]
+    copied = EnvSpec.from_json(spec.to_json()), pickle.loads(pickle.dumps(spec))
+    made: list[Any] = [*map(gymnasium.make, copied)]
     assert [one.spec.max_episode_steps for one in made] == [spec.max_episode_steps] * 2 == [5000] * 2
     assert not isinstance(made[0], wrappers.TimeLimit)
     short: Any = gymnasium.make("edugym/Boulder-v0", max_episode_steps=3)

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edugym.exact.model import finite_model
-from tests.compiled.cells import SLIPPERY, WALK, cell
+from tests.compiled.cells import WALK, cell
 
 MOVE, PAY = "return max(0, state + 2 * action - 1)", "return 1.0 if next_state == self.size else -0.25"
 START, END = "return 0\n", "return state == self.size"
@@ -81,21 +81,6 @@ def test_tables_come_back(task: Any) -> None:
             assert outcome.probability == pytest.approx(p[state, action, next_state], abs=1e-12)
             assert outcome.reward == pytest.approx(task.rewards[state, action, next_state], abs=1e-12)
             assert outcome.terminated == (next_state == n)
-
-
-@pytest.mark.parametrize("size", [1, 2, 7])
-@pytest.mark.parametrize("slip", [0.0, 0.1, 0.5, 0.75])
-def test_slippery_walk(size: int, slip: float) -> None:
-    """A student's stochastic task: the mean time from k to k + 1 is t_0 = 1/p, t_k = 1/p + (q/p) t_(k-1)."""
-    times = [1 / (1 - slip)]
-    for _ in range(size - 1):
-        times.append(1 / (1 - slip) + slip / (1 - slip) * times[-1])
-    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](size, slip))
-    assert len(model.states) == size + 1
-    going = ~model.terminal
-    p, r = model.p[:, 1][np.ix_(going, going)], model.r[going, 1]
-    values = np.linalg.solve(np.eye(size) - p, r)
-    assert values[model.row(0)] == pytest.approx(1 - 0.25 * (sum(times) - 1), rel=1e-9)
 
 
 @pytest.mark.parametrize(

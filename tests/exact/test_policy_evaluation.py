@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from edugym import finite_model, make_mdp, value_iteration
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.policy_iteration import policy_iteration
-from tests.compiled.cells import SLIPPERY, cell
 from tests.exact.tasks import LOOP, Walk, random_model, value_of
 
 DISCOUNTS = st.sampled_from([0.0, 0.5, 0.95, 1.0])
@@ -30,21 +29,6 @@ def test_the_values_solve_the_linear_equations(seed: int, discount: float) -> No
     actions = rng.integers(3, size=4)
     found = policy_evaluation(model, actions, discount, tolerance=1e-13)
     assert pytest.approx(value_of(model, np.eye(3)[actions], discount), abs=1e-9) == found.V
-
-
-@pytest.mark.parametrize("slipping", [0.1, 0.45, 0.5, 0.7])
-def test_the_ruin_of_the_gambler(slipping: float) -> None:
-    """From capital k of N the chance to win is (1 - (q/p)^k) / (1 - (q/p)^N), or k/N in a fair game."""
-    n = 9
-    source = SLIPPERY.replace("return state == self.size", "return state in (0, self.size)").replace("-0.25", "0.0")
-    model = finite_model(cell(source.replace("return 0\n", "return 4\n", 1))["SlipperyWalk"](n, slipping))
-    found = policy_evaluation(model, np.ones(n + 1, int))
-    ratio = slipping / (1 - slipping)
-    for k in range(1, n):
-        won = k / n if slipping == 0.5 else (1 - ratio**k) / (1 - ratio**n)
-        assert found.value(k) == pytest.approx(won, abs=1e-8)
-    assert found.start == found.value(4)
-    assert found.value(0) == found.value(n) == 0.0
 
 
 def test_a_policy_that_never_ends() -> None:

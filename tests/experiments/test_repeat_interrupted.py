@@ -2,18 +2,14 @@
 
 import signal
 import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from edugym import QLearning, repeat, train
-from edugym.experiments import repeat as repeating
-from edugym.experiments.checkpoints import Checkpoints
+from edugym import QLearning, repeat
 from edugym.system.interrupts import Interrupted
-from edugym.training.run import Run
 
 
 def stopping(after: int, stop: Callable[[], None]) -> Callable[[Any], QLearning]:
@@ -81,37 +77,6 @@ def test_a_run_that_does_not_listen_is_left() -> None:
                 repeat("Boulder", {"Q": stuck}, 200, repetitions=4, jobs=jobs)
         finally:
             go_on.set()
-
-
-def test_runs_that_end_while_the_main_thread_waits_are_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """As when other programs keep it from its turn until the patience is over: the same call begins with them."""
-    both, save = threading.Barrier(2), Checkpoints.save
-    ended, waiting = threading.Semaphore(0), True
-
-    def train_together(*arguments: Any, **settings: Any) -> Run:
-        both.wait(60)
-        try:
-            return train(*arguments, **settings)
-        finally:
-            ended.release()
-
-    def save_late(self: Checkpoints, planned: Any, run: Run) -> None:
-        nonlocal waiting
-        save(self, planned, run)
-        if waiting:
-            waiting = False
-            assert all(ended.acquire(timeout=60) for _ in range(2))
-            time.sleep(0.1)  # the second one is about to return
-            raise KeyboardInterrupt
-
-    monkeypatch.setattr(repeating, "train", train_together)
-    monkeypatch.setattr(Checkpoints, "save", save_late)
-    with pytest.raises(Interrupted, match="2 of 2 runs are complete") as interrupted:
-        repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
-    assert interrupted.value.partial.complete
-    monkeypatch.setattr(repeating, "train", None)  # nothing is trained again
-    again = repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
-    assert again.table.equals(interrupted.value.partial.table)
 
 
 def test_an_event_stops_too() -> None:

@@ -119,10 +119,7 @@ FORMS: dict[str, tuple[Any, Any]] = {
 
 @pytest.mark.parametrize(("mdp", "kind"), FORMS.values(), ids=FORMS)
 def test_forms_of_observations(mdp: Any, kind: Any) -> None:
-    """They are written over what was there, in the right kind of numbers; and have the same row when they come again.
-
-    A task that writes itself is left as it is.
-    """
+    """They are written over what was there, in the right kind of numbers; the same have the same row."""
     task, hashed, out = in_place(mdp), Hashed.create(mdp, 1_000), blank(in_place(mdp))
     assert (task is mdp) == hasattr(mdp, "observe_into")
     assert out.dtype == kind

@@ -13,7 +13,6 @@ from edugym.rendering.ansi import to_text
 from tests.compiled.cells import cell
 from tests.mdp.watch import watched
 from tests.training.slips import named
-from tests.training.tasks import interpret
 
 WRAPPERS = """
 from gymnasium import spaces
@@ -75,6 +74,7 @@ def test_what_a_wrapper_does_not_change() -> None:
     assert (once.reward(2, 0, 3, None), twice.reward(2, 0, 3, None)) == (0.5, 0.25)
     assert not hasattr(once, "grip")
     assert once.grips is WALL.grips
+    assert eg.value_iteration(eg.finite_model(once)).start == pytest.approx(1.0 - 1.5)
 
 
 def test_what_a_wrapper_does_not_pass_on() -> None:
@@ -104,18 +104,6 @@ def test_history_reaches_the_inner_picture() -> None:
     picture = KINDS.Boxed(golf).scene((after,), last_state=(start,), last_action=2)
     assert picture == golf.scene(after, last_state=start, last_action=2)
     assert to_text(picture) != to_text(golf.scene(after))
-
-
-def test_exact_model_and_training(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A wrapped task has its exact model, and runs compiled as it does interpreted."""
-    task = KINDS.Costly(WALL, 0.5)
-    assert eg.value_iteration(eg.finite_model(task)).start == pytest.approx(1.0 - 1.5)
-    one, other = agents = [eg.QLearning.create(task, learning_rate=0.5) for _ in range(2)]
-    for agent in agents:
-        eg.train(task, agent, 6_000, seed=2, evaluate_every=6_000)
-        interpret(monkeypatch)
-    assert np.array_equal(one.Q, other.Q)
-    assert one.Q.min() < -0.5
 
 
 def test_what_a_wrapper_looks_up_itself_is_kept() -> None:

@@ -122,10 +122,7 @@ print((agent.Q != 1.0).any())
     ],
 )
 def test_a_signal_ends_a_run(how: str, env_id: str) -> None:
-    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error.
-
-    States that are numbers, NamedTuples, and hold arrays: the latter two crash where the signal is not waited for.
-    """
+    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error."""
     command = [sys.executable, "-c", SCRIPT, how, env_id]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert done.stderr == ""

@@ -326,12 +326,10 @@ def test_what_is_given_to_repeat() -> None:
     ("wrong", "says"),
     [
         ("self.Q[0, state + 3]", "size 3: Q of Learner has the shape (7, 3)"),
-        ("self.Q[state + 7, 0]", "size 7: Q of Learner has the shape (7, 3)"),
-        ("np.zeros(4)[4]", "size 4"),
-        ("[0, 1][2]", "list index out of range"),
-        ("'ab'[2]", "string index out of range"),
+        ("self.Q[state + 7, 0]", "size 7: Q of Learner has the shape (7, 3)"), ("np.zeros(4)[4]", "size 4"),
+        ("[0, 1][2]", "list index out of range"), ("'ab'[2]", "string index out of range"),
     ],
-)
+)  # fmt: skip
 def test_an_index_that_is_too_large(wrong: str, says: str) -> None:
     """It is explained by the shape of the table, where it may be an index of that."""
     source = LEARNER.replace("range(self.Q.shape[1])", "range(2)").replace("* self.Q.shape[1]", "* 2")
