@@ -232,26 +232,19 @@ PLACES = ("    x: int\n    a: bool = True\n", "    y: int\n    x: int = 1\n", " 
 def test_of_two_classes_of_one_name_the_last_is_shared(
     in_one_cell: bool, method: str, tmp_path: Path, cell: dict[str, Any]
 ) -> None:
-    """It is the one that Python keeps; a cell that is no Python, or not read yet, is none."""
+    """It is the one that Python keeps, also of an older cell that is run again; what else is known is no cell."""
     texts = [f"class Place(NamedTuple):\n{fields}{method}" for fields in PLACES]
     for text in ["\n".join(texts)] if in_one_cell else texts:
-        run(text, cell)
+        file = run(text, cell)
+    elsewhere = f"{texts[0]}    # another program's\n"
     linecache.cache["/tmp/ipykernel_1/7.py"] = (8, None, ["%time 1\n"], "/tmp/ipykernel_1/7.py")
     linecache.cache["<not read yet>"] = (lambda: "",)
-    _, read = shared(cell, WALKING, tmp_path)
-    assert read.initial(None)._fields == ("x", "b")
-
-
-def test_an_older_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None:
-    """The class of that cell is shared, though another one was new after it; other files are no cells."""
-    older, newer, _ = (f"class Place(NamedTuple):\n{fields}" for fields in PLACES)
-    file = run(older, cell, "<ipython-input-8-ab>")
-    run(newer, cell)
-    elsewhere = f"{older}    # another program's\n"
     linecache.cache["/somewhere/places.py"] = (len(elsewhere), None, elsewhere.splitlines(keepends=True), "places.py")
-    exec(compile(older, file, "exec"), cell)  # IPython knows its lines already
+    assert shared(cell, WALKING, tmp_path)[1].initial(None)._fields == ("x", "b")
+    older = file if in_one_cell else "/tmp/ipykernel_1/1.py"
+    exec(compile(texts[0], older, "exec"), cell)  # IPython knows its lines already
     written, read = shared(cell, WALKING, tmp_path)
-    assert read.initial(None)._fields == ("x", "a")
+    assert in_one_cell or read.initial(None)._fields == ("x", "a")
     assert "another program's" not in written
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edugym import finite_model, make_mdp, value_iteration
+from edugym import QLearning, finite_model, make_mdp, value_iteration
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.policy_iteration import policy_iteration
 from tests.exact.tasks import LOOP, Walk, random_model, value_of
@@ -49,6 +49,7 @@ def test_a_policy_that_never_ends() -> None:
         (np.zeros(7), "a whole number for each of the 7 rows"),
         (["left"] * 7, "a whole number for each of the 7 rows"),
         (None, "a whole number for each of the 7 rows"),
+        (QLearning.create((7, 1)), r"be an array, but is an agent: policy_of\(agent, model\)"),
         (np.full((7, 2), 0.5), r"shape \(7, 1\), but is an array of shape \(7, 2\)"),
         (np.ones(7, int), "actions from 0 to 0, but holds 1"),
         (np.full(7, -1), "actions from 0 to 0, but holds -1"),

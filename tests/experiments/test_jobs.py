@@ -7,9 +7,7 @@ from joblib.externals.loky.process_executor import _RemoteTraceback
 import edugym
 from edugym import QLearning
 from edugym.checks.tracebacks import end_at_students_line
-from edugym.envs.trashbot import Trashbot
 from edugym.experiments.repeat import MOST_JOBS
-from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random
 from tests.experiments.experiments import same, small
 
@@ -20,15 +18,6 @@ def test_jobs_change_nothing(n_steps: int) -> None:
     one = small(n_steps, jobs=1)
     assert same(one, small(n_steps, jobs=3))
     assert same(one, small(n_steps, jobs=MOST_JOBS))
-
-
-@pytest.mark.slow
-def test_runs_share_no_array_of_a_wrapper() -> None:
-    """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
-    task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])
-    agents = {"Q-learning": QLearning.create}
-    one, other = (small(100_000, environment=task, agents=agents, repetitions=6, jobs=jobs) for jobs in (1, 4))
-    assert same(one, other)
 
 
 class Faulty(QLearning):

@@ -133,31 +133,3 @@ def test_a_signal_ends_a_run(how: str, env_id: str) -> None:
         assert re.fullmatch(r"after \d+ of 10000000000000 steps; the agent keeps what it has learned", said[0])
         assert said[1] == "False True 0 True"
     assert learned == "True"
-
-
-IMPORTS = """
-import signal, sys
-
-forgets = 0
-
-def press(frame, event, argument):
-    global forgets
-    code = frame.f_code
-    if event == "call" and code.co_name == "cb" and "importlib" in code.co_filename and "edugym.agents" in sys.modules:
-        forgets += 1
-        if forgets == int(sys.argv[1]):
-            sys.setprofile(None)
-            signal.raise_signal(signal.SIGINT)
-
-signal.signal(signal.SIGINT, signal.default_int_handler)
-sys.setprofile(press)
-from edugym import DQN
-print("all is imported after", forgets)
-"""
-
-
-def test_python_ignores_it_while_it_imports() -> None:
-    """Python ignores an error when it forgets the lock of an imported module: it is raised again."""
-    ended = subprocess.run([sys.executable, "-c", IMPORTS, "2"], capture_output=True, text=True, check=False)
-    assert ended.returncode != 0, ended.stdout
-    assert ended.stderr.splitlines()[-1] == "KeyboardInterrupt"

@@ -84,15 +84,6 @@ def test_a_task_without_end_or_limit_is_evaluated_all_the_same() -> None:
     assert train(Ring(None), QLearning.create(Ring()), 1, max_steps=2_500).returns.tolist() == [2_500.0] * 2
 
 
-def test_tables_change_in_place_and_training_can_go_on() -> None:
-    """The agent that was given is trained; a second run starts from there."""
-    agent = QLearning.create(SlipperyWalk())
-    assert train(SlipperyWalk(), agent, 1_000, seed=0).agent.Q is agent.Q
-    before = agent.Q.copy()
-    train(SlipperyWalk(), agent, 1_000, seed=1)
-    assert not np.array_equal(before, agent.Q)
-
-
 def test_stop_ends_a_run_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
     """With what has been measured, and nothing compiled."""
     new = type("New", (Stairs,), {"__slots__": ()})

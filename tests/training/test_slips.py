@@ -111,9 +111,6 @@ IN_AGENT = {
     "greedy without return": Slip(ACTS, f"def greedy(self, state, rng): pass\n    {ACTS}", "greedy Learner None"),
     "greedy no method": Slip(ACTS, f"greedy = 1\n    {ACTS}", "greedy Learner 1"),
     "a generator": Slip("rate: float = 0.5", "rate: object = (0.5 for _ in range(9))", "Learner generator copied"),
-    "a frozen number": Slip(
-        VALUE, f"self.rate *= 0.9; {VALUE}", "learn Learner self.rate NamedTuple self.rate[0]", "*= 0.9", AttributeError
-    ),
     "a new agent": Slip(VALUE, f"return self._replace(rate=0.1)\n        {VALUE}", "learn Learner new"),
     "an unset variable": Slip("value = 0.0 if", "valeu = 0.0 if", "value", UPDATE, NameError),
     "NaN": Slip(VALUE, f"reward = np.nan; {VALUE}", "learn Learner Q[0, nan"),
