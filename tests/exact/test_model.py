@@ -144,13 +144,13 @@ def test_where_it_gives_up(monkeypatch: pytest.MonkeyPatch) -> None:
     for limit, says in ((40, r"has more than 40 states \(max_states can be raised"), (0, "max_states .*1 or more")):
         with pytest.raises(ValueError, match=says):
             finite_model(walk, max_states=limit)
-    many = WALK.replace(MOVE, "return (rng.integers(30), rng.integers(30))[0] if action else state + 1")
+    many = WALK.replace(MOVE, "return (rng.integers(30), rng.integers(2))[0] if action else state + 1")
     monkeypatch.setattr("edugym.exact.model.MAX_ENTRIES", 2459)
     with pytest.raises(ValueError, match="its tables would have 2460 entries, and 2459 is the limit"):
         finite_model(cell(many)["Walk"](40))
     monkeypatch.setattr("edugym.exact.model.MAX_ENTRIES", 2460)
     assert finite_model(cell(many)["Walk"](40)).successors.shape == (41, 2, 30)
-    tossed = WALK.replace(MOVE, "return sum(rng.random() < 0.5 for _ in range(8)) * 0 + state + 1")
+    tossed = WALK.replace(MOVE, "return rng.integers(256) * 0 + state + 1")
     coins = cell(tossed)["Walk"](400)
     with pytest.raises(ValueError, match=r"its steps can go too many ways in all \(a larger max_states allows more\)"):
         finite_model(coins, max_states=500)
