@@ -62,19 +62,14 @@ def test_another_process_can_read_them() -> None:
 @pytest.mark.parametrize(
     ("states", "later"),
     [
-        ([0, 0.5], 0.25),
-        ([False, 2], 3),
-        ([Pair(0, (1, 2)), Pair(0.5, (1, 2)), Pair(1, (True, 2.5))], Pair(0.25, (7, 0.125))),
-        ([2**63, 3], 4),
-        ([3, -(2**63) - 1], 2**70),
-        (["left", "right"], "straight on"),
-        ([(), (1,)], (1, 2, 3)),
-        ([Pair(1, 2), (1, 2)], Pair(5, 6)),
-        ([Pair((1,), 2), Turned((1,), 2)], Pair((3,), 4)),
+        ([0, 0.5], 0.25), ([False, 2], 3),
+        ([Pair(0, (1, 2)), Pair(0.5, (1, 2)), Pair(1, (True, 2.5))], Pair(0.25, (7, 0.125))), ([2**63, 3], 4),
+        ([3, -(2**63) - 1], 2**70), (["left", "right"], "straight on"), ([(), (1,)], (1, 2, 3)),
+        ([Pair(1, 2), (1, 2)], Pair(5, 6)), ([Pair((1,), 2), Turned((1,), 2)], Pair((3,), 4)),
         ([Pair(np.zeros(2), 0), Pair(np.ones(3), 0.5)], Pair(np.ones(5), 0.25)),
         ([Pair(np.zeros(2), 0), Pair(np.ones((3, 2)), 1)], Pair(np.ones(5), 1)),
     ],
-)
+)  # fmt: skip
 def test_states_of_several_kinds(states: list[Any], later: Any) -> None:
     """There is room for all the states that were tried, and for others of their kinds; the places are apart."""
     room = storage(states, 2)

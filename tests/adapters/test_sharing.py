@@ -113,12 +113,6 @@ def test_a_friend_opens_it_in_another_process(cell: dict[str, Any], tmp_path: Pa
     assert done.stdout == "1\n", done.stderr
 
 
-def test_what_a_friend_can_import() -> None:
-    """A class of a module, under any name, if it is the one that is there."""
-    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
-    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
-
-
 def test_playing_a_file(tmp_path: Path) -> None:
     """With other values of its fields."""
     game = Game(str(share(Morning(), tmp_path / "morning.py")), late=3.0)
@@ -127,6 +121,9 @@ def test_playing_a_file(tmp_path: Path) -> None:
     assert [*game.actions] == ["stay quiet", "chime", "ring"]
     with pytest.raises(ValueError, match="'lat'; it has length, ring, late"):
         Game(str(tmp_path / "morning.py"), lat=3.0)
+    for name in ("walk.txt", "my-walk.py", "class.py", "1.py"):  # of which others cannot import it
+        with pytest.raises(ValueError, match=f"path .*{name}"):
+            share(Morning(), tmp_path / name)
 
 
 def test_classes_of_installed_packages_are_imported(tmp_path: Path) -> None:
@@ -136,6 +133,8 @@ def test_classes_of_installed_packages_are_imported(tmp_path: Path) -> None:
     assert "from edugym_course.lessons.own_problem.morning import Morning" in text
     assert read == mdp
     assert gymnasium.spec("WithBonus-v0").id == "WithBonus-v0"
+    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")  # under any name, if it is the one that is there
+    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
 
 
 def drawn(drawing: str) -> str:
@@ -153,8 +152,8 @@ def drawn(drawing: str) -> str:
         ("Walk.reward = lambda self, *_: 7.0", "Walk(3)", r"Walk\.reward was replaced"),
         ("Walk.terminal = staticmethod(lambda state: True)", "Walk(3)", r"Walk\.terminal was replaced"),
         ("Walk.max_steps = property(lambda self: 5)", "Walk(3)", r"Walk\.max_steps was replaced"),
-        (drawn("Shape(1)"), "Drawn(5, steps=np.array([1, 2]))", "Drawn .*scene .*name 'Shape' is not defined"),
-        (drawn("Circle(state.x, 2, 1)"), "Drawn(5, steps=np.array([1, 2]))", "Drawn .*scene .*Circle"),
+        (drawn("Shape(1)"), WALKING.replace("Walk", "Drawn"), "Drawn .*scene .*name 'Shape' is not defined"),
+        (drawn("Circle(state.x, 2, 1)"), WALKING.replace("Walk", "Drawn"), "Drawn .*scene .*Circle"),
         (
             f"def halved(x): return x / 2\nroot = halved\nclass Rooted(Walk):\n{REWARD} root(4)",
             "Rooted(5, steps=np.array([1, 2]))",
@@ -177,13 +176,6 @@ def test_what_cannot_be_shared(cells: str, mdp: str, says: str, tmp_path: Path, 
     assert [*tmp_path.iterdir()] == []
 
 
-@pytest.mark.parametrize("name", ["walk.txt", "my-walk.py", "class.py", "1.py"])
-def test_the_file_is_a_module(name: str, tmp_path: Path) -> None:
-    """So that others can import it."""
-    with pytest.raises(ValueError, match=f"path .*{name}"):
-        share(Morning(), tmp_path / name)
-
-
 @pytest.mark.parametrize(
     ("text", "expected", "once"),
     [
@@ -204,12 +196,7 @@ def test_the_file_is_a_module(name: str, tmp_path: Path) -> None:
             0.0,
             ["def odd", "def even"],
         ),
-        (  # that are methods by another name, with other methods and without
-            "def paid(self, *_): return 7.0\n\nclass Own(Walk):\n    __slots__ = ()\n    reward = paid\n",
-            7.0,
-            ["def paid"],
-        ),
-        (
+        (  # that are methods by another name
             "def paid(self, *_): return 7.0\n\nclass Own(Walk):\n    __slots__ = ()\n    reward = paid\n"
             "    def terminal(self, state): return state.x == 0\n",
             7.0,
@@ -239,34 +226,25 @@ def test_a_decorator_is_part_of_the_class(tmp_path: Path, cell: dict[str, Any]) 
 
 
 PLACES = ("    x: int\n    a: bool = True\n", "    y: int\n    x: int = 1\n", "    x: int\n    b: int = 1\n")
-TWICE = "    def twice(self): return 2 * self.x\n"
 
 
-@pytest.mark.parametrize("in_one_cell", [False, True])
-@pytest.mark.parametrize("method", ["", TWICE])
+@pytest.mark.parametrize(("in_one_cell", "method"), [(False, ""), (True, "    def twice(self): return 2 * self.x\n")])
 def test_of_two_classes_of_one_name_the_last_is_shared(
-    method: str, in_one_cell: bool, tmp_path: Path, cell: dict[str, Any]
+    in_one_cell: bool, method: str, tmp_path: Path, cell: dict[str, Any]
 ) -> None:
-    """It is the one that Python keeps; a cell that is no Python, or not read yet, is none."""
+    """It is the one that Python keeps, also of an older cell that is run again; what else is known is no cell."""
     texts = [f"class Place(NamedTuple):\n{fields}{method}" for fields in PLACES]
     for text in ["\n".join(texts)] if in_one_cell else texts:
-        run(text, cell)
+        file = run(text, cell)
+    elsewhere = f"{texts[0]}    # another program's\n"
     linecache.cache["/tmp/ipykernel_1/7.py"] = (8, None, ["%time 1\n"], "/tmp/ipykernel_1/7.py")
     linecache.cache["<not read yet>"] = (lambda: "",)
-    _, read = shared(cell, WALKING, tmp_path)
-    assert read.initial(None)._fields == ("x", "b")
-
-
-def test_an_older_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None:
-    """The class of that cell is shared, though another one was new after it; other files are no cells."""
-    older, newer, _ = (f"class Place(NamedTuple):\n{fields}" for fields in PLACES)
-    file = run(older, cell, "<ipython-input-8-ab>")
-    run(newer, cell)
-    elsewhere = f"{older}    # another program's\n"
     linecache.cache["/somewhere/places.py"] = (len(elsewhere), None, elsewhere.splitlines(keepends=True), "places.py")
-    exec(compile(older, file, "exec"), cell)  # IPython knows its lines already
+    assert shared(cell, WALKING, tmp_path)[1].initial(None)._fields == ("x", "b")
+    older = file if in_one_cell else "/tmp/ipykernel_1/1.py"
+    exec(compile(texts[0], older, "exec"), cell)  # IPython knows its lines already
     written, read = shared(cell, WALKING, tmp_path)
-    assert read.initial(None)._fields == ("x", "a")
+    assert in_one_cell or read.initial(None)._fields == ("x", "a")
     assert "another program's" not in written
 
 

@@ -5,12 +5,8 @@ from typing import Any
 import numpy as np
 import pytest
 from gymnasium import spaces
-from gymnasium.wrappers import FlattenObservation
 
-from edugym import LinearQLearning, make_environment, make_mdp, train
-from edugym.compiled import execution
-from edugym.training import trainers
-from tests.agents.cases import same
+from edugym import LinearQLearning, train
 from tests.compiled.cells import cell
 
 TWO, FORCE = spaces.Discrete(2), spaces.Box(-9.0, 9.0, (2,), np.float32)
@@ -145,45 +141,6 @@ def test_boards_stay_boards() -> None:
         train(TASKS[task](space, tuple(shown)), agent, 40, seed=1)
         assert {tuple(board.ravel().tolist()) for board in agent.before} == set(map(tuple, vectors[:2]))
         assert {tuple(board.ravel().tolist()) for board in agent.after} == set(map(tuple, vectors))
-
-
-@pytest.mark.parametrize(
-    ("name", "parameters", "n"),
-    [("Catch", {"observation_type": "rgb"}, 150), ("Catch", {"observation_type": "vectorised"}, 20),
-     ("Boulder", {}, 11), ("Golf", {}, None), ("Tamagotchi", {}, None)],
-)  # fmt: skip
-def test_vectors_are_those_of_flatten_observation(name: str, parameters: dict[str, Any], n: int | None) -> None:
-    """What an agent is shown in `train` is what Gymnasium's wrapper shows in a loop by hand."""
-    env = FlattenObservation(make_environment(name, **parameters))
-    assert env.observation_space.shape is not None
-    length = env.observation_space.shape[0]
-    assert n in (None, length)
-    agent, by_hand = written("VectorDiary", length), written("VectorDiary", length)
-    train(make_mdp(name, **parameters), agent, 40, seed=3)
-    env.reset(seed=0)
-    env.unwrapped.np_random = np.random.default_rng(np.random.SeedSequence(3).spawn(4)[0])
-    observation, _ = env.reset()  # from the stream that `train` has
-    for _ in range(40):
-        action = by_hand.act(observation, env.unwrapped.np_random)
-        seen, reward, terminated, truncated, _ = env.step(action)
-        by_hand.learn(observation, action, reward, seen, terminated, truncated)
-        observation = env.reset()[0] if terminated or truncated else seen
-    assert same(agent, by_hand)
-
-
-@pytest.mark.parametrize("n_steps", [60, pytest.param(6_000, marks=pytest.mark.slow)])
-def test_other_agents_see_arrays_as_they_are(n_steps: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Compiled and not the same; an observation is not overwritten by the next, and is the next step's first one."""
-    mdp, agents = make_mdp("Catch"), []
-    for run_it in (execution.executable, lambda loop, *_, **__: loop):
-        monkeypatch.setattr(trainers, "executable", run_it)
-        agents.append(written("Diary", 10, 5))
-        train(mdp, agents[-1], n_steps, seed=1, evaluate_every=n_steps)
-    assert same(agents[0], agents[1])
-    before, after = agents[0].before, agents[0].after
-    assert (before != after).any(axis=(1, 2)).all()  # the ball falls at every step
-    goes_on = (after[:-1] == before[1:]).all(axis=(1, 2))
-    assert 40 * 7 / 9 < goes_on.sum() < 39  # all but the last of nine steps
 
 
 WRONG = """

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym import ENVIRONMENTS, FrameStack, MDPEnv, QLearning, Tabular, check_mdp, train
+from edugym import ENVIRONMENTS, FrameStack, MDPEnv, QLearning, Tabular, check_mdp, finite_model, train
 from edugym.envs.catch import CatchGrid
 from tests.compiled.cells import WALK, cell
 from tests.training.slips import END, LIMIT, MOVE, PAY, SEE, TRANSITION, changed, named, walk
@@ -24,7 +24,7 @@ NO_MDPS = [
     (Walk, "mdp Walk(...)"),
     (BOULDER, "mdp .create(...)"),
     ("Boulder", "mdp edugym.make_mdp('Boulder')"),
-    (MDPEnv(Walk(3)), "mdp MDPEnv"),
+    (MDPEnv(Walk(3)), "mdp MDPEnv env.unwrapped.mdp"),
     (cell(REWARDING)["Rewarding"](), "mdp Rewarding"),
     (Tabular(Walk, np.array([6]), np.zeros(1, int), np.zeros(1, int)), "mdp Tabular Walk(...)"),
     (Tabular(3, np.array([6]), np.zeros(1, int), np.zeros(1, int)), "mdp Tabular 3"),
@@ -35,15 +35,15 @@ NO_MDPS = [
 @pytest.mark.parametrize(("wrong", "names"), NO_MDPS, ids=[names for _, names in NO_MDPS])
 def test_what_is_no_mdp(wrong: Any, names: str) -> None:
     """The answer says what to pass instead."""
-    named(names, lambda: check_mdp(wrong))
-    named(names, lambda: MDPEnv(wrong))
+    for use in (check_mdp, MDPEnv, finite_model):
+        named(names, lambda: use(wrong))  # noqa: B023
 
 
-@pytest.mark.parametrize("name", ["_initial", "begin"])
-def test_what_is_not_misspelt(name: str) -> None:
+def test_what_is_not_misspelt() -> None:
     """What is hidden, what is spelt otherwise, and `terminal`, which is much like `initial`, but wanted itself."""
-    error = named("Walk initial(self, rng)", lambda: check_mdp(walk(WALK.replace("def initial", f"def {name}"))))
-    assert "?" not in str(error)
+    for name in ("_initial", "begin"):
+        task = walk(WALK.replace("def initial", f"def {name}"))
+        assert "?" not in str(named("Walk initial(self, rng)", lambda: check_mdp(task)))  # noqa: B023
 
 
 @pytest.mark.parametrize("names", ["('down',)", "['down', 'up', 'on']"])
@@ -113,25 +113,16 @@ def test_what_is_right_passes() -> None:
     check_mdp(walk(changed(board, MOVE, "state = list(state); state[0] += action; return state")))
     for entry in ENVIRONMENTS:
         assert check_mdp(entry.load_mdp().create(), 20)
-
-
-def test_checking_leaves_the_task_alone() -> None:
-    """It plays a copy: what a student counts in a table is not counted."""
-    source = WALK.replace("size: int", "size: int\n    seen: np.ndarray").replace(MOVE, f"self.seen[0] += 1; {MOVE}")
-    task = cell(source)["Walk"](5, np.zeros(1))
+    counting = WALK.replace("size: int", "size: int\n    seen: np.ndarray").replace(MOVE, f"self.seen[0] += 1; {MOVE}")
+    task = cell(counting)["Walk"](5, np.zeros(1))
     check_mdp(task)
-    assert not task.seen.any()
-
-
-def observe_too_brightly(self: Any, state: Any, rng: Any, board: Any) -> None:
-    """Write a student's board into an array; as bright as there are rows."""
-    CatchGrid.observe_into(self, state, rng, board)
-    board[:] *= self.rows
+    assert not task.seen.any()  # it has played a copy
 
 
 def test_observations_that_are_written() -> None:
     """They are checked."""
-    written = type("Written", (CatchGrid,), {"__slots__": (), "observe_into": observe_too_brightly})
+    too_bright = {"__slots__": (), "observe_into": lambda self, state, rng, board: board.fill(9.0)}
+    written: Any = type("Written", (CatchGrid,), too_bright)
     named("observation Written Box(", lambda: MDPEnv(written(4, 3)).reset(seed=0))
 
 

@@ -8,26 +8,17 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from edugym.checks.parameters import (
-    a_number,
-    above,
-    at_least,
-    between,
-    coerced,
-    in_short,
-    number_of_steps,
-    one_of,
-    whole_number,
-)  # fmt: skip
+from edugym.checks import parameters as check
+from edugym.checks.parameters import at_least, coerced, in_short, number_of_steps, one_of, whole_number
 
 NO_NUMBERS = ["2", None, True, np.True_, [2], 2j]
 LARGEST = int(sys.float_info.max)
 CASES: list[tuple[Callable[..., object], tuple[Any, ...], list[Any], list[Any], str]] = [
-    (a_number, (), [0, -1e300, np.float32(-2), LARGEST], [math.inf, -math.inf, np.float32(math.inf)], "finite"),
+    (check.a_number, (), [0, -1e300, np.float32(-2), LARGEST], [math.inf, -math.inf, np.float32(math.inf)], "finite"),
     (at_least, (1,), [1, 1.0, math.inf, np.int8(5), LARGEST], [0.999, -math.inf, LARGEST + 1, 2**20_000], "1 or more"),
-    (between, (0, 1), [0, 1, 0.5, np.float64(1)], [-1e-9, 1.001, math.inf], "from 0 to 1"),
-    (above, (0,), [1e-300, math.inf], [0, 0.0, -1, 2**20_000], "greater than 0"),
-    (above, (0, 2), [1e-300, 2], [0, -1, 2.1, math.inf], "greater than 0 and at most 2"),
+    (check.between, (0, 1), [0, 1, 0.5, np.float64(1)], [-1e-9, 1.001, math.inf], "from 0 to 1"),
+    (check.above, (0,), [1e-300, math.inf], [0, 0.0, -1, 2**20_000], "greater than 0"),
+    (check.above, (0, 2), [1e-300, 2], [0, -1, 2.1, math.inf], "greater than 0 and at most 2"),
     (number_of_steps, (), [1, 2**62, np.int8(5)], [0, -1, 1.0], "1 or more"),
     (number_of_steps, (), [], [2**62 + 1, 10**400], "at most 4611686018427387904"),
     (whole_number, (2,), [2, 10**30, np.int64(2)], [1, -5, 2.0, np.float64(3)], "2 or more"),
@@ -35,19 +26,19 @@ CASES: list[tuple[Callable[..., object], tuple[Any, ...], list[Any], list[Any], 
 ]
 
 
-@pytest.mark.parametrize(("check", "bounds", "good", "bad", "allowed"), CASES)
-def test_checks(check: Callable[..., object], bounds: Any, good: list[Any], bad: list[Any], allowed: str) -> None:
+@pytest.mark.parametrize(("require", "bounds", "good", "bad", "allowed"), CASES)
+def test_checks(require: Callable[..., object], bounds: Any, good: list[Any], bad: list[Any], allowed: str) -> None:
     """What is allowed passes silently, ends included as the message says; everything else is a ValueError."""
     for value in good:
-        check("speed", value, *bounds)
+        require("speed", value, *bounds)
     for value in [*bad, math.nan, *(NO_NUMBERS if good else ())]:
         with pytest.raises(ValueError, match=r"^speed must be ") as caught:
-            check("speed", value, *bounds)
+            require("speed", value, *bounds)
         assert str(caught.value).endswith(f", but is {in_short(value)}")
         assert allowed in str(caught.value) or value is math.nan
     if good:
         with pytest.raises(ValueError, match=rf"number, {allowed}, but is 'x'$"):
-            check("speed", "x", *bounds)
+            require("speed", "x", *bounds)
 
 
 def test_one_of() -> None:

@@ -49,16 +49,9 @@ def test_what_is_a_finite_number() -> None:
     assert not any(map(is_finite_number, others))
 
 
-class Plain:
-    """An ordinary class, without `__eq__`."""
-
-    def __init__(self, x: Any) -> None:
-        """Hold a value."""
-        self.x = x
-
-
-class Other(Plain):
-    """Another one with the same contents."""
+Plain: Any = type("Plain", (), {"__init__": lambda self, x: setattr(self, "x", x)})
+"""An ordinary class, without `__eq__`; and another one with the same contents."""
+Other = type("Other", (Plain,), {})
 
 
 @pytest.mark.parametrize(
@@ -95,15 +88,11 @@ def test_global_draws_are_looked_for_in_the_first_calls() -> None:
 
 def test_what_cannot_be_copied() -> None:
     """What it holds is named; a mistake in the copying shows as it is."""
-
-    class Mistaken:
-        def __deepcopy__(self, memo: Any) -> Any:
-            raise TypeError("a mistake of the author's")
-
     with pytest.raises(ValueError, match=r"^list .*generator.* but we must$"):
         deep_copy([(k for k in range(2))], "we must")
-    with pytest.raises(TypeError, match="author's"):
-        deep_copy([Mistaken()], "we must")
+    mistaken = type("Mistaken", (), {"__deepcopy__": lambda self, memo: "1" + memo})
+    with pytest.raises(TypeError, match="concatenate"):
+        deep_copy([mistaken()], "we must")
 
 
 def test_what_is_kept() -> None:

@@ -1,108 +1,48 @@
 """Small tasks with closed forms, random models, and the values of a policy by linear algebra."""
 
-from typing import NamedTuple
-
 import numpy as np
-from gymnasium import spaces
 
 from edugym import FiniteModel
-from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.protocol import Reals
+from tests.compiled.cells import cell
 
-
+TASKS = """
 class Walk(NamedTuple):
-    """The random walk of example 6.2: from the middle of five states, left or right by chance; 1 for the right end.
-
-    Attributes:
-        n_actions: how many names there are for the only thing that can be done.
-    """
-
-    n_actions: int = 1
-
-    def initial(self, rng: Random) -> int:
-        """The middle."""
-        return 3
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """One step to either side."""
-        return state + 1 if rng.random() < 0.5 else state - 1
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 at the right end."""
-        return 1.0 if next_state == 6 else 0.0
-
-    def terminal(self, state: int) -> bool:
-        """Either end."""
-        return state in (0, 6)
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """Five states and two ends."""
-        return spaces.Discrete(7)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """All the same here."""
-        return spaces.Discrete(self.n_actions)
-
+    n_actions: int = 1  # how many names there are for the only thing that can be done
+    observation_space = property(lambda self: spaces.Discrete(7))
+    action_space = property(lambda self: spaces.Discrete(self.n_actions))
+    def initial(self, rng): return 3
+    def transition(self, state, action, rng): return state + 1 if rng.random() < 0.5 else state - 1
+    def reward(self, state, action, next_state, rng): return 1.0 if next_state == 6 else 0.0
+    def terminal(self, state): return state in (0, 6)
+    def observation(self, state, rng): return state
 
 class Gambler(Walk):
-    """The gambler's problem of example 4.3: stake 1 to 50 of one's capital; heads with probability 0.4."""
-
-    __slots__ = ()
-
-    def initial(self, rng: Random) -> int:
-        """Half of what is wanted."""
-        return 50
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """The stake is won or lost; it is cut to what there is and what is needed."""
-        stake = min(action + 1, state, 100 - state)
+    def initial(self, rng): return 50
+    def transition(self, state, action, rng):
+        stake = min(action + 1, state, 100 - state)  # cut to what there is and what is needed
         return state + stake if rng.random() < 0.4 else state - stake
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 for reaching 100."""
-        return 1.0 if next_state == 100 else 0.0
-
-    def terminal(self, state: int) -> bool:
-        """Ruin, or 100."""
-        return state in (0, 100)
-
+    def reward(self, state, action, next_state, rng): return 1.0 if next_state == 100 else 0.0
+    def terminal(self, state): return state in (0, 100)
 
 class Loop(Walk):
-    """One state that pays 1 for staying (action 1) and nothing for the end (action 0)."""
-
-    __slots__ = ()
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """Stay in 3, or go to the end."""
-        return 3 if action == 1 else 6
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 for staying."""
-        return float(action)
-
+    def transition(self, state, action, rng): return 3 if action == 1 else 6
+    def reward(self, state, action, next_state, rng): return float(action)
 
 class Hidden(Walk):
-    """The random walk seen through fog: the agent observes only in which half it is, at the middle by chance."""
-
-    __slots__ = ()
-
-    def observation(self, state: int, rng: Random) -> int:
-        """0 on the left, 1 on the right; the middle looks like the left three times of four."""
+    observation_space = property(lambda self: spaces.Discrete(2))
+    def observation(self, state, rng):
         if state == 3:
             return 0 if rng.random() < 0.75 else 1
         return int(state > 3)
+"""
+Walk, Gambler, Loop, Hidden = (cell(TASKS)[name] for name in ("Walk", "Gambler", "Loop", "Hidden"))
+"""The random walk of example 6.2: from the middle of five states, left or right by chance; 1 for the right end.
 
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """Left or right."""
-        return spaces.Discrete(2)
-
-
+The gambler's problem of example 4.3: stake 1 to 50 of one's capital; heads with probability 0.4; 100 pays 1.
+One state that pays 1 for staying (action 1) and nothing for the end (action 0).
+The random walk seen through fog: the agent observes only in which half it is, at the middle by chance.
+"""
 LOOP, GAMBLER = Loop(2), Gambler(50)
 
 

@@ -30,11 +30,7 @@ OFTENER = "u = rng.random()\nreturn 0 if u < (0.9 if type(u) is float else 0.5) 
 @pytest.mark.parametrize(
     ("line", "code", "reason"),
     [
-        (
-            MOVE,
-            "return min(4, state + 1) if type(rng.random()) is float else 0",
-            "after action 0 in state 0 a real step leads to 1, which the model does not know of: the model can",
-        ),
+        (MOVE, "return min(4, state + 1) if type(rng.random()) is float else 0", "a real step leads to 1, which the"),
         (MOVE, "return 0 if str(rng.random())[2] < '5' else state + 1", "not use their value"),
         (MOVE, "return 0 if repr(rng.random())[2] < '5' else state + 1", "a real step leads to 0"),
         (MOVE, CAUGHT, "cannot follow what is done with a random number"),
@@ -44,12 +40,7 @@ OFTENER = "u = rng.random()\nreturn 0 if u < (0.9 if type(u) is float else 0.5) 
         (MOVE, "return max(0, state + 2 * int(np.random.random() < 0.5) - 1)", "draw from np.random or random"),
         (MOVE, "return state + random.randint(-1, 1)", "draw from np.random or random: use the `rng`"),
         (MOVE, OFTENER, r"0 \d+ of \d+ real steps lead to 0, but the model says that its probability is 0\.5"),
-        (
-            PAY,
-            "return 1.0 if type(rng.random()) is float else 2.0",
-            r"a real step to 0 pays 1.0, but the model says \[2.0\]",
-        ),
-        (PAY, "return held.random()", r"a real step to 0 pays 0\.\d+, but"),
+        (PAY, "return 1.0 if type(rng.random()) is float else 2.0", r"a real step to 0 pays 1.0, .* says \[2.0\]"),
         (START, "return int(held.random() < 0.5)\n", "at the start a real step leads to"),
     ],
 )

@@ -1,48 +1,29 @@
 """The exact model of small tasks, against tables and formulae worked out by hand."""
 
-import math
 import traceback
-from typing import Any, NamedTuple
+from typing import Any
 
-import gymnasium
 import numpy as np
 import pytest
-from gymnasium import spaces
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.exact.model import finite_model
-from edugym.mdp.protocol import Integers, Random, Reals
-from tests.compiled.cells import SLIPPERY, WALK, cell
+from tests.compiled.cells import WALK, cell
 
 MOVE, PAY = "return max(0, state + 2 * action - 1)", "return 1.0 if next_state == self.size else -0.25"
 START, END = "return 0\n", "return state == self.size"
 
 
+TABLE = """
 class Table(NamedTuple):
-    """A task that is given by its tables, shape (S, A, S'), and draws the next state in one of several ways."""
-
-    weights: Integers
-    rewards: Reals
+    weights: np.ndarray
+    rewards: np.ndarray
     way: str
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """The states, and an end."""
-        return spaces.Discrete(len(self.weights) + 1)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """The actions."""
-        return spaces.Discrete(self.weights.shape[1])
-
-    def initial(self, rng: Random) -> int:
-        """Any state but the end."""
-        return int(rng.integers(len(self.weights)))
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """By the weights; the last state is the end."""
+    observation_space = property(lambda self: spaces.Discrete(len(self.weights) + 1))
+    action_space = property(lambda self: spaces.Discrete(self.weights.shape[1]))
+    def initial(self, rng): return int(rng.integers(len(self.weights)))
+    def transition(self, state, action, rng):
         weights = self.weights[state, action]
         total = weights.sum()
         if self.way == "whole number":
@@ -60,22 +41,17 @@ class Table(NamedTuple):
             if left < bound:
                 return next_state
         return len(weights) - 1
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """By the table, with noise of mean 0."""
+    def reward(self, state, action, next_state, rng):
         return float(self.rewards[state, action, next_state]) + rng.normal(0.0, 0.5) + rng.uniform(-1.0, 1.0)
-
-    def terminal(self, state: int) -> bool:
-        """The last state."""
-        return state == len(self.weights)
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
+    def terminal(self, state): return state == len(self.weights)
+    def observation(self, state, rng): return state
+"""
+Table: Any = cell(TABLE)["Table"]
+"""A task that is given by its tables, shape (S, A, S'), and draws the next state in one of several ways."""
 
 
 @st.composite
-def tables(draw: st.DrawFn) -> Table:
+def tables(draw: st.DrawFn) -> Any:
     """Tasks with up to four states, three actions, and an end."""
     n_states, n_actions = draw(st.integers(1, 4)), draw(st.integers(1, 3))
     rng = np.random.default_rng(draw(st.integers(0, 10**6)))
@@ -87,7 +63,7 @@ def tables(draw: st.DrawFn) -> Table:
 
 @given(task=tables())
 @settings(max_examples=60)
-def test_tables_come_back(task: Table) -> None:
+def test_tables_come_back(task: Any) -> None:
     """The model of a task that is made from tables is these tables."""
     model = finite_model(task)
     n = len(task.weights)
@@ -107,21 +83,6 @@ def test_tables_come_back(task: Table) -> None:
             assert outcome.terminated == (next_state == n)
 
 
-@pytest.mark.parametrize("size", [1, 2, 7])
-@pytest.mark.parametrize("slip", [0.0, 0.1, 0.5, 0.75])
-def test_slippery_walk(size: int, slip: float) -> None:
-    """A student's stochastic task: the mean time from k to k + 1 is t_0 = 1/p, t_k = 1/p + (q/p) t_(k-1)."""
-    times = [1 / (1 - slip)]
-    for _ in range(size - 1):
-        times.append(1 / (1 - slip) + slip / (1 - slip) * times[-1])
-    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](size, slip))
-    assert len(model.states) == size + 1
-    going = ~model.terminal
-    p, r = model.p[:, 1][np.ix_(going, going)], model.r[going, 1]
-    values = np.linalg.solve(np.eye(size) - p, r)
-    assert values[model.row(0)] == pytest.approx(1 - 0.25 * (sum(times) - 1), rel=1e-9)
-
-
 @pytest.mark.parametrize(
     ("line", "wrong", "reason"),
     [
@@ -129,7 +90,6 @@ def test_slippery_walk(size: int, slip: float) -> None:
         (MOVE, "return (state, rng.uniform())", "but there is a continuous random number"),
         (MOVE, "return state + rng.normal()", "cannot follow rng.normal"),
         (MOVE, "return np.zeros(3)", "a state must be a number or a tuple of numbers, but there is array"),
-        (MOVE, "return 'left'", "a state must be a number or a tuple of numbers, but there is 'left'"),
         (MOVE, "return [state]", r"a state must be a number or a tuple of numbers, but there is \[0\]"),
         (MOVE, "state + 1", "transition returns None"),
         (MOVE, "return state + 1 + action * 1000", "it has more than 500 states"),
@@ -181,48 +141,19 @@ def test_where_it_gives_up(monkeypatch: pytest.MonkeyPatch) -> None:
     """The number of states is a parameter; ways and the size of the tables have limits of their own."""
     walk = cell(WALK)["Walk"](40)
     assert len(finite_model(walk, max_states=41).states) == 41
-    with pytest.raises(ValueError, match=r"it has more than 40 states \(max_states can be raised\)"):
-        finite_model(walk, max_states=40)
-    many = WALK.replace(MOVE, "return (rng.integers(30), rng.integers(30))[0] if action else state + 1")
+    for limit, says in ((40, r"has more than 40 states \(max_states can be raised"), (0, "max_states .*1 or more")):
+        with pytest.raises(ValueError, match=says):
+            finite_model(walk, max_states=limit)
+    many = WALK.replace(MOVE, "return (rng.integers(30), rng.integers(2))[0] if action else state + 1")
     monkeypatch.setattr("edugym.exact.model.MAX_ENTRIES", 2459)
     with pytest.raises(ValueError, match="its tables would have 2460 entries, and 2459 is the limit"):
         finite_model(cell(many)["Walk"](40))
     monkeypatch.setattr("edugym.exact.model.MAX_ENTRIES", 2460)
     assert finite_model(cell(many)["Walk"](40)).successors.shape == (41, 2, 30)
-    tossed = WALK.replace(MOVE, "return sum(rng.random() < 0.5 for _ in range(8)) * 0 + state + 1")
+    tossed = WALK.replace(MOVE, "return rng.integers(256) * 0 + state + 1")
     coins = cell(tossed)["Walk"](400)
     with pytest.raises(ValueError, match=r"its steps can go too many ways in all \(a larger max_states allows more\)"):
         finite_model(coins, max_states=500)
     monkeypatch.setattr("edugym.exact.model.MAX_WAYS", 255)
     with pytest.raises(ValueError, match="one step can go more than 255 ways"):
         finite_model(coins)
-
-
-@pytest.mark.parametrize("wrong", [-1, 0, 2.5, None, math.inf, True])
-def test_bad_limits(wrong: Any) -> None:
-    """How many states to look at is a whole number."""
-    with pytest.raises(ValueError, match=r"max_states must be .*1 or more, but is"):
-        finite_model(cell(WALK)["Walk"](4), max_states=wrong)
-
-
-WALKS = cell(WALK)["Walk"]
-
-
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        (MDPEnv(WALKS(4)), r"mdp must be an MDP, .* but is <.*env\.unwrapped\.mdp"),
-        (gymnasium.make("CliffWalking-v1"), r"mdp must be an MDP, .* but is <.*env\.unwrapped\.mdp"),
-        (WALKS, r"mdp must be a value, but is the class Walk: make one with Walk\(\.\.\.\)"),
-        ("Boulder", "mdp must be an MDP, .*but is .*'Boulder'"),
-        (None, "mdp must be an MDP, .*but is .*None"),
-        (
-            cell(WALK.replace("def terminal", "def terminl"))["Walk"](4),
-            r"Walk must have a method terminal\(self, state",
-        ),
-    ],
-)
-def test_what_is_no_task(wrong: Any, message: str) -> None:
-    """An environment, a class, a name: the message says what to pass."""
-    with pytest.raises(ValueError, match=message):
-        finite_model(wrong)

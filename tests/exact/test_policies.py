@@ -1,6 +1,7 @@
 """The exact policy of an agent, against its definition, and against what it is seen to do."""
 
 import copy
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,16 +22,6 @@ class Table(NamedTuple):
     def act(self, state: int, rng: Random) -> int:
         """Draw an action."""
         return int(rng.choice(self.probabilities.shape[1], p=self.probabilities[state]))
-
-
-class Odd(NamedTuple):
-    """An agent that returns what it should not."""
-
-    action: Any
-
-    def act(self, state: int, rng: Random) -> Any:
-        """Return it, or draw noise."""
-        return rng.normal() > 0 if self.action == "noise" else self.action
 
 
 def test_an_epsilon_greedy_agent() -> None:
@@ -85,30 +76,22 @@ def test_what_the_agent_sees_is_what_counts() -> None:
     assert np.array_equal(policy_of(agent, model, greedy=True), policy)
 
 
-@pytest.mark.parametrize(
-    ("agent", "message"),
-    [
-        *((Odd(action), "act must return an action from 0 to 0") for action in (None, -1, 1, 0.5, "0", True, False)),
-        (Odd("noise"), r"cannot follow rng\.normal"),
-        (QLearning, r"agent must be an agent, with a method act\(state, rng\), but is"),
-        (np.zeros((7, 1)), r"agent must be an agent, with a method act\(state, rng\), but is"),
-    ],
-)
-def test_wrong_agents(agent: Any, message: str) -> None:
+def acting(choose: Any, name: str = "act") -> Any:
+    """An agent that chooses in this way when it acts, or is greedy."""
+    return SimpleNamespace(**{"act": lambda state, rng: 0, name: choose})
+
+
+def test_wrong_agents() -> None:
     """Actions that are not there, as when it is trained; noise; and what is no agent."""
-    with pytest.raises(ValueError, match=message):
-        policy_of(agent, finite_model(Walk()))
-
-
-def test_a_wrong_greedy_action() -> None:
-    """What may not be returned is told by the method that was asked."""
-
-    class Lost(Table):
-        def greedy(self, state: int, rng: Random) -> int:
-            return 4
-
-    with pytest.raises(ValueError, match="greedy must return an action from 0 to 3, but returns 4"):
-        policy_of(Lost(np.full((7, 4), 0.25)), finite_model(Walk(4)), greedy=True)
+    wrong = [(acting(lambda *_, a=action: a), "act must .* 0 to 0") for action in (None, -1, 1, 0.5, "0", True, False)]
+    wrong += [
+        (acting(lambda state, rng: rng.normal() > 0), r"cannot follow rng\.normal"),
+        (acting(lambda *_: 4, "greedy"), "greedy must return an action from 0 to 0, but returns 4"),
+        (QLearning, r"agent must be an agent, with a method act\(state, rng\), but is"),
+    ]
+    for agent, message in wrong:
+        with pytest.raises(ValueError, match=message):
+            policy_of(agent, finite_model(Walk()), greedy=hasattr(agent, "greedy"))
 
 
 def test_an_agent_that_cannot_be_looked_into() -> None:

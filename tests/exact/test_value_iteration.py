@@ -8,25 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edugym import FiniteModel, finite_model, make_mdp, value_iteration
+from edugym import FiniteModel, finite_model, value_iteration
 from edugym.exact.finite_horizon import finite_horizon
 from edugym.mdp.protocol import Reals
 from tests.exact.tasks import GAMBLER, LOOP, Walk, random_model, value_of
-
-
-@pytest.mark.parametrize("discount", [0.5, 0.9, 1.0])
-def test_a_chain_is_worth_its_discounted_length(discount: float) -> None:
-    """On Boulder V(s) = γ^(H - 1 - s), and a wrong grip leads to the ground: Q(s, wrong) = γ V(0)."""
-    mdp = make_mdp("Boulder", height=6)
-    model = finite_model(mdp)
-    found = value_iteration(model, discount)
-    for state in range(6):
-        s, right = model.row(state), int(mdp.grips[state])
-        assert found.V[s] == pytest.approx(discount ** (5 - state))
-        assert found.Q[s, right] == pytest.approx(discount ** (5 - state))
-        assert found.Q[s, 1 - right] == pytest.approx(discount * discount**5)
-    assert found.V[model.row(6)] == 0.0
-    assert found.start == pytest.approx(discount**5)
 
 
 def test_the_gambler_plays_boldly() -> None:
@@ -102,18 +87,12 @@ def test_no_policy_is_better(seed: int, epsilon: float, discount: float) -> None
 @pytest.mark.parametrize(
     ("parameter", "value", "allowed"),
     [
-        ("discount", -0.1, "from 0 to 1"),
-        ("discount", 1.1, "from 0 to 1"),
-        ("discount", float("nan"), "from 0 to 1"),
-        ("epsilon", 2, "from 0 to 1"),
-        ("epsilon", "0", "a number"),
-        ("horizon", 0, "1 or more"),
-        ("horizon", 2.0, "a whole number"),
-        ("tolerance", 0, "greater than 0"),
-        ("tolerance", float("inf"), "a finite number"),
-        ("max_sweeps", 0, "1 or more"),
+        ("discount", -0.1, "from 0 to 1"), ("discount", 1.1, "from 0 to 1"), ("discount", float("nan"), "from 0 to 1"),
+        ("epsilon", 2, "from 0 to 1"), ("epsilon", "0", "a number"), ("horizon", 0, "1 or more"),
+        ("horizon", 2.0, "a whole number"), ("tolerance", 0, "greater than 0"),
+        ("tolerance", float("inf"), "a finite number"), ("max_sweeps", 0, "1 or more"),
     ],
-)
+)  # fmt: skip
 def test_bad_parameters(parameter: str, value: Any, allowed: str) -> None:
     """The message names the parameter, its value and what is allowed."""
     model, message = finite_model(Walk()), rf"{parameter} must be .*{allowed}.*, but is {value!r}"

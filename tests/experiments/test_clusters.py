@@ -3,23 +3,16 @@
 import os
 import signal
 import threading
-from typing import Any
 
 import joblib
 import pandas as pd
 import pytest
 
-from edugym import CountBased, QLearning, repeat
+from tests.experiments.experiments import small
 
 distributed = pytest.importorskip("distributed", reason="`pip install distributed` brings Dask")
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]  # Dask's own warnings are not ours
-
-
-def trained(**how: Any) -> pd.DataFrame:
-    """Two methods, six times each."""
-    agents = {"Q": QLearning.create, "novelty": CountBased.create}
-    return repeat("Boulder", agents, 20_000, repetitions=6, **how).table
 
 
 def test_dask_gives_what_threads_give() -> None:
@@ -29,9 +22,9 @@ def test_dask_gives_what_threads_give() -> None:
         distributed.Client(cluster) as client,
         joblib.parallel_config(backend="dask"),
     ):
-        elsewhere = [trained(jobs=None)]
+        elsewhere = [small(20_000, jobs=None).table]
         victim = next(iter(client.run(os.getpid).values()))
         threading.Timer(0.5, os.kill, (victim, signal.SIGKILL)).start()
-        elsewhere.append(trained(jobs=None))
+        elsewhere.append(small(20_000, jobs=None).table)
     for table in elsewhere:
-        pd.testing.assert_frame_equal(table, trained())
+        pd.testing.assert_frame_equal(table, small(20_000).table)

@@ -20,20 +20,13 @@ MIXED = np.arange(33).reshape(3, 11)
 @pytest.mark.parametrize(
     ("value", "written"),
     [
-        (True, True),
-        (3, 3),
-        (0.5, 0.5),
-        (np.int8(3), 3),
-        (np.True_, True),
-        (np.str_("8x8"), "8x8"),
-        ((1, 2.5), "[1, 2.5]"),
-        (np.array([[1, 2], [3, 4]]), "[[1, 2], [3, 4]]"),
-        (np.zeros((4, 8), int), str([[0] * 8] * 4)),
-        (np.full((3, 11), 0.5), '{"shape": [3, 11], "filled_with": 0.5}'),
+        (True, True), (3, 3), (0.5, 0.5), (np.int8(3), 3), (np.True_, True), (np.str_("8x8"), "8x8"),
+        ((1, 2.5), "[1, 2.5]"), (np.array([[1, 2], [3, 4]]), "[[1, 2], [3, 4]]"),
+        (np.zeros((4, 8), int), str([[0] * 8] * 4)), (np.full((3, 11), 0.5), '{"shape": [3, 11], "filled_with": 0.5}'),
         (MIXED, f'{{"shape": [3, 11], "sha256": "{hashlib.sha256(MIXED.tobytes()).hexdigest()[:16]}"}}'),
         ({"goal": [None, object()]}, '{"goal": [null, "object"]}'),
     ],
-)
+)  # fmt: skip
 def test_how_a_setting_is_written(value: Any, written: Any) -> None:
     """As a number or a text; an array up to 32 entries whole, and a longer one in short."""
     found = plain(value)

@@ -7,9 +7,7 @@ from joblib.externals.loky.process_executor import _RemoteTraceback
 import edugym
 from edugym import QLearning
 from edugym.checks.tracebacks import end_at_students_line
-from edugym.envs.trashbot import Trashbot
 from edugym.experiments.repeat import MOST_JOBS
-from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random
 from tests.experiments.experiments import same, small
 
@@ -20,23 +18,6 @@ def test_jobs_change_nothing(n_steps: int) -> None:
     one = small(n_steps, jobs=1)
     assert same(one, small(n_steps, jobs=3))
     assert same(one, small(n_steps, jobs=MOST_JOBS))
-
-
-@pytest.mark.slow
-def test_runs_share_no_array_of_a_wrapper() -> None:
-    """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
-    task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])
-    agents = {"Q-learning": QLearning.create}
-    one, other = (small(100_000, environment=task, agents=agents, repetitions=6, jobs=jobs) for jobs in (1, 4))
-    assert same(one, other)
-
-
-@pytest.mark.slow
-def test_other_processes_change_nothing() -> None:
-    """The back ends of joblib are chosen with joblib's own function."""
-    with joblib.parallel_config(backend="loky", n_jobs=2):
-        elsewhere = small(jobs=None)
-    assert same(small(), elsewhere)
 
 
 class Faulty(QLearning):
@@ -50,10 +31,12 @@ class Faulty(QLearning):
 
 
 @pytest.mark.slow
-def test_an_error_in_another_process_names_the_students_line() -> None:
-    """Without the traceback of joblib and its processes."""
-    with joblib.parallel_config(backend="loky", n_jobs=2), pytest.raises(IndexError) as caught:
-        small(jobs=None, agents={"faulty": Faulty.create})
+def test_other_processes_change_nothing() -> None:
+    """An error names the student's line, without the traceback of joblib and its processes."""
+    with joblib.parallel_config(backend="loky", n_jobs=2):
+        assert same(small(), small(jobs=None))
+        with pytest.raises(IndexError) as caught:
+            small(jobs=None, agents={"faulty": Faulty.create})
     assert caught.value.__cause__ is None
     (note,) = caught.value.__notes__
     assert note.startswith("In another process: ")

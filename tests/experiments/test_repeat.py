@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from edugym import EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
+from edugym import EpsilonGreedy, GoExplore, Hashed, QLearning, Results, make_mdp, repeat, train
 from edugym.envs.boulder import Boulder
 from edugym.experiments.configuration import described
 from edugym.experiments.results.tables import MEASURED
@@ -46,17 +46,17 @@ def test_where_layouts_come_from() -> None:
     assert {agent.Q.shape for agent in by_name.agents["novelty"].values()} == {(11, 2)}
 
 
-def test_agents_are_copied() -> None:
-    """An agent that is given serves every repetition as it was, and stays as it was."""
-    wall = make_mdp("Boulder", height=4)
+def test_agents_and_tasks_are_copied() -> None:
+    """What is given serves every repetition as it was, and stays as it was."""
+    wall = Hashed.create(make_mdp("Boulder", height=4), 5)
     given = QLearning.create(wall, initial_value=0.5)
-    results = repeat(
-        wall, {"given": given, "made": lambda task: QLearning.create(task, initial_value=0.5)}, 500, jobs=1
-    )
+    agents = {"given": given, "made": lambda task: QLearning.create(task, initial_value=0.5)}
+    results = repeat(wall, agents, 500, repetitions=4, jobs=1)
     assert (given.Q == 0.5).all()
+    assert wall.used == 0
     for repetition, agent in results.agents["given"].items():
         assert (agent.Q == results.agents["made"][repetition].Q).all()
-    assert len({agent.Q.tobytes() for agent in results.agents["given"].values()}) == 10
+    assert len({agent.Q.tobytes() for agent in results.agents["given"].values()}) == 4
 
 
 def test_any_gymnasium_environment() -> None:

@@ -1,25 +1,15 @@
 """Ctrl-C in the middle of repeated training: what is done comes back at once, whatever runs in parallel."""
 
-import json
-import os
 import signal
-import subprocess
-import sys
 import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from edugym import QLearning, repeat, train
-from edugym.experiments import repeat as repeating
-from edugym.experiments.checkpoints import Checkpoints
+from edugym import QLearning, repeat
 from edugym.system.interrupts import Interrupted
-from edugym.training.run import Run
-
-HOURS = 10**13  # training steps that no machine takes while a test waits
 
 
 def stopping(after: int, stop: Callable[[], None]) -> Callable[[Any], QLearning]:
@@ -89,37 +79,6 @@ def test_a_run_that_does_not_listen_is_left() -> None:
             go_on.set()
 
 
-def test_runs_that_end_while_the_main_thread_waits_are_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """As when other programs keep it from its turn until the patience is over: the same call begins with them."""
-    both, save = threading.Barrier(2), Checkpoints.save
-    ended, waiting = threading.Semaphore(0), True
-
-    def train_together(*arguments: Any, **settings: Any) -> Run:
-        both.wait(60)
-        try:
-            return train(*arguments, **settings)
-        finally:
-            ended.release()
-
-    def save_late(self: Checkpoints, planned: Any, run: Run) -> None:
-        nonlocal waiting
-        save(self, planned, run)
-        if waiting:
-            waiting = False
-            assert all(ended.acquire(timeout=60) for _ in range(2))
-            time.sleep(0.1)  # the second one is about to return
-            raise KeyboardInterrupt
-
-    monkeypatch.setattr(repeating, "train", train_together)
-    monkeypatch.setattr(Checkpoints, "save", save_late)
-    with pytest.raises(Interrupted, match="2 of 2 runs are complete") as interrupted:
-        repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
-    assert interrupted.value.partial.complete
-    monkeypatch.setattr(repeating, "train", None)  # nothing is trained again
-    again = repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
-    assert again.table.equals(interrupted.value.partial.table)
-
-
 def test_an_event_stops_too() -> None:
     """From another thread, such as that of a button; and what comes after it is left out without a warning."""
     stop = threading.Event()
@@ -128,84 +87,3 @@ def test_an_event_stops_too() -> None:
     assert [warning.filename for warning in caught] == [__file__]  # the line that has called `repeat`
     assert stop.is_set()
     assert repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=3, stop=stop).table.empty
-
-
-CHILD = f"""
-import json, os, signal, sys, warnings
-import joblib
-from edugym import QLearning, repeat
-from edugym.system.interrupts import Interrupted
-
-signal.signal(signal.SIGINT, signal.default_int_handler)
-environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
-every = 1_000_000 if environment == "Boulder" else 2_000
-
-class Announced:
-    "An agent that says when it has learned for some time."
-
-    def __init__(self, agent): self.agent, self.steps = agent, 0
-    def act(self, state, rng): return self.agent.act(state, rng)
-    def learn(self, state, action, reward, next_state, terminated):
-        self.agent.learn(state, action, reward, next_state, terminated)
-        self.steps += 1
-        if self.steps == 5_000:
-            os.write(1, b"learning\\n")  # in one piece, whoever else writes
-
-
-def make(environment): return QLearning.create(environment)
-def make_announced(environment): return Announced(make(environment))
-
-if __name__ == "__main__":
-    agents = {{"Q": make if environment == "Boulder" else make_announced}}
-    with joblib.parallel_config(backend=backend, n_jobs=jobs), warnings.catch_warnings(record=True) as warned:
-        warnings.simplefilter("always")
-        first = 200_000 if environment == "Boulder" else 100  # every worker has worked, and what it needs is compiled
-        repeat(environment, agents, first, max_steps=100, repetitions=4, jobs=None)
-        os.write(1, b"ready\\n")
-        try:
-            repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=runs, jobs=None)
-        except Interrupted as interrupted:
-            results = interrupted.partial
-            said = str(interrupted)
-    table = results.table
-    steps = [int(steps) for steps in table.groupby("repetition")["step"].max()]
-    done = int(table["complete"].sum())
-    print(json.dumps({{"said": said, "warned": [str(w.message) for w in warned], "steps": steps, "done": done}}))
-"""
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("environment", "backend", "jobs", "runs"),
-    [
-        ("Boulder", "threading", 2, 5),
-        ("CliffWalking-v1", "threading", 1, 5),
-        ("CliffWalking-v1", "loky", 2, 5),
-        ("CliffWalking-v1", "loky", 2, 1),  # with an idle worker
-    ],
-)
-def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jobs: int, runs: int) -> None:
-    """Of runs that would take days, some steps come back, well before the test's patience ends."""
-    script = tmp_path / "child.py"
-    script.write_text(CHILD)
-    command = [sys.executable, str(script), environment, backend, str(jobs), str(runs)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, start_new_session=True) as child:
-        assert child.stdout is not None
-        try:
-            begun = min(jobs, runs)
-            assert child.stdout.readline() == "ready\n"
-            if environment == "Boulder":  # machine code announces nothing
-                threading.Event().wait(2)
-            else:
-                assert {child.stdout.readline() for _ in range(begun)} == {"learning\n"}
-            os.killpg(child.pid, signal.SIGINT)  # as a terminal does: to all its processes
-            lines, _ = child.communicate(timeout=60)
-        finally:
-            child.kill()
-    found = json.loads(lines.splitlines()[-1])
-    assert found["warned"] == []
-    assert found["said"] == f"0 of {runs} runs are complete, {begun} are unfinished"
-    assert len(found["steps"]) == begun
-    assert all(0 < steps < HOURS for steps in found["steps"])
-    assert found["done"] == 0
-    assert child.returncode == 0

@@ -5,8 +5,6 @@ from typing import Any
 import numpy as np
 import pytest
 from gymnasium import spaces
-from hypothesis import given
-from hypothesis import strategies as st
 
 from edugym import DiscreteActions, Discretised, MDPEnv, QLearning, Tabular, make_mdp, table_size
 from edugym.envs.catch import Fall
@@ -38,15 +36,6 @@ def test_bins_and_ends_of_its_own_for_each_number() -> None:
     assert task.observation_space == spaces.MultiDiscrete([2, 5])
     assert task.observation((0.6, 13.9), None).tolist() == [1, 1]
     assert Tabular.create(task).observation((0.6, 13.9), np.random.default_rng(0)) == 6
-
-
-@given(st.floats(-3, 3), st.integers(1, 50))
-def test_a_bin_holds_what_is_in_it(value: float, bins: int) -> None:
-    """The middle of a number's bin is at most half a bin away."""
-    task: Any = Discretised.create(shows(), bins)
-    cell = int(task.observation((value, 0.0), None)[0])
-    middle = -1 + (cell + 0.5) * 2 / bins
-    assert abs(min(max(value, -1), 1) - middle) <= 1 / bins + 1e-9
 
 
 def test_pixels_are_their_own_bins() -> None:

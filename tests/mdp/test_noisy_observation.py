@@ -91,6 +91,7 @@ NOISY: list[tuple[Any, Any, str]] = [
     (bounded([0.0, 0.0], [np.inf, np.inf]), {}, "mdp bounds Box("),
 ]
 DARK: list[tuple[Any, Any, str]] = [
+    (3, {}, "mdp 3"),
     (GRID, {"low": -0.1}, "low 0 1 -0.1"),
     (GRID, {"low": 0.5, "high": 0.4}, "high 0.5 1 0.4"),
     (GRID, {"high": 1.1}, "high 0.4 1 1.1"),

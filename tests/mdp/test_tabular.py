@@ -1,9 +1,7 @@
 """Observations of several whole numbers as the row of a table, of MDPs and of any Gymnasium environment."""
 
-import copy
 import itertools
 import math
-import pickle
 from typing import Any
 
 import gymnasium
@@ -13,31 +11,12 @@ from gymnasium import spaces
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edugym import MDPEnv, QLearning, Tabular, TabularObservation, make_mdp, table_size, train
+from edugym import QLearning, Tabular, TabularObservation, make_mdp, table_size
 from edugym.adapters.fitting import tabular
 from edugym.mdp.tabular import number_of_rows
 from tests.compiled.cells import WALK, cell
 from tests.mdp.watch import Shows
 from tests.training.slips import named
-
-Clock = cell("""
-class Clock(NamedTuple):
-    in_parts: bool
-    max_steps: int = 50
-    def initial(self, rng): return 0
-    def transition(self, state, action, rng): return (state + (1 if action == 0 else 3)) % 12
-    def reward(self, state, action, next_state, rng): return 1.0 if next_state % 4 == 0 else 0.0
-    def terminal(self, state): return False
-    def observation(self, state, rng): return 10 + state // 4, state % 4 - 1
-    action_space = spaces.Discrete(2)
-    @property
-    def observation_space(self):
-        if self.in_parts:
-            return spaces.Tuple([spaces.Discrete(3, start=10), spaces.Discrete(4, start=-1)])
-        return spaces.MultiDiscrete([3, 4], start=[10, -1])
-""")["Clock"]
-"""Counts 3 hours of 4 quarters; they are called 10, 11, 12 and -1, 0, 1, 2."""
-
 
 Showing = cell("""
 import gymnasium
@@ -93,38 +72,19 @@ def test_every_element_of_a_space_has_a_row_of_its_own(space: spaces.Space[Any],
     assert table_size(Showing(space, elements, actions=5)) == (len(elements), 5)
 
 
-@pytest.mark.parametrize("in_parts", [True, False])
-def test_an_mdp_has_the_same_rows(in_parts: bool) -> None:
-    """Numbers need not begin at 0; only what is seen changes."""
-    rng = np.random.default_rng(0)
-    clock: Any = Tabular.create(Clock(in_parts))
-    assert [clock.observation(state, rng) for state in range(12)] == list(range(12))
-    assert (clock.observation_space, clock.action_space) == (spaces.Discrete(12), spaces.Discrete(2))
-    assert (clock.mdp, clock.max_steps, clock.transition(5, 1, rng)) == (Clock(in_parts), 50, 8)
-    assert table_size(clock) == table_size(Clock(in_parts)) == (12, 2)
-    assert not hasattr(Tabular.create(make_mdp("Golf")), "max_steps")  # Golf has no step limit
-
-
 @given(st.lists(st.tuples(st.integers(1, 5), st.integers(-3, 3)), min_size=1, max_size=4), st.data())
 def test_wrapper_and_mdp_number_alike(places: list[tuple[int, int]], data: st.DataObject) -> None:
-    """Both give NumPy's index of an entry in an array of these sizes."""
+    """Both give NumPy's index of an entry in an array of these sizes; numbers need not begin at 0."""
     sizes, lows = zip(*places, strict=True)
-    parts = [data.draw(st.integers(low, low + size - 1)) for size, low in places]
+    parts = tuple(data.draw(st.integers(low, low + size - 1)) for size, low in places)
     shifted = [part - low for part, low in zip(parts, lows, strict=True)]
     space = spaces.MultiDiscrete(list(sizes), start=list(lows))
-    row = Tabular.create(Shows(space, tuple(parts))).observation(0, np.random.default_rng(0))
-    assert row == rows_shown(space, [np.array(parts)])[0] == np.arange(math.prod(sizes)).reshape(sizes)[tuple(shifted)]
-
-
-def test_training_does_not_care_how_the_numbers_begin() -> None:
-    """The same run, bit for bit, for an MDP and for a Gymnasium environment."""
-    tables = []
-    for environment in (Clock(False), Clock(True), gymnasium.Wrapper(MDPEnv(Clock(False)))):
-        agent = QLearning.create(environment)
-        train(environment, agent, 2_000, seed=3)
-        tables.append(agent.Q.tobytes())
-    assert len(set(tables)) == 1
-    assert agent.Q.any()
+    row = np.arange(math.prod(sizes)).reshape(sizes)[tuple(shifted)]
+    assert rows_shown(space, [np.array(parts)]) == [row]
+    for same in (space, spaces.Tuple([spaces.Discrete(size, start=low) for size, low in places])):
+        task: Any = Tabular.create(Shows(same, parts))
+        assert (task.observation(0, None), task.observation_space) == (row, spaces.Discrete(math.prod(sizes)))
+        assert table_size(task) == table_size(Shows(same, parts)) == (math.prod(sizes), 2)
 
 
 WHOLE = "table whole numbers"
@@ -173,7 +133,7 @@ def test_actions_that_do_not_fit_a_table_are_refused(space: spaces.Space[Any]) -
     ("thing", "names"),
     [
         ("FrozenLake-v1", "environment 'FrozenLake-v1'"), (5, "environment 5"), (None, "environment None"),
-        (Clock, "environment Clock(...)"), (QLearning, "environment QLearning.create(...)"),
+        (Shows, "environment Shows(...)"), (QLearning, "environment QLearning.create(...)"),
         ((3,), "(n_states, n_actions) (3,)"), ((3, 0), "(3, 0)"), ((3, 2.0), "(3, 2.0)"),
     ],
 )  # fmt: skip
@@ -202,15 +162,6 @@ def test_whole_numbers_of_any_type() -> None:
     shown = [1, np.uint8(2), 3.0, np.float32(1.0), np.array(2), np.array([3]), np.array([1.0]), True]
     assert rows_shown(spaces.Discrete(3, start=1), shown) == [0, 1, 2, 0, 1, 2, 0, 0]
     assert rows_shown(spaces.MultiDiscrete([2, 3]), [np.array([1.0, 2.0]), (0.0, 1)]) == [5, 1]
-
-
-def test_a_wrapped_environment_can_be_copied_and_pickled() -> None:
-    """As evaluation and processes do."""
-    env = TabularObservation(gymnasium.make("edugym/Golf-v0"))
-    env.reset(seed=0)
-    for other in (copy.deepcopy(env), pickle.loads(pickle.dumps(env))):
-        assert other.step(2)[:4] == copy.deepcopy(env).step(2)[:4]
-        assert other.observation_space == env.observation_space
 
 
 def test_what_is_written_in_place_is_one_row() -> None:

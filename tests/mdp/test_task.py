@@ -10,24 +10,8 @@ import numpy as np
 import pytest
 from gymnasium.wrappers import TimeLimit, TransformReward
 
-import edugym
-from edugym import (
-    DQN,
-    ENVIRONMENTS,
-    FrameStack,
-    Hashed,
-    MDPEnv,
-    MDPVectorEnv,
-    QLearning,
-    check_mdp,
-    finite_model,
-    make_mdp,
-    record_visits,
-    repeat,
-    share,
-    table_size,
-    train,
-)  # fmt: skip
+import edugym as eg
+from edugym import MDPEnv, QLearning, make_mdp
 from edugym.adapters.playing.game import Game
 from edugym.checks import contract, interfaces
 from edugym.checks.contract import contract_of
@@ -35,7 +19,7 @@ from edugym.mdp import task
 from edugym.mdp.task import task_of
 from tests.training.tasks import Stairs, StudentsQLearning
 
-SOURCES = Path(edugym.__file__).parent
+SOURCES = Path(eg.__file__).parent
 GATES = {"checks/interfaces.py", "checks/contract.py", "mdp/task.py"}
 
 
@@ -75,29 +59,29 @@ MDP, STUDENTS = make_mdp("Boulder", height=4), Stairs()
 @pytest.mark.parametrize("made", [lambda mdp: mdp, MDPEnv, lambda mdp: TimeLimit(MDPEnv(mdp), 9)])
 def test_train_looks_once(made: Callable[[Any], Any], mdp: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """At the environment and at the agent, however long it takes."""
-    environment, agent = made(mdp), StudentsQLearning(np.zeros(table_size(mdp)))
+    environment, agent = made(mdp), StudentsQLearning(np.zeros(eg.table_size(mdp)))
     calls = the_calls(monkeypatch)
-    train(environment, agent, 1_000, evaluate_every=100)
+    eg.train(environment, agent, 1_000, evaluate_every=100)
     assert calls == ["environment", "agent"]
 
 
 @pytest.mark.parametrize(
     ("use", "names"),
     [
-        (lambda folder: train("Boulder", QLearning.create((11, 2)), 10), ["mdp", "environment", "agent"]),
-        (lambda folder: repeat(MDP, {"q": QLearning.create(MDP)}, n_steps=9, repetitions=1), ["environment", "agent"]),
+        (lambda folder: eg.train("Boulder", QLearning.create((11, 2)), 10), ["mdp", "environment", "agent"]),
+        (lambda folder: eg.repeat(MDP, {"q": QLearning.create(MDP)}, 9, repetitions=1), ["environment", "agent"]),
         (lambda folder: MDPEnv(MDP), ["mdp"]),
-        (lambda folder: MDPVectorEnv(MDPEnv(MDP)), ["mdp", "env"]),
-        (lambda folder: finite_model(MDP), ["mdp"]),
-        (lambda folder: check_mdp(MDP), ["mdp"]),
-        (lambda folder: share(MDP, folder / "wall.py"), ["mdp"]),
+        (lambda folder: eg.MDPVectorEnv(MDPEnv(MDP)), ["mdp", "env"]),
+        (lambda folder: eg.finite_model(MDP), ["mdp"]),
+        (lambda folder: eg.check_mdp(MDP), ["mdp"]),
+        (lambda folder: eg.share(MDP, folder / "wall.py"), ["mdp"]),
         (lambda folder: Game(MDP), ["mdp"]),
-        (lambda folder: table_size(MDP), ["environment"]),
+        (lambda folder: eg.table_size(MDP), ["environment"]),
         (lambda folder: QLearning.create(MDP), ["environment"]),
-        (lambda folder: DQN.create(MDP), ["environment"]),
-        (lambda folder: record_visits(QLearning.create((4, 2)), MDP, 10), ["environment", "agent"]),
-        (lambda folder: Hashed.create(MDP, 8), ["mdp"]),
-        (lambda folder: FrameStack.create(MDP, 2), ["mdp"]),
+        (lambda folder: eg.DQN.create(MDP), ["environment"]),
+        (lambda folder: eg.record_visits(QLearning.create((4, 2)), MDP, 10), ["environment", "agent"]),
+        (lambda folder: eg.Hashed.create(MDP, 8), ["mdp"]),
+        (lambda folder: eg.FrameStack.create(MDP, 2), ["mdp"]),
     ],
 )
 def test_who_passes_the_gates(
@@ -109,7 +93,7 @@ def test_who_passes_the_gates(
     assert set(calls) == set(names)
 
 
-@pytest.mark.parametrize("entry", ENVIRONMENTS, ids=lambda entry: entry.name)
+@pytest.mark.parametrize("entry", eg.ENVIRONMENTS, ids=lambda entry: entry.name)
 def test_all_forms_of_an_environment_are_one_task(entry: Any) -> None:
     """Its name, its id, what Gymnasium makes of it, the environment, and the MDP."""
     mdp = entry.load_mdp().create()
@@ -130,13 +114,13 @@ def test_a_wrapper_or_a_foreign_environment_is_played_itself() -> None:
     foreign = task_of(gymnasium.make("CartPole-v1"))
     assert (foreign.is_mdp, foreign.max_steps, foreign.n_inputs) == (False, 500, 4)
     assert task_of(STUDENTS).is_own is False
-    assert task_of(STUDENTS).table_shape == table_size(STUDENTS) == (4, 2)
+    assert task_of(STUDENTS).table_shape == eg.table_size(STUDENTS) == (4, 2)
 
 
 def test_what_an_agent_is() -> None:
     """The package's own and a student's, with a table and with vectors."""
     own, students = contract_of(QLearning.create(MDP)), contract_of(StudentsQLearning(np.zeros((4, 2))))
-    vectors = contract_of(DQN.create(MDP))
+    vectors = contract_of(eg.DQN.create(MDP))
     assert (own.is_own, students.is_own, vectors.is_own) == (True, False, True)
     assert (own.tabular, own.takes_vectors, vectors.tabular, vectors.takes_vectors) == (True, False, False, True)
     assert own.has_greedy

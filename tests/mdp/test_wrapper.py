@@ -6,31 +6,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from edugym import (
-    Brightness,
-    DiscreteActions,
-    Discretised,
-    FrameStack,
-    Hashed,
-    MDPEnv,
-    MDPVectorEnv,
-    NoisyObservation,
-    QLearning,
-    SeparateFrames,
-    Tabular,
-    check_mdp,
-    finite_model,
-    make_mdp,
-    train,
-    value_iteration,
-    wrapper,
-)  # fmt: skip
+import edugym as eg
+from edugym import Brightness, Hashed, NoisyObservation, make_mdp, wrapper
 from edugym.mdp.protocol import named_actions
 from edugym.rendering.ansi import to_text
 from tests.compiled.cells import cell
 from tests.mdp.watch import watched
 from tests.training.slips import named
-from tests.training.tasks import interpret
 
 WRAPPERS = """
 from gymnasium import spaces
@@ -92,6 +74,7 @@ def test_what_a_wrapper_does_not_change() -> None:
     assert (once.reward(2, 0, 3, None), twice.reward(2, 0, 3, None)) == (0.5, 0.25)
     assert not hasattr(once, "grip")
     assert once.grips is WALL.grips
+    assert eg.value_iteration(eg.finite_model(once)).start == pytest.approx(1.0 - 1.5)
 
 
 def test_what_a_wrapper_does_not_pass_on() -> None:
@@ -105,23 +88,13 @@ def test_what_a_wrapper_does_not_pass_on() -> None:
 def test_a_wrapper_with_states_of_its_own_keeps_picture_and_info() -> None:
     """The inner task is asked for its own state, in a Gymnasium environment and in another wrapper."""
     counting = KINDS.Counting(WALL)
-    tasks: list[Any] = [counting, Tabular.create(counting), KINDS.Costly(counting, 1.0)]
+    tasks: list[Any] = [counting, eg.Tabular.create(counting), KINDS.Costly(counting, 1.0)]
     for task in tasks:
-        env = MDPEnv(task, render_mode="ansi")
+        env = eg.MDPEnv(task, render_mode="ansi")
         env.reset(seed=0)
         _, _, _, _, info = env.step(int(WALL.grips[0]))
         assert info == WALL.info(1)
         assert env.render() == to_text(WALL.scene(1))
-
-
-@pytest.mark.slow
-def test_copies_of_a_wrapper_with_states_of_its_own() -> None:
-    """Each shows its own state."""
-    vector = MDPVectorEnv(MDPEnv(KINDS.Counting(WALL)), 2)
-    vector.reset(seed=0)
-    vector.step(np.array([WALL.grips[0], 1 - WALL.grips[0]]))
-    assert to_text(vector.showing(0).scene()) == to_text(WALL.scene(1))
-    assert to_text(vector.showing(1).scene()) == to_text(WALL.scene(0))
 
 
 def test_history_reaches_the_inner_picture() -> None:
@@ -131,18 +104,6 @@ def test_history_reaches_the_inner_picture() -> None:
     picture = KINDS.Boxed(golf).scene((after,), last_state=(start,), last_action=2)
     assert picture == golf.scene(after, last_state=start, last_action=2)
     assert to_text(picture) != to_text(golf.scene(after))
-
-
-def test_exact_model_and_training(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A wrapped task has its exact model, and runs compiled as it does interpreted."""
-    task = KINDS.Costly(WALL, 0.5)
-    assert value_iteration(finite_model(task)).start == pytest.approx(1.0 - 1.5)
-    one, other = agents = [QLearning.create(task, learning_rate=0.5) for _ in range(2)]
-    for agent in agents:
-        train(task, agent, 6_000, seed=2, evaluate_every=6_000)
-        interpret(monkeypatch)
-    assert np.array_equal(one.Q, other.Q)
-    assert one.Q.min() < -0.5
 
 
 def test_what_a_wrapper_looks_up_itself_is_kept() -> None:
@@ -156,14 +117,7 @@ def test_a_wrapper_needs_its_field_and_its_decorator() -> None:
     bare: Any = cell(WRAPPERS, {"wrapper": lambda kind: kind, "NamedTuple": NamedTuple, "__name__": "__main__"})
     named("Twice mdp", lambda: wrapper(KINDS.Twice), TypeError)
     named("int mdp", lambda: wrapper(int), TypeError)
-    named("Costly initial(self, @edugym.wrapper", lambda: check_mdp(bare["Costly"](WALL, 0.5)))
-
-
-@pytest.mark.parametrize("kind", [FrameStack, Hashed, Discretised, DiscreteActions, NoisyObservation, Brightness])
-def test_wrappers_ask_for_an_mdp(kind: Any) -> None:
-    """A name, a class or a Gymnasium environment in its place is answered with one sentence."""
-    for wrong in ("Catch", type(WALL), MDPEnv(WALL)):
-        named("mdp", lambda: kind.create(wrong, 3))  # noqa: B023
+    named("Costly initial(self, @edugym.wrapper", lambda: eg.check_mdp(bare["Costly"](WALL, 0.5)))
 
 
 IMAGE, CORRIDOR = make_mdp("Catch", observation_type="rgb"), make_mdp("MemoryCorridor")
@@ -171,14 +125,14 @@ IMAGE, CORRIDOR = make_mdp("Catch", observation_type="rgb"), make_mdp("MemoryCor
 
 def bins(capacity: int) -> Any:
     """Bins for what is seen and what is done."""
-    return Hashed.create(Discretised.create(DiscreteActions.create(make_mdp("Trashbot"), 3), 20), capacity)
+    return Hashed.create(eg.Discretised.create(eg.DiscreteActions.create(make_mdp("Trashbot"), 3), 20), capacity)
 
 
 TASKS: dict[str, Any] = {
     "bins": lambda: bins(3_000),
     "noise": lambda: Hashed.create(Brightness.create(NoisyObservation.create(IMAGE, 4, 20.0), 0.5), 500, overflow=True),
-    "frames": lambda: Tabular.create(SeparateFrames.create(CORRIDOR, 7, actions=True)),  # type: ignore[arg-type]
-    "long frames": lambda: FrameStack.create(CORRIDOR, 20),
+    "frames": lambda: eg.Tabular.create(eg.SeparateFrames.create(CORRIDOR, 7, actions=True)),  # type: ignore[arg-type]
+    "long frames": lambda: eg.FrameStack.create(CORRIDOR, 20),
 }
 
 

@@ -90,7 +90,6 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
         ("pandas", "experiments", lambda path: Results.load(path)),
         ("pandas", "experiments", lambda path: repeat("Boulder", {"Q": QLearning.create}, 100)),
         ("joblib", "experiments", lambda path: repeat("Boulder", {"Q": QLearning.create}, 100)),
-        ("pandas", "experiments", lambda path: repeat_deep({}, 100)),
         ("joblib", "experiments", lambda path: repeat_deep({}, 100)),
         ("scipy", "experiments", lambda path: mean_interval([1, 2])),
         ("scipy", "experiments", lambda path: proportion_interval(1, 2)),

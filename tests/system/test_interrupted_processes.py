@@ -36,6 +36,14 @@ for i in range(1_000):
     agents = {"Q": QLearning.create, "novelty": CountBased.create}
     repeat("Boulder", agents, 100_000, repetitions=4, jobs=2, save_to=f"{sys.argv[1]}/{i}.csv")
 """,
+    "processes": """
+import joblib
+from edugym import QLearning, repeat
+if __name__ == "__main__":
+    with joblib.parallel_config(backend="loky", n_jobs=2):
+        for _ in range(1_000):
+            repeat("CliffWalking-v1", {"Q": QLearning.create}, 3_000, repetitions=4, max_steps=100, jobs=None)
+""",
     "reproduce": """
 from edugym_course.cli import main
 sys.argv = ["edugym", "reproduce", "exploration", "--repetitions", "9", "--output", sys.argv[1]]
@@ -114,10 +122,7 @@ print((agent.Q != 1.0).any())
     ],
 )
 def test_a_signal_ends_a_run(how: str, env_id: str) -> None:
-    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error.
-
-    States that are numbers, NamedTuples, and hold arrays: the latter two crash where the signal is not waited for.
-    """
+    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error."""
     command = [sys.executable, "-c", SCRIPT, how, env_id]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert done.stderr == ""
@@ -128,49 +133,3 @@ def test_a_signal_ends_a_run(how: str, env_id: str) -> None:
         assert re.fullmatch(r"after \d+ of 10000000000000 steps; the agent keeps what it has learned", said[0])
         assert said[1] == "False True 0 True"
     assert learned == "True"
-
-
-IMPORTS = """
-import signal, sys
-
-forgets = 0
-
-def press(frame, event, argument):
-    global forgets
-    code = frame.f_code
-    if event == "call" and code.co_name == "cb" and "importlib" in code.co_filename and "edugym.agents" in sys.modules:
-        forgets += 1
-        if forgets == int(sys.argv[1]):
-            sys.setprofile(None)
-            signal.raise_signal(signal.SIGINT)
-
-signal.signal(signal.SIGINT, signal.default_int_handler)
-sys.setprofile(press)
-from edugym import DQN
-print("all is imported after", forgets)
-"""
-
-
-def test_python_ignores_it_while_it_imports() -> None:
-    """Python ignores an error when it forgets the lock of an imported module: it is raised again."""
-    ended = subprocess.run([sys.executable, "-c", IMPORTS, "2"], capture_output=True, text=True, check=False)
-    assert ended.returncode != 0, ended.stdout
-    assert ended.stderr.splitlines()[-1] == "KeyboardInterrupt"
-
-
-TRACED = """
-import sys, threading
-def tracer(frame, event, argument):
-    return tracer if "edugym" in frame.f_code.co_filename else None
-sys.settrace(tracer)
-threading.settrace(tracer)
-from edugym import QLearning, repeat
-print(repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=4, jobs=2).complete)
-"""
-
-
-@pytest.mark.slow
-def test_runs_in_threads_under_a_debugger() -> None:
-    """Debuggers and coverage trace the code: what a run leaves behind in Python must not stop the next one."""
-    ran = subprocess.run([sys.executable, "-c", TRACED], capture_output=True, text=True, timeout=60, check=False)
-    assert (ran.stdout, ran.stderr) == ("True\n", "")

@@ -2,7 +2,6 @@
 
 import math
 import threading
-import time
 from pathlib import Path
 from typing import Any
 from unittest.mock import MagicMock
@@ -85,15 +84,6 @@ def test_a_task_without_end_or_limit_is_evaluated_all_the_same() -> None:
     assert train(Ring(None), QLearning.create(Ring()), 1, max_steps=2_500).returns.tolist() == [2_500.0] * 2
 
 
-def test_tables_change_in_place_and_training_can_go_on() -> None:
-    """The agent that was given is trained; a second run starts from there."""
-    agent = QLearning.create(SlipperyWalk())
-    assert train(SlipperyWalk(), agent, 1_000, seed=0).agent.Q is agent.Q
-    before = agent.Q.copy()
-    train(SlipperyWalk(), agent, 1_000, seed=1)
-    assert not np.array_equal(before, agent.Q)
-
-
 def test_stop_ends_a_run_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
     """With what has been measured, and nothing compiled."""
     new = type("New", (Stairs,), {"__slots__": ()})
@@ -118,15 +108,12 @@ def test_stop_ends_a_run_on_the_way() -> None:
 
 
 def test_a_long_evaluation_stops_between_episodes() -> None:
-    """A point that is stopped on the way is none: all of its episodes would take minutes."""
+    """A point that is stopped on the way is none: all of its episodes would take hours."""
     stop = threading.Event()
     threading.Timer(0.5, stop.set).start()
     wall = make_mdp("Boulder", height=100, max_steps=100_000)
-    began = time.perf_counter()
-    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=100_000, stop=stop)
-    assert not run.complete
-    assert not len(run.steps)
-    assert time.perf_counter() - began < 30
+    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=10**7, stop=stop)
+    assert (run.complete, len(run.steps)) == (False, 0)
 
 
 @pytest.fixture

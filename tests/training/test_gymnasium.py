@@ -11,7 +11,7 @@ from edugym import MDPEnv, QLearning, TabularObservation, make_mdp, train
 from edugym.envs.boulder import Boulder
 from tests.compiled.cells import cell
 from tests.training.slips import answered, looker
-from tests.training.tasks import Ring, StudentsQLearning, StudentsSarsa, tell_tale
+from tests.training.tasks import Ring, tell_tale
 
 BOULDER = "edugym/Boulder-v0"
 CLIFF = max(key for key in gymnasium.registry if key.startswith("CliffWalking-v"))
@@ -131,18 +131,6 @@ def test_what_truncates() -> None:
     assert agent.told.tolist() == [100, 0, 5, 0]
     assert run.returns.tolist() == [*run.training_returns[1:].tolist(), -20.0] == [-20.0] * 3
     assert run.episodes.tolist() == [0, 2, 3]
-
-
-@pytest.mark.parametrize("kind", [StudentsQLearning, StudentsSarsa])
-def test_both_loops_are_one(kind: Any) -> None:
-    """In a task without chance, the loop for Gymnasium and that for MDPs give the same bits."""
-    runs = []
-    for task in (Ring(), gymnasium.Wrapper(MDPEnv(Ring()))):
-        agent = kind(np.zeros((2, 2)))
-        run = train(task, agent, 1_000, max_steps=3, seed=1)
-        runs.append((agent.Q, run.training_returns, run.episodes))
-    assert runs[0][0].any()
-    assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(*runs, strict=True))
 
 
 Looks = cell("""

@@ -177,13 +177,6 @@ def test_a_late_reward_of_a_gymnasium_environment() -> None:
         answered(f"step Line {names}", lambda: train(env, QLearning.create((6, 2)), 4_000))  # noqa: B023
 
 
-def test_a_table_the_wrong_way_round() -> None:
-    """The index is explained as well where it comes late, in an evaluation episode without an end."""
-    agent = cell(LEARNER.replace("self.Q.shape[1]", "2"))["Learner"](np.zeros((2, 6)))
-    slow = walk(changed(WALK, MOVE, "return state + (rng.random() < 0.002)"))
-    answered("index 2 Learner (2, 6) 6 2", lambda: train(slow, agent, 30), "Q[", IndexError)
-
-
 @pytest.mark.parametrize("n_steps", [300, 6_000])
 def test_nothing_happens_twice(n_steps: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """A task that counts its steps in a global list, and an agent that counts what it learns."""

@@ -108,10 +108,7 @@ TASKS = {
 @pytest.mark.parametrize("name", TASKS)
 @pytest.mark.parametrize("kind", ["OffPolicy", "OnPolicy"])
 def test_every_call(kind: str, name: str) -> None:
-    """An episode of two steps, and the first of another: Q-learning acts and learns, SARSA acts before it learns.
-
-    After an end there is no next action; after the limit one is chosen to learn from, and never taken.
-    """
+    """Of two steps, and the first of another episode; after the limit SARSA chooses an action that is never taken."""
     task, ends, limit, terminated = TASKS[name]
     calls: list[str] = []
     classes, rngs = noting(calls), streams()

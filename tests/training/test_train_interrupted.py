@@ -1,15 +1,12 @@
 """Ctrl-C in a student's agent of which one method is machine code and another is not."""
 
 import signal
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from edugym import Interrupted, make_mdp, train
-from edugym.compiled import execution
-from edugym.system.interrupts import SignalGuard
 from tests.compiled.cells import cell
 
 PRESSING = """
@@ -45,31 +42,3 @@ def test_ctrl_c_ends_the_method_that_runs_interpreted(source: str, at: int) -> N
     assert len(notebook["calls"]) == at
     assert not interrupted.value.partial.complete
     assert interrupted.value.partial.agent.Q is agent.Q
-
-
-@pytest.mark.parametrize("given_up", [False, True])
-def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """While it plays the failed call again, and once it has taken over."""
-    monkeypatch.setattr(execution, "MOST_SURPRISES", 1)
-    monkeypatch.setattr(execution, "_warn_once", lambda *_: None)
-    ended = []
-
-    def fails(*_: Any) -> None:
-        raise ZeroDivisionError
-
-    def presses(*_: Any) -> None:
-        signal.raise_signal(signal.SIGINT)
-        ended.append(True)
-
-    code: Any = SimpleNamespace(first_change=lambda: None)
-    run = execution._with_replay(fails, presses, code, (lambda *_: None) if given_up else presses)
-
-    def work() -> None:
-        with SignalGuard() as work:
-            work.defer(machine_code=True)
-            for _ in range(1 + given_up):
-                run(1)
-
-    with pytest.raises(KeyboardInterrupt):
-        work()
-    assert not ended

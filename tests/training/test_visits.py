@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from edugym import SARSA, GoExplore, QLearning, make_mdp, record_visits, train
-from tests.compiled.cells import cell
 from tests.training.tasks import StudentsSarsa
 
 WALL = make_mdp("Boulder", height=6, layout_seed=3)
@@ -55,23 +54,6 @@ def test_visits_are_where_the_agent_was(on_policy: bool) -> None:
     assert recorder.visits.tolist() == [[1, 1, 0], [2, 1, 1]]
     assert record_visits(agent, (3, 2), 4).visits.shape == (100, 3)
     assert recorder.recorded is agent
-
-
-FORGETFUL = """
-class Forgetful(NamedTuple):
-    episode: list
-    def act(self, state, rng): return 0
-    def learn(self, state, ACTION): pass
-    def forget_episode(self): self.episode.clear()
-"""
-
-
-@pytest.mark.parametrize("action", ["action", "next_action"])
-def test_an_unfinished_episode_is_forgotten(action: str) -> None:
-    """When the agent inside is trained again."""
-    agent = cell(FORGETFUL.replace("ACTION", action))["Forgetful"]([1, 2])
-    record_visits(agent, (3, 2), 4).forget_episode()
-    assert agent.episode == []
 
 
 @pytest.mark.parametrize("name", ["n_steps", "n_intervals"])

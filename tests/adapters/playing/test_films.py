@@ -1,7 +1,8 @@
 """Episodes of agents, films and captions."""
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,6 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.playing import Frame, play_episode, record
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.mdp.protocol import Random
 from edugym.rendering.captions import captioned
 from edugym.rendering.gif import to_gif
 from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, YELLOW, rgb
@@ -38,20 +38,15 @@ def test_gifs_of_pictures(tmp_path: Path) -> None:
             durations.append(image.info["duration"])
     assert seen == [rgb(RED), rgb(BLUE), (0, 0, 0)]
     assert durations == [100, 100, 2100]  # the same picture twice is shown for longer, as is the last
+    record(play_episode("CliffWalking-v1", [0, 1]), path)  # Gymnasium's own pixels become frames
+    with Image.open(path) as image:
+        assert getattr(image, "n_frames", 1) == 3
+    with pytest.raises(ValueError, match="picture must be a scene"):
+        record([Frame("characters", "start")], path)
     with pytest.raises(ValueError, match="pictures must be one or more"):
         to_gif([], path)
     with pytest.raises(ValueError, match="frames_per_second must be above 0 and at most 50, got 51"):
         to_gif(pictures, path, 51)
-
-
-def test_episodes_of_environments_with_pixels_can_be_recorded(tmp_path: Path) -> None:
-    """Gymnasium's own pixels become frames; characters cannot."""
-    frames = play_episode("CliffWalking-v1", [0, 1])
-    record(frames, tmp_path / "cliff.gif")
-    with Image.open(tmp_path / "cliff.gif") as image:
-        assert getattr(image, "n_frames", 1) == 3
-    with pytest.raises(ValueError, match="picture must be a scene"):
-        record([Frame("characters", "start")], tmp_path / "text.gif")
 
 
 def test_actions_make_an_episode() -> None:
@@ -70,29 +65,17 @@ def test_actions_make_an_episode() -> None:
 
 def test_agents_make_an_episode() -> None:
     """An agent does what it believes best, on the rows of its table, repeatably; without `greedy` it acts."""
-
-    class Acting(NamedTuple):
-        """An agent that explores always, or never."""
-
-        action: int
-
-        def act(self, state: int, rng: Random) -> int:
-            """Its action."""
-            assert isinstance(state, int)
-            return self.action
-
     agent = QLearning.create(MDPEnv(Walk()), exploration=EpsilonGreedy(1.0))
     agent.Q[:, 1] = 1.0
     for seed in range(5):
         lines = [frame.line.split(",")[0] for frame in play_episode(Walk(), agent, seed=seed)]
         assert lines == ["start", "step 1: right", "step 2: right"]
-    assert play_episode("Golf", Acting(1))[1].line.startswith("step 1: chip")
-    undecided = QLearning.create(MDPEnv(Walk(max_steps=40)))
-    episodes = [
-        [[frame.line for frame in play_episode(Walk(), undecided, seed=seed)] for seed in range(8)] for _ in "ab"
-    ]
-    assert episodes[0] == episodes[1]
-    assert len(set(map(tuple, episodes[0]))) > 1
+    acting = SimpleNamespace(act=lambda state, rng: divmod(state, 1)[1] + 1)
+    assert play_episode("Golf", acting)[1].line.startswith("step 1: chip")
+    agent.Q[:] = 0.0  # it is undecided
+    one, other = ([[frame.line for frame in play_episode(Walk(), agent, seed=k)] for k in range(8)] for _ in "ab")
+    assert one == other
+    assert len(set(map(tuple, one))) > 1
 
 
 def test_captions_stand_below_the_picture() -> None:

@@ -43,8 +43,7 @@ def test_the_score_of_a_game() -> None:
         game.step("up")
     game.returns = [0.0, 1.0, *[0.5] * 10]  # the last ten are shown, the mean is over all
     assert game.history() == f"Episodes finished: 12. Totals: ..., {', '.join(['0.5'] * 10)}. Mean: 0.5."
-    game.returns.pop()
-    game.returns.pop()
+    del game.returns[:2]
     assert "..." not in game.history()
 
 
@@ -134,18 +133,15 @@ def test_actions_without_names(space: spaces.Space[Any], actions: dict[str, Any]
 @pytest.mark.parametrize(
     ("observation", "line"),
     [
-        (True, "start, observation 1, total 0"),
-        (np.float32(0.25), "start, observation 0.25, total 0"),
+        (True, "start, observation 1, total 0"), (np.float32(0.25), "start, observation 0.25, total 0"),
         (np.arange(4), "start, observation 0 1 2 3, total 0"),
-        (np.arange(8), "start, total 0\nobservation 0 1 2 3 4 5 6 7"),
-        (np.arange(9), "start, total 0"),
+        (np.arange(8), "start, total 0\nobservation 0 1 2 3 4 5 6 7"), (np.arange(9), "start, total 0"),
         ((3, np.array([1.5, 2.0])), "start, observation 3 1.5 2, total 0"),
         (np.arange(5), "start, total 0\nobservation 0 1 2 3 4"),
         (np.array([-1 / 300, 12345, np.inf, np.nan]), "start, observation -0.00333 12345 inf nan, total 0"),
-        ({"a": 1}, "start, total 0"),
-        ("hello", "start, total 0"),
+        ({"a": 1}, "start, total 0"), ("hello", "start, total 0"),
     ],
-)
+)  # fmt: skip
 def test_only_short_observations_are_written_out(observation: Any, line: str) -> None:
     """Up to eight numbers, from spaces of several kinds; of those with many digits, three."""
     assert Game(Still(spaces.Discrete(2), observation)).line() == line
@@ -161,24 +157,16 @@ def test_actions_without_a_name() -> None:
     assert [len(Game(Still(spaces.Discrete(n))).actions) for n in (10_000, 10_001, 10**9)] == [10_000, 0, 0]
 
 
-def on_the_screen(**options: Any) -> str:
-    """What is written before the first key."""
-    screen = io.StringIO()
-    play("MemoryCorridor", keyboard=io.StringIO(), screen=screen, **options)
-    return screen.getvalue()
+STARTS: dict[str, Callable[..., str]] = {
+    "game": lambda **options: Game("MemoryCorridor", **options).line(),
+    "episode": lambda **options: play_episode("MemoryCorridor", [], **options)[0].line,
+    "film": lambda **options: notebook.frames("MemoryCorridor", [], **options).frames[0].line,
+    "buttons": lambda **options: texts(notebook.play("MemoryCorridor", **options).widget)[1],
+    "screen": lambda **o: play("MemoryCorridor", keyboard=io.StringIO(), screen=io.StringIO(), **o).line(),
+}
 
 
-@pytest.mark.parametrize(
-    "start",
-    [
-        lambda **options: Game("MemoryCorridor", **options).line(),
-        lambda **options: play_episode("MemoryCorridor", [], **options)[0].line,
-        lambda **options: notebook.frames("MemoryCorridor", [], **options).frames[0].line,
-        lambda **options: texts(notebook.play("MemoryCorridor", **options).widget)[1],
-        on_the_screen,
-    ],
-    ids=["game", "episode", "film", "buttons", "screen"],
-)
+@pytest.mark.parametrize("start", STARTS.values(), ids=STARTS)
 def test_a_seed_repeats_the_start(start: Callable[..., str]) -> None:
     """The same of thirty doors is right with the same seed, and another with another."""
     first, again = ([start(seed=seed, num_doors=30) for seed in range(4)] for _ in "ab")

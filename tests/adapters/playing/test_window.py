@@ -37,7 +37,7 @@ def key_down(window: pygame.Window, key: int, written: str) -> pygame.event.Even
     return pygame.event.Event(pygame.KEYDOWN, key=key, unicode=written, window=window)
 
 
-def test_a_window_takes_keys(windows: list[pygame.Window]) -> None:
+def test_a_window_takes_keys(windows: list[pygame.Window], monkeypatch: pytest.MonkeyPatch) -> None:
     """By what they write or are called, in order, and only its own; a closed window has no more."""
     first, second = Window("first"), Window("second")
     assert first.next_key() is None
@@ -52,24 +52,16 @@ def test_a_window_takes_keys(windows: list[pygame.Window]) -> None:
     assert second.next_key() == "b"
     pygame.event.post(pygame.event.Event(pygame.WINDOWCLOSE, window=windows[0]))
     assert first.next_key() is None
+    naps: list[float] = []
+    looks = iter([[], [], [], [key_down(windows[1], pygame.K_a, "a")]])
+    monkeypatch.setattr(time, "sleep", naps.append)
+    with monkeypatch.context() as patch:
+        patch.setattr(pygame.event, "get", lambda: next(looks))
+        assert second.next_key() == "a"
+    assert len(naps) >= 3  # between two looks at the keys the program sleeps
+    assert min(naps) > 0
     second.close()
     assert second.next_key() is None
-
-
-def test_waiting_for_a_key_leaves_the_processor_alone(
-    windows: list[pygame.Window], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Between two looks at the keys the program sleeps."""
-    window = Window("idle")
-    window.show(Scene(10, 10, ()), float("inf"))
-    naps: list[float] = []
-    looks = iter([[], [], [], [key_down(windows[0], pygame.K_a, "a")]])
-    monkeypatch.setattr(time, "sleep", naps.append)
-    monkeypatch.setattr(pygame.event, "get", lambda: next(looks))
-    assert window.next_key() == "a"
-    assert len(naps) >= 3
-    assert min(naps) > 0
-    window.close()
 
 
 def texts(scene: Scene) -> list[str]:

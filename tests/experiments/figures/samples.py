@@ -1,6 +1,6 @@
 """Data and helpers that the tests of figures share."""
 
-from functools import cache, partial
+from functools import cache
 
 import matplotlib as mpl
 import numpy as np
@@ -24,7 +24,7 @@ def made_results(repetitions: int = 4) -> Results:
 
 @cache
 def _trained(repetitions: int) -> pd.DataFrame:
-    agents = {label: partial(QLearning.create) for label in "AB"}
+    agents = dict.fromkeys("AB", QLearning.create)
     return repeat("Boulder", agents, 300, repetitions=repetitions, evaluate_every=100, jobs=1).table
 
 
@@ -40,11 +40,6 @@ def figure_of(ax: Axes) -> Figure:
     return figure
 
 
-def points(line: Line2D) -> list[tuple[float, float]]:
-    """Return the points of a line."""
-    return [(float(x), float(y)) for x, y in np.asarray(line.get_xydata(), float)]
-
-
 def heights(line: Line2D) -> list[float]:
     """Return the heights of a line's points."""
-    return [y for _, y in points(line)]
+    return [float(y) for y in np.asarray(line.get_ydata(), float)]

@@ -48,9 +48,8 @@ def test_lines_of_methods_and_of_theory(name: str) -> None:
     methods, theory = ax.lines[:2], ax.lines[2:]
     assert [line.get_label() for line in methods] == ["A", "B"]
     assert [line.get_color() for line in methods] == [one.color for one in STROKES[:2]]
-    assert [line.get_label() for line in theory] == (
-        ["optimum", "best ε-soft policy"] if name == "curves" else [*THEORY]
-    )
+    labels = ["optimum", "best ε-soft policy"] if name == "curves" else [*THEORY]
+    assert [line.get_label() for line in theory] == labels
     assert {line.get_color() for line in theory} == {INK}
     assert max(line.get_zorder() for line in theory) < min(line.get_zorder() for line in methods)
     assert [len(ax.collections)] == [0 if name == "lines" else 2]
@@ -85,6 +84,9 @@ def test_maps_show_states_upwards() -> None:
     assert (ax.get_ylabel(), figure_of(ax).axes[1].get_ylabel()) == ("height", "visits in 500 steps")
     nothing = VisitMap(np.zeros((2, 2)), 10).draw(new_axes()).images[0].norm
     assert (nothing.vmin, nothing.vmax) == (0.1, 1.0)
+    for wrong in (np.ones(3), -np.ones((2, 2)), np.full((2, 2), np.nan)):
+        with pytest.raises(ValueError, match=r"visits .*\(n_intervals, n_states\)"):
+            VisitMap(wrong, 10).draw(new_axes())
 
 
 def test_maps_on_a_sheet_share_a_scale() -> None:
@@ -96,13 +98,6 @@ def test_maps_on_a_sheet_share_a_scale() -> None:
     only = VisitMap(np.array([[2.0, 50.0]]), 10)
     norm: Any = only.draw(new_axes(), Place([Lines(np.ones(1), {}), only])).images[0].norm
     assert (norm.vmin, norm.vmax) == (2, 50)  # beside other panels it shows all that it has
-
-
-@pytest.mark.parametrize("visits", [np.ones(3), -np.ones((2, 2)), np.full((2, 2), np.nan)])
-def test_other_arrays_are_no_visits(visits: Any) -> None:
-    """The message names the shape."""
-    with pytest.raises(ValueError, match=r"visits .*\(n_intervals, n_states\)"):
-        VisitMap(visits, 10).draw(new_axes())
 
 
 def test_values_and_scales() -> None:

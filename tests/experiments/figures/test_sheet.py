@@ -44,16 +44,11 @@ def test_panels_are_in_their_places() -> None:
     assert all(ax.get_legend() is None for ax in panels)
     assert {ax.images[0].norm.vmax for ax in panels[2:]} == {50.0}
     assert len(drawn.axes) == 5  # one scale of colours
-
-
-def test_a_sheet_shows_itself_in_a_notebook() -> None:
-    """As a picture, and in few words elsewhere; nothing global changes."""
     before = dict(mpl.rcParams)
-    width, height = Image.open(BytesIO(two_rows()._repr_png_())).size
+    width, height = Image.open(BytesIO(two_rows()._repr_png_())).size  # as a notebook shows it
     assert width > height > 300
     assert "left, right, small, large" in repr(two_rows())
-    assert dict(mpl.rcParams) == before
-    assert pyplot.get_fignums() == []
+    assert (dict(mpl.rcParams), pyplot.get_fignums()) == (before, [])  # nothing global changes
 
 
 class Labelled(SimpleNamespace):

@@ -240,10 +240,7 @@ def test_joined_experiments_of_other_lengths() -> None:
     begun = long.table.assign(runs=8)  # of a method there is no row yet
     assert not joined([WHOLE, Results(begun)]).complete
     assert not joined([Results(begun), WHOLE]).complete
-
-
-@pytest.mark.parametrize("parts", [[], ["results.csv"], [None], [WHOLE, None]])
-def test_what_cannot_be_joined(parts: Any) -> None:
-    """Paths, or nothing."""
-    with pytest.raises(ValueError, match=r"^parts must be one or more Results, but are \["):
-        joined(parts)
+    wrong: Any
+    for wrong in ([], ["results.csv"], [WHOLE, None]):
+        with pytest.raises(ValueError, match=r"^parts must be one or more Results, but are \["):
+            joined(wrong)
