@@ -133,12 +133,8 @@ def test_every_seed_has_its_own_first_weights() -> None:
             assert layer[:n].std() == pytest.approx(math.sqrt(2 / n), rel=0.1)
     assert same(first[0], first[1])
     assert not same(first[0], first[2])
-
-
-def test_weights_that_were_put_in_stay() -> None:
-    """And the target is a copy of them."""
     agent = small((2, 2))
-    agent.weights.second[:] = 3.0
+    agent.weights.second[:] = 3.0  # weights that were put in stay
     agent.act(np.ones(2), np.random.default_rng(0))
     assert (agent.weights.second == 3).all()
     assert same(agent.weights, agent.target)
@@ -196,12 +192,6 @@ def cart_pole(seed: int, phases: dict[float, int], error_clip: float = math.inf)
 
 @pytest.mark.slow
 def test_it_learns_cart_pole() -> None:
-    """Above 440 of 500 on average at the end of 60 000 steps; with errors cut off at 1 it gets worse than random play.
-
-    Over ten seeds 475 ± 12 (50 episodes each, two standard errors of the mean), the lowest 441, and six of them at 475,
-    where Gymnasium counts it as solved. Values reach 100, and only the last step of an episode says that it is over:
-    that step must weigh as much as its error is large. With 64 units, five seeds and one rate it mattered as well that
-    the memory keeps all steps, and that the target is copied often.
-    """
+    """Above 440 of 500 on average at the end (475 ± 12 over ten seeds); with errors cut off at 1 it plays badly."""
     assert np.mean([cart_pole(seed, {3e-4: 30_000, 5e-5: 30_000}) for seed in range(2)]) > 440
     assert cart_pole(0, {3e-4: 20_000}, error_clip=1.0) < 15

@@ -159,19 +159,6 @@ def test_away_from_the_cliff() -> None:
 
 
 @pytest.mark.slow
-def test_frozen_lake() -> None:
-    """On slippery ice no policy crosses more than 74 % of the time (exactly, with 100 steps); random play 1 to 2 %."""
-    fading = eg.ScheduledEpsilonGreedy.create(eg.LinearDecay(1.0, 0.05, 100_000))
-    for kind, n_steps, settings in (
-        (eg.QLearning, 150_000, {"learning_rate": 0.05, "exploration": fading}),
-        (eg.RMax, 30_000, {"known_after": 50, "highest_return": 1.0, "lowest_return": 0.0}),
-    ):
-        run = trained("FrozenLake", kind, n_steps, {"discount": 0.99, **settings}, seed=2, evaluation_episodes=1_000)
-        assert 0.65 < run.returns[-1] < 0.78
-        assert run.returns[0] < 0.1
-
-
-@pytest.mark.slow
 def test_mountain_car_with_tiles() -> None:
     """To under 150 steps (figure 10.2 has some 130 to 150 then); without learning it never gets out of the valley."""
 

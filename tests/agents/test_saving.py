@@ -149,29 +149,24 @@ def stored(compression: int = zipfile.ZIP_DEFLATED, raw: bytes = b"", **fields: 
 
 BROKEN: list[tuple[bytes, str]] = [
     (b"", "it is not in the .npz format"),
-    (b"PK\x03\x04 and then something else", "it is not in the .npz format"),
     (npy(np.zeros(3)), "it is not in the .npz format"),
     (npz(a=np.zeros(3)), "it holds no agent"),
     (npz(structure=np.array([Trap()], object)), ".+"),  # objects are refused before they are made
     (npz(a=np.zeros(3, complex)), r"a.npy is not an array that save\(\) wrote"),
-    (npz(structure=np.array("no JSON")), ".+"),
     (npz(structure=np.array("[" * 100_000)), ".+"),
     (npz(structure=np.array('{"array": "agent.Q"}')), "its structure is damaged"),
     (npz(structure=np.array('{"value": 3}')), "it holds no agent"),
     (npz(structure=np.array('{"value": [1]}')), "its structure is damaged"),
     (npz(structure=np.array('{"kind": "QLearning", "fields": {}}')), "QLearning has other fields than the file: Q"),
     (stored(zeal={"value": 1}, aim={"value": 1}), "QLearning has other fields than the file: aim, zeal"),
-    (stored(learning_rate={"value": "boom"}), "learning_rate must be a number, .* but is 'boom'"),
-    (stored(learning_rate={"value": True}), "learning_rate must be a number.*"),
+    (stored(learning_rate={"value": True}), "learning_rate must be a number.* but is True"),
     (stored(Q={"array": "agent.whole"}), "Q must be an array of float64 with 2 axes.*"),
     (stored(Q={"array": "agent.raw"}), ".*damaged.*"),
-    (stored(exploration={"value": 3}), "exploration must be a strategy.*"),
     (stored(exploration={"kind": "EpsilonGreedy", "fields": {"epsilon": {"value": 7}}}), "epsilon must be from 0.*"),
-    (stored(raw=b"raw bytes"), ".+"),
     # arrays are as large as they say: no memory is asked for
     *((stored(raw=header(shape) + bytes(48)), ".+") for shape in ("(2, 2)", "(4, 2)", "(10**12,)", "(-3, -2)", "(5,)")),
     # others unpack without a limit
-    *((stored(kind), ".* is compressed in a way that save.*") for kind in (zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA)),
+    (stored(zipfile.ZIP_BZIP2), ".* is compressed in a way that save.*"),
 ]
 
 
