@@ -49,16 +49,13 @@ def test_it_returns_before_it_explores() -> None:
     agent.visits[:] = [5, 4, 1, 3]
     agent.Q[2] = [[0.0, 0.2], [0.0, 0.5], [0.0, 0.0], [0.9, 0.0]]
     agent.Q[3] = 7.0 - agent.Q[2]  # another goal's values, which would lead elsewhere
-    assert [agent.act(0, RNG), agent.now.goal[0], agent.now.explored[0]] == [1, 2, 0]
-    agent.learn(0, 1, 0.0, 1, False, False)
-    assert [agent.act(1, RNG), agent.now.goal[0], agent.now.explored[0]] == [1, 2, 0]
-    agent.learn(1, 1, 0.0, 2, False, False)
-    agent.act(2, RNG)
-    assert agent.now.explored[0] == 1
-    agent.learn(2, 1, 0.0, 3, False, False)
-    agent.act(3, RNG)
-    assert agent.now.explored[0] == 2  # once begun, it explores also where it is not at the goal
-    agent.learn(3, 0, 0.0, 2, False, False)
+    explored = []
+    for state, action, next_state in ((0, 1, 1), (1, 1, 2), (2, 1, 3), (3, 0, 2)):
+        taken = agent.act(state, RNG)
+        assert (taken, agent.now.goal[0]) == (action, 2) or state > 1
+        explored.append(int(agent.now.explored[0]))
+        agent.learn(state, action, 0.0, next_state, False, False)
+    assert explored == [0, 0, 1, 2]  # once begun, it explores also where it is not at the goal
     assert agent.now.length[0] == 0
     assert agent.visits.tolist() == [5, 5, 4, 4]  # 2: chosen once, entered twice
 

@@ -77,12 +77,9 @@ def test_first_steps() -> None:
     assert reward == pytest.approx(50 * E**-1 + 3 * 45 * E**-0.95)  # 70.6
     assert info["wanted"] in (PLAY, FEED, CLEAN)
     assert observation.tolist() == [100, info["wanted"]]
-    env.state = env.state._replace(wanted=CLEAN)
-    _, reward, terminated, truncated, info = env.step(FEED)
-    assert info["variables"].tolist() == [80, 85, 100, 80]  # 95 + 30 - 10 is more than 100
-    assert info["wanted"] in (PLAY, CLEAN)
+    variables, _, reward, end = after((95, 100, 95, 95), 100, CLEAN, FEED)
+    assert (variables, end) == ((80, 85, 100, 80), False)  # 95 + 30 - 10 is more than 100
     assert reward == pytest.approx(2 * 30 * E**-0.8 + 35 * E**-0.85 + 50 * E**-1)
-    assert (terminated, truncated) == (False, False)
 
 
 def test_order_of_what_happens() -> None:
