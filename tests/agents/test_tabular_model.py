@@ -9,8 +9,7 @@ from gymnasium import spaces
 
 from edugym import RMax, TabularObservation, finite_model, make_mdp
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
-from edugym.mdp.protocol import Random
-from tests.agents.walk import Walk, exact_values
+from tests.agents.walk import Blind, Walk, exact_values
 
 
 def chain(model: TabularModel, first: int, following: Any) -> list[tuple[Any, ...]]:
@@ -123,16 +122,6 @@ def test_a_model_of_states_that_are_no_numbers() -> None:
 def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
     """Eight outcomes of each pair, or fewer where that is much; but never fewer than two."""
     assert len(empty_model((n_states, 2)).states) == memory
-
-
-class Blind(Walk):
-    """Sees nothing."""
-
-    __slots__ = ()
-
-    def observation(self, state: int, rng: Random) -> int:
-        """Always the same."""
-        return 0
 
 
 @pytest.mark.parametrize(

@@ -122,6 +122,7 @@ def test_scene_is_a_value() -> None:
     one = Scene(2, 2, [Polygon([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])])  # type: ignore[list-item]
     assert one == Scene(2, 2, (Polygon(((0, 0), (1, 0), (0, 1))),))
     assert hash(one) == hash(replace(one))
+    assert Circle(10**400, -(10**400), 1) == Circle(math.inf, -math.inf, 1)  # too large for a float
     for name in ("width", "shapes"):
         with pytest.raises(FrozenInstanceError):
             setattr(one, name, 3)
