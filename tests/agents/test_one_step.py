@@ -35,7 +35,8 @@ def test_initial_values_are_optimistic_on_demand() -> None:
     """Every entry starts from `initial_value` (section 2.6)."""
     for value in (5, 0):
         Q = eg.QLearning.create((2, 3), initial_value=value).Q
-        assert (Q.dtype, Q.tolist()) == (np.float64, [[value] * 3] * 2)
+        assert np.array_equal(Q, np.full((2, 3), float(value)))
+        assert Q.dtype == np.float64
     assert not eg.QLearning.create((2, 3)).Q.any()
 
 

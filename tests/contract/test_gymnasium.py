@@ -225,16 +225,6 @@ def test_reset_is_needed(entry: Entry) -> None:
 
 
 @every_environment
-def test_info_is_new(entry: Entry) -> None:
-    """What is done to an `info` changes neither the environment nor the next one."""
-    player, other = (Player(entry.load()(), entry.name, seed=1) for _ in range(2))
-    for _ in range(20):
-        assert player.play(1) == other.play(1)
-        player.info.clear()
-        player.info = player.bare.info()
-
-
-@every_environment
 @pytest.mark.parametrize("mode", ["ansi", "rgb_array", "human"])
 def test_rendering_changes_nothing(entry: Entry, mode: str) -> None:
     """Drawing, as often as one likes, leaves the episode and its random stream as they are."""

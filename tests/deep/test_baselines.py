@@ -51,11 +51,12 @@ def test_parameters_and_own_policies() -> None:
 
 def test_what_is_wrong_is_refused() -> None:
     """Other algorithms, no steps."""
-    for algorithm, n_steps, how, message in (
+    wrong: list[tuple[str, int, dict[str, Any], str]] = [
         ("SAC", 100, {}, "algorithm must be one of 'DQN', 'PPO', 'A2C', 'RecurrentPPO', but is 'SAC'"),
         ("PPO", 0, {}, "n_steps must be 1 or more, but is 0"),
         ("PPO", 100, {"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
-    ):
+    ]
+    for algorithm, n_steps, how, message in wrong:
         with pytest.raises(ValueError, match=message):
             stable_baselines3_run("Catch", algorithm, n_steps, **how)
 

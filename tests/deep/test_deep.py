@@ -1,6 +1,5 @@
 """Stable-Baselines3 gets what its own vector environment gives, and learns from it."""
 
-import subprocess
 import sys
 from typing import Any
 
@@ -109,13 +108,6 @@ def test_one_s_own_environment() -> None:
     assert copies(CATCH, 7).reset().shape == (7, 10, 5)
     vector = MDPVectorEnv(CATCH, 5, "SameStep")
     assert copies(vector).vector is copies(vector, 5).vector is vector
-
-
-def test_nothing_is_loaded_before_it_is_needed() -> None:
-    """Importing the package and this part of it loads neither torch nor Stable-Baselines3."""
-    code = "import sys, edugym, edugym.deep; print({'torch', 'stable_baselines3'} & sys.modules.keys())"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "set()"
 
 
 def test_without_stable_baselines3(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -26,6 +26,7 @@ from tests.deep.test_curves import measured
 
 SMALL: dict[str, Any] = {"num_envs": 2, "length": 5, "hidden": 4}
 TWO = spaces.Discrete(2)
+UNEVEN = spaces.Box(np.array([-1, 0, 0], np.float32), np.array([1, 5, 1], np.float32))
 
 
 def test_advantages_by_hand() -> None:
@@ -143,7 +144,7 @@ def test_what_it_sees(space: spaces.Space[Any], observations: Any, inputs: list[
     [
         (spaces.Discrete(3, start=5), [0.0, 2.0, 1.0], 6, 3),
         (spaces.MultiDiscrete([2, 3], start=[0, 4]), [0.2, 0.0, 0.0, 0.3, 0.6], [0, 6], 6),
-        (spaces.Box(np.float32([-1, 0, 0]), np.float32([1, 5, 1])), [-3.0, 2.5, 9.0], [-1, 2.5, 1], 40),
+        (UNEVEN, [-3.0, 2.5, 9.0], [-1, 2.5, 1], 40),
     ],
 )
 def test_every_kind_of_action(actions: spaces.Space[Any], outputs: list[float], likeliest: Any, n: int) -> None:

@@ -119,16 +119,13 @@ def test_collisions(
     assert DEFAULT.terminal(after) == collides == DEFAULT.collides(arm(*after[:2]), holding)
 
 
-@pytest.mark.parametrize(
-    ("shoulder", "elbow", "block"),
-    [(math.pi + 0.55, -1.2, GROUND), (-0.5, 2.2, BASE), (0.12, 0.0, DEFAULT.obstacles[2])],
-)
-def test_links_collide(shoulder: float, elbow: float, block: Block) -> None:
+def test_links_collide() -> None:
     """The elbow on the ground, the upper arm on the base, the forearm at a wall, the magnet nowhere."""
-    now = arm(shoulder, elbow)
-    assert DEFAULT.collides(now, False)
-    assert now.links_meet(block)
-    assert not now.magnet_meets(block)
+    for shoulder, elbow, block in (
+        (math.pi + 0.55, -1.2, GROUND), (-0.5, 2.2, BASE), (0.12, 0.0, DEFAULT.obstacles[2]),
+    ):  # fmt: skip
+        now = arm(shoulder, elbow)
+        assert (DEFAULT.collides(now, False), now.links_meet(block), now.magnet_meets(block)) == (True, True, False)
 
 
 ANGLES, TURNS = st.floats(-math.pi, math.pi), st.floats(-0.3, 0.3)
