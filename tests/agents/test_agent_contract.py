@@ -31,11 +31,7 @@ WHOLE = (*map(latest, ("FrozenLake", "CliffWalking", "Taxi", "Blackjack")), "edu
 REAL = (*map(latest, ("Pendulum", "MountainCarContinuous")), "edugym/Trashbot-v0")
 
 
-def in_turn() -> pytest.MarkDecorator:
-    """Each agent in one Gymnasium environment with actions that it can take, of whole numbers or of real ones."""
-    whole, real = itertools.cycle(WHOLE), itertools.cycle(REAL)
-    names = [next(real if case.real_actions else whole) for case in CASES.values()]
-    return pytest.mark.parametrize(("case", "name"), [*zip(CASES.values(), names, strict=True)], ids=CASES)
+IN_TURN = [itertools.cycle(WHOLE), itertools.cycle(REAL)]
 
 
 class Cycle(gymnasium.Env[Any, Any]):
@@ -104,12 +100,11 @@ def test_every_agent_and_every_strategy_of_the_package_is_in_the_table() -> None
     assert {type(make((2, 2))) for make in STRATEGIES.values()} == set(package_classes("choose"))
 
 
-@in_turn()
+@pytest.mark.parametrize(
+    ("case", "name"), [(case, next(IN_TURN[case.real_actions])) for case in CASES.values()], ids=CASES
+)
 def test_train_in_a_gymnasium_environment_is_a_loop_written_by_hand(case: Case, name: str) -> None:
-    """Bit for bit, on the same random streams. That loop needs nothing of ours but the agent.
-
-    Where observations have parts, agents need a wrapper: those that take vectors Gymnasium's own `FlattenObservation`.
-    """
+    """Bit for bit, on the same random streams. That loop needs nothing of ours but the agent, and perhaps a wrapper."""
     env = case.fit(gymnasium.make(name))
     by_hand, trained = experienced(case, env), experienced(case, env)
     before = copy.deepcopy(by_hand)
@@ -152,13 +147,8 @@ def test_the_gymnasium_loop_and_machine_code_are_one(case: Case) -> None:
 
 @pytest.mark.parametrize("case", [c for c in AGENTS.values() if c.estimates_return], ids=lambda c: c.kind.__name__)
 def test_it_bootstraps_at_truncation_and_not_at_termination(case: Case) -> None:
-    """Every episode is one step long. Cut off, the step is worth 1 + γ + γ² + ... = 2 at γ = 1/2; as an end, 1.
-
-    At α = 1/2 the first two updates are
-        cut off      0 + (1 + 0/2 - 0)/2 = 1/2,  1/2 + (1 + 1/4 - 1/2)/2 = 7/8;
-        as an end    0 + (1 - 0)/2 = 1/2,        1/2 + (1 - 1/2)/2 = 3/4.
-    """
-    for ends, second, limit in ((False, 7 / 8, 2.0), (True, 3 / 4, 1.0)):
+    """Every episode is one step long. Cut off, the step is worth 1 + γ + γ² + ... = 2 at γ = 1/2; as an end, 1."""
+    for ends, second, limit in ((False, 1 / 2 + (1 + 1 / 4 - 1 / 2) / 2, 2.0), (True, 1 / 2 + (1 - 1 / 2) / 2, 1.0)):
         agent = case.create(Cycle(ends))
         train(Cycle(ends), agent, 2)
         assert agent.Q[0, 0] == second
@@ -208,10 +198,7 @@ def test_an_agent_for_a_smaller_environment_is_refused(case: Case) -> None:
 
 @every_agent
 def test_settings(case: Case) -> None:
-    """Whoever sets nothing compares algorithms, not settings; agents without a table take smaller steps.
-
-    An environment is all that `create` needs. A learning rate of 1 and the discounts 0 and 1 are legitimate.
-    """
+    """Whoever sets nothing compares algorithms, not settings. A rate of 1 and discounts of 0 and 1 will do."""
     expected = {"discount": 0.99, "exploration": EpsilonGreedy(0.1), "n": 4, "trace_decay": 0.9, "traces": Replacing()}
     if not case.vectors:
         expected |= {"learning_rate": 0.1, "value_learning_rate": 0.1}

@@ -18,23 +18,16 @@ from tests.agents.walk import Walk, exact_values
 RNG = np.random.default_rng(0)
 
 
-@pytest.mark.parametrize(("now", "lasts"), [(7.0, True), (7.49, True), (7.5, False), (8.0, False)])
-def test_planning_for_seconds(now: float, lasts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Half a second from when planning began, however much was done, with a clock that is made up."""
-    monkeypatch.setattr(time, "perf_counter", lambda: 7.0)
-    planning = budget(3, 0.5)
-    began = planning.start()
-    monkeypatch.setattr(time, "perf_counter", lambda: now)
-    assert planning == Seconds(0.5)
-    assert planning.lasts(99, began) == lasts
-
-
-def test_planning_for_updates() -> None:
-    """So many, whatever the time is."""
+def test_the_budget_of_planning(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So many updates, or half a second from when planning began, with a clock that is made up."""
     assert [budget(3, None).lasts(done, 0.0) for done in (0, 2, 3)] == [True, True, False]
-    assert not budget(0, None).lasts(0, 0.0)
     assert budget(math.inf, None) == Updates(math.inf)
-    assert budget(math.inf, None).lasts(10**9, 0.0)
+    clock = iter([7.0, 7.0, 7.49, 7.5, 8.0])
+    monkeypatch.setattr(time, "perf_counter", lambda: next(clock))
+    planning = budget(3, 0.5)
+    assert planning == Seconds(0.5)
+    began = planning.start()
+    assert [planning.lasts(99, began) for _ in range(4)] == [True, True, False, False]
 
 
 def test_planning_for_some_time(compiled_at_once: None) -> None:
@@ -159,15 +152,6 @@ def test_the_largest_change_comes_first() -> None:
         agent.act(0, RNG)
         order.append(int(np.flatnonzero(before != agent.Q)[0]))
     assert order == [2, 1, 0]
-
-
-def test_an_action_with_two_outcomes_counts_with_their_mean() -> None:
-    """Pays 2 and 4 by turns: Q = 3 at α = 1."""
-    agent = PrioritisedSweeping.create((2, 1), learning_rate=1)
-    for reward, end in ((2.0, 0), (4.0, 1)):
-        agent.learn(0, 0, reward, end, True)
-    agent.act(0, RNG)
-    assert agent.Q[0, 0] == 3.0
 
 
 @pytest.mark.parametrize("slip", [0.0, 0.25])

@@ -133,21 +133,19 @@ def test_it_draws_around_the_mean_and_cuts_off_at_the_bounds() -> None:
     assert agent.greedy(state, rng).tolist() == [2.0]
 
 
+FIVE: dict[str, Any] = {"features": Identity.create((3, 2)), "initial_value": 5}
+
+
 @pytest.mark.parametrize(
     ("environment", "settings", "message"),
     [
-        (make_mdp("Boulder"), {}, "needs actions that are vectors of real numbers, but the action space is"),
-        (make_mdp("Trashbot"), {}, "leave numbers out by 1"),
-        # with the observation itself as features, the first value would differ from state to state
-        (
-            (3, 2),
-            {"features": Identity.create((3, 2)), "initial_value": 5},
-            "initial_value must be 0 for the features Identity, but is 5",
-        ),
+        (make_mdp("Boulder"), {}, "vectors of real numbers, but the action space is"),
+        (make_mdp("Trashbot"), {}, "leave numbers out by 1"),  # too many tiles
+        ((3, 2), FIVE, "initial_value must be 0 for .* Identity, but is 5"),  # the values of states would differ
     ],
 )
 def test_what_does_not_fit_is_refused(environment: Any, settings: Any, message: str) -> None:
-    """Actions that are whole numbers, too many tiles, first values that would not be alike."""
+    """The message says what is allowed."""
     with pytest.raises(ValueError, match=message):
         GaussianActorCritic.create(environment, **settings)
 

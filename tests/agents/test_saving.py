@@ -14,7 +14,6 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edugym import UCB, DoubleQLearning, QLearning, Softmax, load, save
-from edugym.agents.saving import MOST_BYTES
 from edugym.mdp.protocol import Integers, Random
 from tests.agents.cases import same
 
@@ -149,29 +148,24 @@ def stored(compression: int = zipfile.ZIP_DEFLATED, raw: bytes = b"", **fields: 
 
 BROKEN: list[tuple[bytes, str]] = [
     (b"", "it is not in the .npz format"),
-    (b"PK\x03\x04 and then something else", "it is not in the .npz format"),
     (npy(np.zeros(3)), "it is not in the .npz format"),
     (npz(a=np.zeros(3)), "it holds no agent"),
     (npz(structure=np.array([Trap()], object)), ".+"),  # objects are refused before they are made
     (npz(a=np.zeros(3, complex)), r"a.npy is not an array that save\(\) wrote"),
-    (npz(structure=np.array("no JSON")), ".+"),
     (npz(structure=np.array("[" * 100_000)), ".+"),
     (npz(structure=np.array('{"array": "agent.Q"}')), "its structure is damaged"),
     (npz(structure=np.array('{"value": 3}')), "it holds no agent"),
     (npz(structure=np.array('{"value": [1]}')), "its structure is damaged"),
     (npz(structure=np.array('{"kind": "QLearning", "fields": {}}')), "QLearning has other fields than the file: Q"),
     (stored(zeal={"value": 1}, aim={"value": 1}), "QLearning has other fields than the file: aim, zeal"),
-    (stored(learning_rate={"value": "boom"}), "learning_rate must be a number, .* but is 'boom'"),
-    (stored(learning_rate={"value": True}), "learning_rate must be a number.*"),
+    (stored(learning_rate={"value": True}), "learning_rate must be a number.* but is True"),
     (stored(Q={"array": "agent.whole"}), "Q must be an array of float64 with 2 axes.*"),
     (stored(Q={"array": "agent.raw"}), ".*damaged.*"),
-    (stored(exploration={"value": 3}), "exploration must be a strategy.*"),
     (stored(exploration={"kind": "EpsilonGreedy", "fields": {"epsilon": {"value": 7}}}), "epsilon must be from 0.*"),
-    (stored(raw=b"raw bytes"), ".+"),
     # arrays are as large as they say: no memory is asked for
     *((stored(raw=header(shape) + bytes(48)), ".+") for shape in ("(2, 2)", "(4, 2)", "(10**12,)", "(-3, -2)", "(5,)")),
     # others unpack without a limit
-    *((stored(kind), ".* is compressed in a way that save.*") for kind in (zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA)),
+    (stored(zipfile.ZIP_BZIP2), ".* is compressed in a way that save.*"),
 ]
 
 
@@ -217,20 +211,17 @@ def test_a_damaged_file_is_refused_or_harmless(data: st.DataObject, tmp_path: Pa
 
 def test_small_files_that_unpack_to_large_ones_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """By the sizes that they declare together, to the byte, before anything is unpacked; one may allow more."""
-    path = tmp_path / "agent.npz"
-    save(DoubleQLearning.create((1000, 100)), path)
-    assert path.stat().st_size < 20_000
-    with zipfile.ZipFile(path) as archive:
+    small, plain = tmp_path / "agent.npz", tmp_path / "plain"
+    save(DoubleQLearning.create((1000, 100)), small)
+    with zipfile.ZipFile(small) as archive:
         whole = sum(entry.file_size for entry in archive.infolist())
-    assert load(path, max_bytes=whole).Q.shape == (1000, 100)
-    with np.load(path) as arrays:
-        plain = npz(**arrays)  # not compressed, it needs more bytes on the disk than in memory
-    (tmp_path / "plain").write_bytes(plain)
-    assert load(tmp_path / "plain", max_bytes=len(plain)).Q.shape == (1000, 100)
-    with pytest.raises(ValueError, match=f"it holds more than {len(plain) - 1} bytes; to allow that, pass a larger"):
-        load(tmp_path / "plain", max_bytes=len(plain) - 1)
+    with np.load(small) as arrays:
+        plain.write_bytes(npz(**arrays))  # not compressed, it needs more bytes on the disk than in memory
+    sizes = {small: whole, plain: plain.stat().st_size}
+    assert small.stat().st_size < 20_000 < whole < sizes[plain]
+    for path, size in sizes.items():
+        assert load(path, max_bytes=size).Q.shape == (1000, 100)
     monkeypatch.setattr(zipfile.ZipFile, "open", None)
-    for max_bytes in (100, 800_000, whole - 1):
-        with pytest.raises(ValueError, match=f"it holds more than {max_bytes} bytes"):
-            load(path, max_bytes=max_bytes)
-    assert MOST_BYTES < 2_000_000_000
+    for path, size in sizes.items():
+        with pytest.raises(ValueError, match=f"it holds more than {size - 1} bytes; to allow that, pass a larger"):
+            load(path, max_bytes=size - 1)

@@ -160,7 +160,6 @@ def test_dutch_traces_are_the_online_lambda_return(trace_decay: float, terminate
         (eg.QLambda, 1, False, [[5.5, 0], [4, 9], [0, 0]]),  # δ = 2 + 8, Q(0, 0) = 5; then δ = 10 - 8, and half a trace
         (eg.QLambda, 0, False, [[5.0, 0], [7, 8], [0, 0]]),  # 10 - 4 says nothing about the greedy policy
         (eg.QLambda, 1, True, [[5.0, 0], [4, 9], [0, 0]]),  # the first step still learned from 8
-        (eg.SARSALambda, 1, False, [[5.5, 0], [4, 9], [0, 0]]),
         (eg.SARSALambda, 0, False, [[4.5, 0], [7, 8], [0, 0]]),  # δ = 2 + 4, Q(0, 0) = 3; then δ = 10 - 4
         (eg.SARSALambda, 1, True, [[5.0, 0], [4, 9], [0, 0]]),
     ],

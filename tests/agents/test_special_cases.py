@@ -21,14 +21,7 @@ SPECIAL: list[tuple[Any, dict[str, Any], Any]] = [
     (eg.NStepSARSA, {"n": 1}, eg.SARSA),
     (eg.LinearQLearning, {"features": ONE_HOT}, eg.QLearning),
     (eg.SemiGradientSARSA, {"features": ONE_HOT}, eg.SARSA),
-    *(
-        (eg.QLambda, {"trace_decay": 0, "traces": z}, eg.QLearning)
-        for z in (eg.Accumulating(), eg.Replacing(), eg.Dutch())
-    ),
-    *(
-        (eg.SARSALambda, {"trace_decay": 0, "traces": z}, eg.SARSA)
-        for z in (eg.Accumulating(), eg.Replacing(), eg.Dutch())
-    ),
+    *((eg.QLambda, {"trace_decay": 0, "traces": traces}, eg.QLearning) for traces in TRACES),
 ]
 
 

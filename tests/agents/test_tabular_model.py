@@ -9,8 +9,7 @@ from gymnasium import spaces
 
 from edugym import RMax, TabularObservation, finite_model, make_mdp
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
-from edugym.mdp.protocol import Random
-from tests.agents.walk import Walk, exact_values
+from tests.agents.walk import Blind, Walk, exact_values
 
 
 def chain(model: TabularModel, first: int, following: Any) -> list[tuple[Any, ...]]:
@@ -48,12 +47,9 @@ def test_it_counts() -> None:
     into = chain(model, model.first_into[1], model.following_into)  # without ends: the value there does not count
     assert into == [(0, 1, 1, False, 3.0, 2.0), (2, 0, 1, False, 1.0, 0.0)]
     assert chain(model, model.first_into[3], model.following_into) == []
-
-
-def test_the_expected_target_by_hand() -> None:
-    """With γ = 1/2 and max Q = 8 in 1, 4 in 2: (3 (2 + 4) + 7 + (5 + 2))/5 = 32/5."""
     Q = np.array([[0.0, 0.0], [8.0, 1.0], [-9.0, 4.0], [0.0, 0.0]])
-    assert learned().expected_target(0, 1, Q, 0.5) == pytest.approx(32 / 5, rel=1e-15)
+    mean = (3 * (2 + 0.5 * 8) + 7 + (5 + 0.5 * 4)) / 5
+    assert model.expected_target(0, 1, Q, 0.5) == pytest.approx(mean, rel=1e-15)
 
 
 def test_draws_come_by_their_weights() -> None:
@@ -75,15 +71,6 @@ def test_states_and_tried_actions_are_drawn_evenly() -> None:
     assert [states.count(2) / 2_000, actions.count(1) / 2_000] == pytest.approx([0.5, 0.5], abs=0.05)
 
 
-@pytest.mark.parametrize(
-    ("n_states", "memory"),
-    [(4, 1_000), (63, 1_008), (6_250, 100_000), (7_000, 100_000), (30_000, 120_000)],
-)
-def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
-    """Eight outcomes of each pair, or fewer where that is much; but never fewer than two."""
-    assert len(empty_model((n_states, 2)).states) == memory
-
-
 def test_what_no_longer_fits_is_not_remembered() -> None:
     """Known outcomes go on counting. Nobody plans with a pair that does not fit: it would have another's outcome."""
     model, rng = empty_model((4, 2), memory=1), np.random.default_rng(0)
@@ -101,28 +88,17 @@ def test_what_no_longer_fits_is_not_remembered() -> None:
     assert (agent.optimistic[1, 1], agent.Q[1, 1]) == (100.0, -100.0)
 
 
-@pytest.mark.parametrize("name", ["Roadrunner", "Supermarket", "Walk"])
-def test_a_given_model_has_the_exact_backups(name: str) -> None:
-    """At the optimal values the expected target of every pair is its value; states may be tuples."""
-    mdp = Walk() if name == "Walk" else make_mdp(name)
-    exact = finite_model(mdp)
-    model = given_model(mdp, exact)
-    if name == "Walk":
-        Q = exact_values(mdp, 0.9)
-        for s in (1, 2, 3):
-            assert [model.expected_target(s, a, Q, 0.9) for a in (0, 1)] == pytest.approx(Q[s].tolist(), abs=1e-8)
+def test_a_given_model_has_the_exact_backups() -> None:
+    """At the optimal values the expected target of every pair is its value, and nothing changes the model."""
+    exact, Q = finite_model(Walk()), exact_values(Walk(), 0.9)
+    model = given_model(Walk(), exact)
     assert model.n_outcomes[0] == np.count_nonzero(exact.probabilities[~exact.terminal])
     assert model.n_known[0] == np.count_nonzero(~exact.terminal)
-
-
-def test_a_given_model_does_not_learn() -> None:
-    """It says which of its outcomes a step is, if it has it."""
-    model = given_model(Walk(), finite_model(Walk()))
-    before = model.weights.copy()
-    k = model.observe(1, 0, 123.0, 0, True)
+    k = model.observe(1, 0, 123.0, 0, True)  # which of its outcomes a step is, if it has it
     assert (model.states[k], model.actions[k], model.next_states[k]) == (1, 0, 0)
     assert model.observe(1, 0, 0.0, 3, False) == -1
-    assert np.array_equal(model.weights, before)
+    for s in (1, 2, 3):
+        assert [model.expected_target(s, a, Q, 0.9) for a in (0, 1)] == pytest.approx(Q[s].tolist(), abs=1e-8)
 
 
 class Five(gymnasium.Env[Any, Any]):
@@ -132,21 +108,20 @@ class Five(gymnasium.Env[Any, Any]):
     action_space: Any = spaces.Discrete(2)
 
 
-def test_a_model_for_an_environment_of_somebody_else() -> None:
-    """Its observations are the states, also where a wrapper has a method by the name of `observation`."""
-    exact = finite_model(Walk())
-    for environment in (Five(), TabularObservation(Five())):
-        assert np.array_equal(given_model(environment, exact).rewards, given_model((5, 2), exact).rewards)
+def test_a_model_of_states_that_are_no_numbers() -> None:
+    """It comes with its MDP, or with an environment of it; states that are numbers need neither."""
+    model = finite_model(make_mdp("Roadrunner"))
+    for environment in (make_mdp("Roadrunner"), gymnasium.make("edugym/Roadrunner-v0")):
+        assert given_model(environment, model).n_known[0] == np.count_nonzero(~model.terminal)
+    walk = finite_model(Walk())
+    for other in (Five(), TabularObservation(Five()), Walk()):  # also where a wrapper has a method `observation`
+        assert np.array_equal(given_model(other, walk).rewards, given_model((5, 2), walk).rewards)
 
 
-class Blind(Walk):
-    """Sees nothing."""
-
-    __slots__ = ()
-
-    def observation(self, state: int, rng: Random) -> int:
-        """Always the same."""
-        return 0
+@pytest.mark.parametrize(("n_states", "memory"), [(4, 1_000), (63, 1_008), (7_000, 100_000), (30_000, 120_000)])
+def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
+    """Eight outcomes of each pair, or fewer where that is much; but never fewer than two."""
+    assert len(empty_model((n_states, 2)).states) == memory
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,6 @@ from tests.contract.parameters import Keywords
 from tests.contract.play import every_corner, every_environment, plain
 
 N_STEPS = 2_000
-LARGEST_TABLE = 100_000
 
 
 class Witness(NamedTuple):
@@ -110,27 +109,15 @@ def test_on_policy(entry: Entry, keywords: Keywords) -> None:
     assert seen[1] == bits(np.array([N_STEPS]))
 
 
-@every_corner
-def test_off_policy(entry: Entry, keywords: Keywords) -> None:
-    """Q-learning learns the same table."""
-    mdp = as_table(entry, **keywords)
-    if isinstance(mdp.observation_space, spaces.Box):
-        pytest.skip("Q-learning needs a table")
-    if int(mdp.observation_space.n) * int(mdp.action_space.n) > LARGEST_TABLE:
-        pytest.skip("its table would be too large")
-    rng, agent_rng, start_rng = np.random.default_rng(2).spawn(3)
-    agent, moment = learner(QLearning.create(mdp)), start_off_policy(mdp, start_rng)
-    arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, new_log(), moment)
+@pytest.mark.parametrize("name", ["Golf", "MemoryCorridor"])
+def test_off_policy(name: str) -> None:
+    """Q-learning learns the same table, and is evaluated alike; the loops know nothing of the task, so two will do."""
+    mdp = tabular(make_mdp(name))
+    agent, (rng, agent_rng, start_rng) = QLearning.create(mdp), np.random.default_rng(2).spawn(3)
+    arguments = mdp, learner(agent), 50, rng, agent_rng, new_log(), start_off_policy(mdp, start_rng)
     interpreted, machine_code = both(off_policy, N_STEPS, *arguments)
     assert interpreted == machine_code
-
-
-@pytest.mark.parametrize("name", ["Golf", "MemoryCorridor"])
-def test_evaluation(name: str) -> None:
-    """An agent that has learned something is evaluated alike; the loop knows nothing of its task, so two will do."""
-    mdp = tabular(make_mdp(name))
-    agent, (rng, agent_rng) = QLearning.create(mdp), np.random.default_rng(4).spawn(2)
-    off_policy(N_STEPS, mdp, learner(agent), 50, rng, agent_rng, new_log(), start_off_policy(mdp, rng))
+    off_policy(N_STEPS, *arguments)
     interpreted, machine_code = both(play_episodes, 20, mdp, GreedyActor(agent), 50, rng, agent_rng, np.zeros(20))
     assert interpreted == machine_code
 

@@ -10,20 +10,9 @@ from tests.contract.parameters import Keywords
 from tests.contract.play import Player, every_corner, every_environment
 
 HEADINGS = [
-    "Description",
-    "Observation space",
-    "Action space",
-    "State",
-    "Dynamics",
-    "Reward",
-    "Initial state",
-    "Episode end",
-    "Parameters",
-    "Info",
-    "Choices",
-    "Algorithms",
-    "References",
-]
+    "Description", "Observation space", "Action space", "State", "Dynamics", "Reward", "Initial state", "Episode end",
+    "Parameters", "Info", "Choices", "Algorithms", "References",
+]  # fmt: skip
 
 
 def sections(entry: Entry) -> dict[str, str]:

@@ -204,22 +204,6 @@ def test_bad_actions(entry: Entry, keywords: Keywords) -> None:
 
 
 @every_environment
-def test_numpy_actions(entry: Entry) -> None:
-    """A whole number of NumPy's is the same action as Python's own."""
-    if not isinstance(entry.load()().action_space, spaces.Discrete):
-        return
-    for kind in (np.int64, np.int8, np.uint16, np.array):
-        player, other = (Player(entry.load()(), entry.name, seed=2) for _ in range(2))
-        for _ in range(20):
-            action = player.choose()
-            *seen, player.info = player.env.step(kind(action))
-            assert plain((*seen, player.info)) == other.play(1)[0][1:]
-            assert type(player.bare.last_action) is int
-            if seen[2] or seen[3]:
-                _, player.info = player.env.reset()
-
-
-@every_environment
 def test_reset_is_needed(entry: Entry) -> None:
     """A step before the first reset, and after the end of an episode until the next reset, raises ResetNeeded."""
     env = entry.load()()
@@ -238,16 +222,6 @@ def test_reset_is_needed(entry: Entry) -> None:
                 env.step(env.action_space.sample())
         assert plain((env.state, env.steps, env.np_random)) == before
         player.observation, player.info = env.reset()
-
-
-@every_environment
-def test_info_is_new(entry: Entry) -> None:
-    """What is done to an `info` changes neither the environment nor the next one."""
-    player, other = (Player(entry.load()(), entry.name, seed=1) for _ in range(2))
-    for _ in range(20):
-        assert player.play(1) == other.play(1)
-        player.info.clear()
-        player.info = player.bare.info()
 
 
 @every_environment

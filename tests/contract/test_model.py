@@ -106,23 +106,6 @@ def test_ways_to_ask(entry: Entry) -> None:
             env.model(env.state, 0, kind="exact")
 
 
-@every_environment
-def test_generative_model_is_seeded(entry: Entry) -> None:
-    """A seed repeats what the generative model draws as well, whatever the environment draws meanwhile."""
-    for keywords in PARAMETERS[entry.name].finite:
-        drawn = []
-        for steps in (0, 3):
-            env = entry.load()(**keywords)
-            env.reset(seed=5)
-            actions = list(range(env.action_space.n)) * 20
-            state = env.state
-            for action in actions[:steps]:
-                if any(env.step(action)[2:4]):
-                    env.reset()
-            drawn.append([env.generative_model(state, action) for action in actions])
-        assert drawn[0] == drawn[1]
-
-
 @pytest.mark.parametrize("entry", [e for e in ENVIRONMENTS if not PARAMETERS[e.name].finite], ids=attrgetter("name"))
 def test_no_model(entry: Entry) -> None:
     """Tasks that are not in the table as finite say that they are not, and why; no other error gets through."""

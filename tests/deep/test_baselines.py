@@ -49,18 +49,16 @@ def test_parameters_and_own_policies() -> None:
     assert stable_baselines3_run("Trashbot", "A2C", 8, num_envs=2, **how).agent.action_space.nvec.tolist() == [3, 3]
 
 
-@pytest.mark.parametrize(
-    ("algorithm", "n_steps", "how", "message"),
-    [
+def test_what_is_wrong_is_refused() -> None:
+    """Other algorithms, no steps."""
+    wrong: list[tuple[str, int, dict[str, Any], str]] = [
         ("SAC", 100, {}, "algorithm must be one of 'DQN', 'PPO', 'A2C', 'RecurrentPPO', but is 'SAC'"),
         ("PPO", 0, {}, "n_steps must be 1 or more, but is 0"),
         ("PPO", 100, {"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
-    ],
-)
-def test_what_is_wrong_is_refused(algorithm: str, n_steps: int, how: Any, message: str) -> None:
-    """Other algorithms, no steps."""
-    with pytest.raises(ValueError, match=message):
-        stable_baselines3_run("Catch", algorithm, n_steps, **how)
+    ]
+    for algorithm, n_steps, how, message in wrong:
+        with pytest.raises(ValueError, match=message):
+            stable_baselines3_run("Catch", algorithm, n_steps, **how)
 
 
 @pytest.mark.slow

@@ -1,6 +1,5 @@
 """Stable-Baselines3 gets what its own vector environment gives, and learns from it."""
 
-import subprocess
 import sys
 from typing import Any
 
@@ -13,19 +12,13 @@ from stable_baselines3.common.env_checker import check_env
 from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.vec_env import DummyVecEnv
 
-from edugym.adapters.registration import ENVIRONMENTS, Entry
+from edugym.adapters.registration import Entry
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
 from edugym.envs.boulder import Boulder
+from tests.contract.play import every_environment, plain
 
 CATCH: Any = gymnasium.make("edugym/Catch-v0").unwrapped
-every_environment = pytest.mark.parametrize("entry", ENVIRONMENTS, ids=[entry.name for entry in ENVIRONMENTS])
-
-
-def same(one: Any, other: Any) -> bool:
-    """Whether two arrays or numbers are equal, in type and shape as well."""
-    first, second = np.asarray(one), np.asarray(other)
-    return first.dtype == second.dtype and first.shape == second.shape and bool((first == second).all())
 
 
 def copies(environment: Any, *arguments: Any, **parameters: Any) -> Any:
@@ -45,19 +38,19 @@ def test_one_copy_is_dummy_vec_env(entry: Entry) -> None:
     ours, theirs = copies(entry.name), DummyVecEnv([entry.load()])
     assert (ours.observation_space, ours.action_space) == (theirs.observation_space, theirs.action_space)
     assert ours.seed(11) == theirs.seed(11)
-    assert same(ours.reset(), theirs.reset())
+    assert plain(ours.reset()) == plain(theirs.reset())
     ours.action_space.seed(3)
     ended = 0
     for _ in range(600):
         actions = np.array([ours.action_space.sample()])
         *given, infos = ours.step(actions)
         *expected, infos_there = theirs.step(actions)
-        assert [same(*pair) for pair in zip(given, expected, strict=True)] == [True] * 3
+        assert plain(given) == plain(expected)
         assert infos[0]["TimeLimit.truncated"] is infos_there[0]["TimeLimit.truncated"]
         assert ("terminal_observation" in infos[0]) == ("terminal_observation" in infos_there[0]) == bool(given[2][0])
         if given[2][0]:
             ended += 1
-            assert same(infos[0]["terminal_observation"], infos_there[0]["terminal_observation"])
+            assert plain(infos[0]["terminal_observation"]) == plain(infos_there[0]["terminal_observation"])
     assert ended > 0
 
 
@@ -115,13 +108,6 @@ def test_one_s_own_environment() -> None:
     assert copies(CATCH, 7).reset().shape == (7, 10, 5)
     vector = MDPVectorEnv(CATCH, 5, "SameStep")
     assert copies(vector).vector is copies(vector, 5).vector is vector
-
-
-def test_nothing_is_loaded_before_it_is_needed() -> None:
-    """Importing the package and this part of it loads neither torch nor Stable-Baselines3."""
-    code = "import sys, edugym, edugym.deep; print({'torch', 'stable_baselines3'} & sys.modules.keys())"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "set()"
 
 
 def test_without_stable_baselines3(monkeypatch: pytest.MonkeyPatch) -> None:

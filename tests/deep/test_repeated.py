@@ -1,6 +1,5 @@
 """Deep agents trained several times: one table, the same for any number of processes, and nothing done twice."""
 
-from collections.abc import Callable
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
@@ -118,21 +117,6 @@ def test_processes_change_nothing() -> None:
         for jobs in (1, 2)
     )
     assert one.table.equals(two.table)
-
-
-def test_other_code_is_another_experiment(tmp_path: Path) -> None:
-    """Functions of the same name, as when a cell is changed and run again."""
-
-    def made(more: float) -> Callable[..., Run]:
-        def own(n_steps: int, *, seed: int) -> Run:
-            return pretend(n_steps, seed=seed, more=more)
-
-        return own
-
-    for more in (0.0, 1.0):
-        results = repeat_deep({"own": made(more)}, 100, repetitions=1, jobs=1, checkpoints=tmp_path)
-        assert results.final("own")[0] % 1 == more % 1
-    assert results.final("own")[0] == results.table["seed"].iloc[0] % 7 + 1.0
 
 
 def test_input() -> None:

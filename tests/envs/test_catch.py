@@ -132,17 +132,6 @@ def test_kinds() -> None:
     assert CatchEnv(7, 6).observation_space == CatchEnv(7, 6, "grid").observation_space
 
 
-def test_one_task() -> None:
-    """All three are the same task: the same states, rewards and ends from the same seed."""
-    envs = [CatchEnv(6, 5, kind) for kind in ("grid", "vectorised", "rgb")]
-    for seed in range(20):
-        for env in envs:
-            env.reset(seed=seed)
-        for action in np.random.default_rng(seed).integers(0, 3, 5):
-            steps = [(env.step(int(action))[1:4], env.state) for env in envs]
-            assert steps[0] == steps[1] == steps[2]
-
-
 def test_every_ball_can_be_caught_exactly_when() -> None:
     """The best return is 1 on every board with columns // 2 <= rows - 1; the others are refused."""
     for rows, columns in itertools.product(range(2, 6), range(1, 13)):

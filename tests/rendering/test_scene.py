@@ -17,32 +17,21 @@ from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Arc, Circle, Filled, Line, Polygon, Rectangle, Scene, Shape, Text
 from edugym.rendering.svg import to_svg
 
-EXAMPLES: dict[type[Shape], Shape] = {
-    Rectangle: Rectangle(2, 2, 6, 6, fill=RED, glyph="#"),
-    Circle: Circle(5, 5, 3, fill=RED, glyph="#"),
-    Polygon: Polygon(((5, 1), (9, 9), (1, 9)), fill=RED, glyph="#"),
-    Line: Line(((1, 5), (9, 5)), colour=RED, line_width=2, glyph="#"),
-    Arc: Arc(5, 1, 4, 20, 160, colour=RED, line_width=2, glyph="#"),
-    Text: Text(5, 5, "I", size=8, colour=RED, glyph="#"),
-}
+EXAMPLES: tuple[Shape, ...] = (
+    Rectangle(2, 2, 6, 6, fill=RED, glyph="#"),
+    Circle(5, 5, 3, fill=RED, glyph="#"),
+    Polygon(((5, 1), (9, 9), (1, 9)), fill=RED, glyph="#"),
+    Line(((1, 5), (9, 5)), colour=RED, line_width=2, glyph="#"),
+    Arc(5, 1, 4, 20, 160, colour=RED, line_width=2, glyph="#"),
+    Text(5, 5, "I", size=8, colour=RED, glyph="#"),
+)
 """One shape of every class, each red at the point (5, 5)."""
-each_shape = pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
-
-
-def leaves(kind: type[Shape]) -> set[type[Shape]]:
-    """Return the classes of the package that are shapes to draw: those from which no other is derived."""
-    below = [child for child in kind.__subclasses__() if child.__module__.startswith("edugym.")]
-    return set().union(*map(leaves, below)) if below else {kind}
+each_shape = pytest.mark.parametrize("shape", EXAMPLES, ids=lambda shape: type(shape).__name__)
 
 
 def scene_of(*shapes: Shape, **options: Any) -> Scene:
     """Return a scene of 10 by 10 units, 20 characters wide."""
     return Scene(10, 10, shapes, **{"columns": 20, **options})
-
-
-def test_every_shape_class_has_an_example() -> None:
-    """A new shape class must be added to the examples, and so to the tests below."""
-    assert set(EXAMPLES) == leaves(Shape)
 
 
 @each_shape
@@ -68,7 +57,6 @@ MISTAKES: list[tuple[Callable[..., object], tuple[Any, ...], dict[str, Any], str
     (Rectangle, (0, 0, -1, 1), {}, "width must be 0 or more, got -1"),
     (Circle, (math.nan, 0, 1), {}, "x must be a number, got nan"),
     (Circle, (0, 0, 1), {"fill": "red"}, "colour must be written"),
-    (Circle, (0, 0, 1), {"fill": 0xFF0000}, "colour must be written .* got 16711680"),
     (Line, (((0, 0),),), {}, "points must be at least 2 pairs"),
     (Polygon, (((0, 0), (1, 1)),), {}, "points must be at least 3 pairs"),
     (Line, (((0, 0), (1, math.nan)),), {}, "points must be a number, got nan"),
@@ -86,7 +74,6 @@ MISTAKES: list[tuple[Callable[..., object], tuple[Any, ...], dict[str, Any], str
     (Scene, (1, 1, ()), {"title": "\0"}, "title must be one line"),
     (Scene, (1, 1, (icons.smiley(0, 0, 1),)), {}, "unpack a group"),
     (icons.smiley, (0, 0, 1, "angry"), {}, "mood must be"),
-    (Scene, (1, 10**400, ()), {}, "height must be positive"),
     (Scene(1, 1, ()).size_in_pixels, (0,), {}, "width_pixels must be positive"),
     (Scene(1, 2, ()).size_in_pixels, (2049,), {}, "width_pixels must be at most 2048"),
     (to_pixels, (Scene(1, 1, ()),), {"supersampling": 3}, "supersampling must be 1, 2, 4 or 8"),
@@ -124,6 +111,7 @@ def test_scene_is_a_value() -> None:
     one = Scene(2, 2, [Polygon([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])])  # type: ignore[list-item]
     assert one == Scene(2, 2, (Polygon(((0, 0), (1, 0), (0, 1))),))
     assert hash(one) == hash(replace(one))
+    assert Circle(10**400, -(10**400), 1) == Circle(math.inf, -math.inf, 1)  # too large for a float
     for name in ("width", "shapes"):
         with pytest.raises(FrozenInstanceError):
             setattr(one, name, 3)
