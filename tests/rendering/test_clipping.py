@@ -24,7 +24,6 @@ from edugym.rendering.svg import to_svg
 EXTREME = st.sampled_from([math.inf, -math.inf, 1e308, -1e308, 5e-324, 0.0, 1e6])
 NUMBERS = st.one_of(st.floats(-30, 30), st.floats(allow_nan=False), EXTREME)
 SIZES = NUMBERS.map(abs)
-ROUND = st.floats(0, 40)
 POINTS = st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6)
 EDGES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
 PEN = st.one_of(st.none(), SIZES)
@@ -38,7 +37,7 @@ def arc(x: float, y: float, radius: float, start: float, line_width: float | Non
 def shapes() -> st.SearchStrategy[Shape]:
     """Shapes of every class with numbers of any size."""
     return st.one_of(
-        st.builds(Rectangle, NUMBERS, NUMBERS, SIZES, SIZES, ROUND, outline_width=PEN, glyph=st.sampled_from("# ")),
+        st.builds(Rectangle, NUMBERS, NUMBERS, SIZES, SIZES, SIZES, outline_width=PEN, glyph=st.sampled_from("# ")),
         st.builds(Circle, NUMBERS, NUMBERS, SIZES, outline_width=PEN, glyph=st.just("o")),
         st.builds(Polygon, POINTS, outline_width=PEN, glyph=st.just("two")),
         st.builds(Line, POINTS, line_width=PEN, glyph=st.just("-")),

@@ -53,7 +53,8 @@ def visible(scene: Drawing) -> Iterator[Shape]:
     frame = Box(-margin, -margin, scene.width + margin, scene.height + margin)
     for shape in scene.shapes:
         box = _box(shape, scene)
-        fits = box is None or frame.contains(box)
+        too_round = isinstance(shape, Rectangle) and shape.radius > margin
+        fits = not too_round and (box is None or frame.contains(box))
         for part in (shape,) if fits else _cut(_limited(shape, scene), scene, frame):
             box = _box(part, scene)
             if box is None or picture.touches(box):
