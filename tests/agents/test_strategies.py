@@ -102,7 +102,7 @@ class ByTheLastDigit(eg.QLearning):
 
 
 def test_rounding_decides_nothing() -> None:
-    """With α = 1 all values here are powers of γ, and every γ gives the same powers. Where the last digit decides, not."""
+    """With α = 1 all values here are powers of γ, the same ones for every γ. Not so where the last digit decides."""
 
     def powers(kind: Any, discount: float, seed: int) -> Any:
         wall = eg.make_mdp("Boulder", height=25, n_grips=3, layout_seed=seed)
