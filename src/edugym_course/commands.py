@@ -14,12 +14,11 @@ from gymnasium.error import DependencyNotInstalled
 from edugym.adapters.registration import in_course_order, parameters_of
 from edugym.experiments.checkpoints import CHECKPOINTS
 from edugym.experiments.repeat import MOST_JOBS
-from edugym.experiments.results.claims import Claim
 from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
 from edugym.system.interrupts import INTERRUPTED, SignalGuard, call_interruptibly
 from edugym_course.lessons import lesson_names, load_experiments
-from edugym_course.report import Report, Section, markdown
+from edugym_course.report import Report, Section, explanation, markdown, rows_of
 
 try:
     require("experiments", "typer")
@@ -221,11 +220,7 @@ def _clear(folder: Path, keep: str) -> None:
 def _write_claims(report: Report, path: Path) -> None:
     import pandas
 
-    rows = [
-        {**claim._asdict(), **claim.measured._asdict(), "expected": str(claim.expected), "holds": claim.holds}
-        for claim in report.claims
-    ]
-    table = pandas.DataFrame(rows).drop(columns="measured")
+    table = pandas.DataFrame(rows_of(report.claims))
     write_whole(path, table.to_csv(index=False, lineterminator="\n").encode())
 
 
@@ -245,17 +240,20 @@ def _write_report(output: Path) -> None:
 
 
 def _print_claims(lesson: str, claims: Any) -> None:
-    columns = ("claim", "measured, with 95 % interval", Column("expected", no_wrap=True), Column("holds", no_wrap=True))
+    columns = (
+        "",
+        "claim",
+        "measured, with 95 % interval",
+        Column("expected", no_wrap=True),
+        Column("holds", no_wrap=True),
+    )
     table = Table(*columns, title=lesson, title_justify="left", box=box.SIMPLE_HEAD, leading=1, pad_edge=False)
-    for claim in claims:
-        table.add_row(*_row(claim))
+    for number, (row, claim) in enumerate(zip(rows_of(claims), claims, strict=True), start=1):
+        lines = [claim.statement, *(f"[dim]{line}[/dim]" for line in explanation(row))]
+        measured = f"{claim.measured}\n[dim]{claim.quantity}[/dim]"
+        holds = "[green]yes[/green]" if claim.holds else "[bold red]NO[/bold red]"
+        table.add_row(str(number), "\n".join(lines), measured, str(claim.expected), holds)
     Console().print(table)
-
-
-def _row(claim: Claim) -> tuple[str, str, str, str]:
-    reason = f"\n[dim]{claim.reason}[/dim]" if claim.reason else ""
-    holds = "[green]yes[/green]" if claim.holds else "[bold red]NO[/bold red]"
-    return f"{claim.statement}{reason}", f"{claim.measured}\n[dim]{claim.quantity}[/dim]", str(claim.expected), holds
 
 
 @app.command(context_settings={"ignore_unknown_options": True})

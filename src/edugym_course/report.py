@@ -1,6 +1,7 @@
 """What the experiments of a lesson give: claims and figures."""
 
 import inspect
+import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -42,6 +43,16 @@ class Section(NamedTuple):
         """How many claims hold."""
         return sum(bool(claim["holds"]) for claim in self.claims)
 
+    @property
+    def n_reasons(self) -> int:
+        """How many claims give a reason."""
+        return sum(bool(_text(claim.get("reason"))) for claim in self.claims)
+
+    @property
+    def n_tested(self) -> int:
+        """How many of the reasons are tested."""
+        return sum(bool(_text(claim.get("tested_by"))) for claim in self.claims)
+
 
 def markdown(sections: Sequence[Section], folder: Path) -> str:
     """A report of several lessons in Markdown: an overview, then the claims and figures of each lesson.
@@ -50,26 +61,59 @@ def markdown(sections: Sequence[Section], folder: Path) -> str:
         sections: the lessons.
         folder: the folder of the report, from which it refers to its figures.
     """
-    overview = ([f"[{one.name}](#{one.name})", f"{one.n_hold} of {len(one.claims)}"] for one in sections)
-    parts = ["# What the experiments show", *_table(("lesson", "claims that hold"), overview)]
+    overview = (
+        [f"[{one.name}](#{one.name})", f"{one.n_hold} of {len(one.claims)}", f"{one.n_tested} of {one.n_reasons}"]
+        for one in sections
+    )
+    parts = ["# What the experiments show", *_table(("lesson", "claims that hold", "tested reasons"), overview)]
     for section in sections:
         title, _, rest = inspect.cleandoc(section.about).partition("\n")
         parts += [f'<a id="{section.name}"></a>', f"## {title}", rest.strip()]
-        parts += _table(("claim", "measured, with 95 % interval", "expected", "holds"), map(_row, section.claims))
+        head = ("", "claim", "measured, with 95 % interval", "expected", "holds")
+        parts += _table(head, ([str(i), *_cells(row)] for i, row in enumerate(section.claims, start=1)))
         parts += [f"![{path.stem}]({path.relative_to(folder).as_posix()})" for path in section.figures]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
-def _row(claim: dict[str, Any]) -> list[str]:
-    measured = Interval(claim["estimate"], claim["low"], claim["high"], int(claim["n"]))
-    reason = claim["reason"] if isinstance(claim["reason"], str) else ""  # an empty cell is read as NaN
-    holds = "yes" if claim["holds"] else "**NO**"
-    return [
-        " — ".join(filter(None, (claim["statement"], reason))),
-        f"{measured}: {claim['quantity']}",
-        claim["expected"],
-        holds,
-    ]
+def rows_of(claims: Sequence[Claim]) -> list[dict[str, Any]]:
+    """The claims as rows of a table. Of the claims that test a reason it has the numbers, counted from 1.
+
+    Raises:
+        ValueError: if a reason is tested by a claim that is not there.
+    """
+    numbers = {claim.statement: number for number, claim in enumerate(claims, start=1)}
+    rows = []
+    for claim in claims:
+        for statement in claim.tested_by:
+            if statement not in numbers:
+                raise ValueError(f"the claim '{claim.statement}' is tested by '{statement}', which is not claimed")
+        tested_by = ", ".join(str(numbers[statement]) for statement in claim.tested_by)
+        row = claim._asdict() | claim.measured._asdict() | {"tested_by": tested_by}
+        del row["measured"]
+        rows.append(row | {"expected": str(claim.expected), "holds": claim.holds})
+    return rows
+
+
+def explanation(row: dict[str, Any]) -> list[str]:
+    """What is said of a claim beside its statement: the reason, how it was tested, and the remark."""
+    reason, tested_by, remark = (_text(row.get(name)) for name in ("reason", "tested_by", "remark"))
+    lines = []
+    if reason:
+        lines.append(f"because {reason} (tested by {tested_by})" if tested_by else f"our guess: {reason}")
+    return [*lines, *filter(None, [remark])]
+
+
+def _text(cell: Any) -> str:
+    """The content of a cell: an empty one is read as NaN, and a single number as a number."""
+    if isinstance(cell, float):
+        return "" if math.isnan(cell) else str(int(cell))
+    return "" if cell is None else str(cell)
+
+
+def _cells(row: dict[str, Any]) -> list[str]:
+    measured = Interval(row["estimate"], row["low"], row["high"], int(row["n"]))
+    statement = " — ".join([row["statement"], *explanation(row)])
+    return [statement, f"{measured}: {row['quantity']}", row["expected"], "yes" if row["holds"] else "**NO**"]
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:

@@ -6,8 +6,12 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import pytest
+
 from edugym.experiments.checkpoints import CHECKPOINTS
-from edugym_course.report import Report, Section, markdown
+from edugym.experiments.results.claims import Above, Claim
+from edugym.experiments.results.statistics import Interval
+from edugym_course.report import Report, Section, explanation, markdown, rows_of
 from edugym_course.reporting import SharedArguments, for_mdp, reporting
 
 
@@ -56,15 +60,16 @@ def test_an_agent_for_the_mdp_of_an_environment() -> None:
 
 FIRST: dict[str, Any] = {
     "statement": "A | B", "quantity": "share", "expected": "> 0.5", "reason": "why", "estimate": 0.75, "low": 0.625,
-    "high": 0.875, "n": 12.0, "holds": True,
+    "high": 0.875, "n": 12.0, "holds": True, "tested_by": 2.0, "remark": "as the paper says",
 }  # fmt: skip
-SECOND = FIRST | {"statement": "C", "reason": float("nan"), "n": 0.0, "holds": False}
+NOTHING = float("nan")
+SECOND = FIRST | {"statement": "C", "tested_by": NOTHING, "remark": NOTHING, "n": 0.0, "holds": False}
 REPORT = r"""# What the experiments show
 
-| lesson | claims that hold |
-| --- | --- |
-| [one](#one) | 1 of 2 |
-| [two](#two) | 0 of 0 |
+| lesson | claims that hold | tested reasons |
+| --- | --- | --- |
+| [one](#one) | 1 of 2 | 1 of 2 |
+| [two](#two) | 0 of 0 | 0 of 0 |
 
 <a id="one"></a>
 
@@ -73,10 +78,10 @@ REPORT = r"""# What the experiments show
 Rest of
 it.
 
-| claim | measured, with 95 % interval | expected | holds |
-| --- | --- | --- | --- |
-| A \| B — why | 0.75 [0.625, 0.875]: share | > 0.5 | yes |
-| C | not measured: share | > 0.5 | **NO** |
+|  | claim | measured, with 95 % interval | expected | holds |
+| --- | --- | --- | --- | --- |
+| 1 | A \| B — because why (tested by 2) — as the paper says | 0.75 [0.625, 0.875]: share | > 0.5 | yes |
+| 2 | C — our guess: why | not measured: share | > 0.5 | **NO** |
 
 ![b](one/b.svg)
 
@@ -86,8 +91,8 @@ it.
 
 ## Two.
 
-| claim | measured, with 95 % interval | expected | holds |
-| --- | --- | --- | --- |
+|  | claim | measured, with 95 % interval | expected | holds |
+| --- | --- | --- | --- | --- |
 """
 
 
@@ -101,3 +106,14 @@ def test_a_report() -> None:
         Section("two", "Two.", [], []),
     ]
     assert markdown(sections, folder) == REPORT
+
+
+def test_a_reason_is_tested_by_claims_of_the_same_report() -> None:
+    """The row has their numbers; one that is not there is an error, which names both."""
+    first = Claim("A", "share", Interval(1.0, 1.0, 1.0, 3), Above(0.5), "why", ("C", "B"))
+    others = [Claim(name, "share", first.measured, Above(0.5)) for name in "BC"]
+    rows = rows_of([first, *others])
+    assert [row["tested_by"] for row in rows] == ["3, 2", "", ""]
+    assert explanation(rows[0]) == ["because why (tested by 3, 2)"]
+    with pytest.raises(ValueError, match=r"'A'.*'C'"):
+        rows_of([first])

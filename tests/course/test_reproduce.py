@@ -24,7 +24,15 @@ from tests.course.test_commands import run
 
 def claim(share: float) -> Claim:
     """A claim that holds for a share above 0.6."""
-    return Claim("It works", "share", Interval(share, share - 0.1, share + 0.1, 9), Above(0.5), "why")
+    return Claim(
+        "It works",
+        "share",
+        Interval(share, share - 0.1, share + 0.1, 9),
+        Above(0.5),
+        "why",
+        ("It works",),
+        "as the paper says",
+    )
 
 
 class Lesson(SimpleNamespace):
@@ -69,6 +77,7 @@ def test_what_it_writes_and_says(lesson: Lesson, tmp_path: Path, monkeypatch: py
     assert names(folder) == ["claims.csv", "picture.png", "picture.svg", "runs.csv"]
     assert pd.read_csv(folder / "claims.csv").to_dict("records") == [
         {"statement": "It works", "quantity": "share", "expected": "> 0.5", "reason": "why"}
+        | {"tested_by": 1, "remark": "as the paper says"}
         | {"estimate": 0.9, "low": 0.8, "high": 1.0, "n": 9, "holds": True}
     ]
     for part in ("made_up", "It works", "share", "0.9 [0.8, 1]", "> 0.5", "yes", "why", "results/made_up"):
@@ -86,11 +95,11 @@ def test_a_claim_that_does_not_hold(lesson: Lesson, tmp_path: Path, monkeypatch:
     result = run("reproduce", "two", "--output", str(tmp_path))
     assert (result.exit_code, "NO" in result.stdout) == (1, True)
     said = (tmp_path / "report.md").read_text()
-    assert "| [one](#one) | 1 of 1 |" in said
-    assert "| [two](#two) | 1 of 2 |" in said
+    assert "| [one](#one) | 1 of 1 | 1 of 1 |" in said
+    assert "| [two](#two) | 1 of 2 | 2 of 2 |" in said
     assert "three" not in said
     for name in ("one", "two"):
-        assert f'<a id="{name}"></a>\n\n## Something.\n\nThis is how.\n\n| claim' in said
+        assert f'<a id="{name}"></a>\n\n## Something.\n\nThis is how.\n\n|  | claim' in said
         assert f"![picture]({name}/picture.svg)" in said
     left = iter([[claim(0.9)], [claim(0.55)], [claim(0.9)]])
     monkeypatch.setattr(Lesson, "report", lambda lesson, **how: Report(next(left), []))

@@ -12,6 +12,7 @@ import pytest
 
 import edugym_course.lessons
 from edugym_course.lessons import lesson_names, load_experiments
+from edugym_course.report import rows_of
 from tests.course.lessons.shown import NOTEBOOKS
 
 FOLDER = Path(edugym_course.lessons.__path__[0])
@@ -78,6 +79,7 @@ def test_every_claim_holds(lesson: str) -> None:
     claims = load_experiments(lesson).report(seed=7).claims
     assert claims
     assert [claim.statement for claim in claims if not claim.holds] == []
+    rows_of(claims)  # which knows the claims that test a reason
     statements = [claim.statement for claim in claims if not claim.statement.startswith("novelty reward ")]  # a label
     assert [statement for statement in statements if NO_SENTENCE.match(statement)] == []
 

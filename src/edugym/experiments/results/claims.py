@@ -79,8 +79,10 @@ class Claim(NamedTuple):
         quantity: the name of the measured quantity.
         measured: the estimate with its 95 % interval. If the number is exact, the interval is this number alone.
         expected: where the interval must lie for the claim to hold.
-        reason: why we expect the claim to hold or, if the paper claims something else, why our claim differs. It may be
-            empty.
+        reason: what brings the effect about, as we believe, without the word "because". It may be empty.
+        tested_by: the statements of the claims that test the reason: in their experiments the cause is removed or
+            varied, and the effect goes or follows. Without one the reason is a guess, and reports call it so.
+        remark: what else a reader should know, such as what the paper says. It claims no cause. It may be empty.
     """
 
     statement: str
@@ -88,6 +90,8 @@ class Claim(NamedTuple):
     measured: Interval
     expected: Expectation
     reason: str = ""
+    tested_by: tuple[str, ...] = ()
+    remark: str = ""
 
     @property
     def holds(self) -> bool:
