@@ -10,8 +10,6 @@ import gymnasium
 import numpy as np
 
 from edugym.adapters.registration import make_mdp
-from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import EpsilonGreedy
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.choices import check_choices
@@ -22,7 +20,15 @@ from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
 from edugym_course.lessons.exploration.exercises.explorer import EXPLORER as EXPLORER
 from edugym_course.lessons.exploration.exercises.explorer import check_act, epsilon_greedy
-from edugym_course.lessons.exploration.methods import DISCOUNT, GO_EXPLORE, LEARNING_RATE, METHODS, N_STEPS, NOVELTY
+from edugym_course.lessons.exploration.methods import (
+    DISCOUNT,
+    GO_EXPLORE,
+    LEARNING_RATE,
+    METHODS,
+    N_STEPS,
+    NOVELTY,
+    OPTIMIST,
+)
 
 HEIGHT = 100  # of the wall in exercise 1
 EPSILON = 2 * (1 - 0.5 ** (1 / HEIGHT))
@@ -196,13 +202,7 @@ CHALLENGE = Challenge(
     baselines=MappingProxyType(
         {
             GO_EXPLORE: METHODS[GO_EXPLORE],
-            "optimistic": partial(
-                QLearning.create,
-                learning_rate=1.0,
-                discount=DISCOUNT,
-                exploration=EpsilonGreedy(0.0),
-                initial_value=1.0,
-            ),
+            "optimistic": OPTIMIST,
             NOVELTY: METHODS[NOVELTY],
         }
     ),
