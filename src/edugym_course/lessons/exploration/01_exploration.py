@@ -8,7 +8,7 @@
 # reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
 # an explorer of your own.
 #
-# **Time.** 60 minutes, and 60 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** 90 minutes, and 70 more for the exercises. **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2):
 # lesson 0 has them all. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
