@@ -377,8 +377,8 @@ for method in rare.methods:
     print(f"{method:14}: slower (to the second safe run) {slower:z.2f}, faster (the fast run) {faster:z.2f}")
 
 # %% [markdown]
-# SARSA believes that the fast run is worth about −1.3. Its true value, which the other two have found, is higher. We think
-# that it was unlucky, and does not get over it. Follow one slip in the last state of the fast run. SARSA has $A'$ = faster
+# SARSA believes that the fast run is worth about −1.3. For an agent that slips with $\varepsilon = 0.01$ it is worth −0.34,
+# as expected SARSA has found. (The 0 of Q-learning is that of an agent that never slips.) We think that SARSA was unlucky, and does not get over it. Follow one slip in the last state of the fast run. SARSA has $A'$ = faster
 # in its target, and $Q(S', A')$ is far below 0, −100 in the end. So the value of the step before drops by up to $\alpha
 # \cdot 100 = 3$ at once. The two runs differ by less than 1, so from now on the safe run looks better. The agent then tries
 # the fast run only when it slips into it, and each such try repairs only 3 % of the damage. Expected SARSA has the same slip
