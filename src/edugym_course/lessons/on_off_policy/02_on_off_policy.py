@@ -30,6 +30,7 @@ from edugym import (
     table_size,
     value_iteration,
 )
+from edugym.adapters.fitting import tabular
 from edugym.agents.tables import best_value, epsilon_greedy_value, greedy_action, one_step_target
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.on_off_policy import exact, figures, methods
@@ -120,18 +121,21 @@ play("Roadrunner")
 #
 # ### SARSA: the action that comes next
 # It needs $S, A, R, S', A'$ for one update, and that is its name. So the loop must choose $A'$ *before* the agent learns,
-# and then really take it:
-#
-# ```python
-# action = agent.act(state, rng)
-# while not (terminated or truncated):
-#     next_state, reward, terminated, truncated, info = env.step(action)
-#     next_action = agent.act(next_state, rng)
-#     agent.learn(state, action, reward, next_state, next_action, terminated)
-#     state, action = next_state, next_action
-# ```
-#
-# (For Q-learning and expected SARSA the loop is that of lesson 0: they do not need $A'$.)
+# and then really take it. (The loop of Q-learning and expected SARSA is that of lesson 0.) The road shows a position and a
+# speed, and a table has numbered rows: `tabular` turns the one into the other. `train` and `repeat` do so by themselves.
+
+# %%
+road, rng = tabular(gym.make("edugym/Roadrunner-v0")), np.random.default_rng(0)
+agent = SARSA.create(road, learning_rate=0.1, discount=1.0)
+for episode in range(500):
+    (state, info), total, terminated, truncated = road.reset(), 0, False, False
+    action = agent.act(state, rng)
+    while not (terminated or truncated):
+        next_state, reward, terminated, truncated, info = road.step(action)
+        next_action = agent.act(next_state, rng)
+        agent.learn(state, action, reward, next_state, next_action, terminated)
+        state, action, total = next_state, next_action, total + reward
+print("return of the last episode:", total)
 
 # %%
 source(SARSA.learn)
@@ -434,8 +438,8 @@ decay.measured(
 #
 # **Measured.** Q-learning and expected SARSA. The target of expected SARSA contains $\varepsilon$ itself: when
 # $\varepsilon$ falls, the danger falls with it in every state that is still visited. It changes to the fast run between
-# two evaluations, at $\varepsilon = 0.036$ and at 0.031, and the exact model says 0.032. SARSA keeps to the safe run: the
-# less it slips, the less often it tries the fast run, and what it does not try it does not correct.
+# two evaluations, at $\varepsilon = 0.036$ and at 0.031, and the exact model says 0.032. SARSA keeps to the safe run. A
+# guess: the less it slips, the less often it tries the fast run, and what it does not try it does not correct.
 #
 # (The theory says that SARSA converges to the optimum if it tries every action infinitely often while $\varepsilon$ goes to
 # 0, and $\alpha$ too, at the right pace; Sutton and Barto, section 6.4 and equation 2.7. But two million steps are not
@@ -648,8 +652,8 @@ check(exercise_2, switch, seed=1, quiet=True)
 # $$
 #
 # where $n$ is the number of actions, and the bracket is 0 after a terminal state. Read the numbers from `self`:
-# `self.learning_rate` is $\alpha$, `self.discount` is $\gamma$. (The road shows a position and a speed, and a table has
-# numbered rows: `train` and `repeat` turn the one into the other, so that `state` is a row of `Q`.)
+# `self.learning_rate` is $\alpha$, `self.discount` is $\gamma$. (`state` is the number of a row of `Q`; for a loop of your
+# own, `tabular` makes it one.)
 #
 # The race below shows three of your agents on the lesson's road. One acts with $\varepsilon = 0.1$ and plans for
 # $\varepsilon_\pi = 0.02$, one plans for 0.1, and one plans for 0.1 as well but acts *wholly at random*, $\varepsilon
