@@ -150,7 +150,7 @@ def optimism_claims(optimism: Mapping[tuple[int, int], Results]) -> list[Claim]:
             optimism[three].share(GO_EXPLORE, at_least=1.0),
             Above(0.5),
         ),
-        *(claim for wall in high for claim in digit_claims(wall, optimism[wall])),
+        *(claim for wall in high for claim in on_the_last_digit(wall, optimism[wall])),
     ]
 
 
@@ -160,7 +160,7 @@ def first(results: Results, method: str) -> list[float]:
     return [float(N_STEPS) if math.isnan(step) else step for step in steps]
 
 
-def digit_claims(wall: tuple[int, int], results: Results) -> list[Claim]:
+def on_the_last_digit(wall: tuple[int, int], results: Results) -> list[Claim]:
     """Return the claims on what the last digit of equal values does, and the controls in which it does nothing."""
     exact = f"With γ = 0.5, whose powers have no rounding error, the last digit costs nothing: {named(wall)}"
     same = f"With ties up to rounding, γ = 0.99 gives what γ = 0.9 gives: {named(wall)}"

@@ -127,10 +127,10 @@ def hopeful(height: int) -> str:
 
 def stalling_claims(watched: Mapping[int, Results]) -> list[Claim]:
     """Return the claims on the grips that the novelty agent takes at its frontier, by the height of the wall."""
-    return [claim for height, results in watched.items() for claim in _stalling_claims(height, results, watched)]
+    return [claim for height, results in watched.items() for claim in _stalling_at(height, results, watched)]
 
 
-def _stalling_claims(height: int, results: Results, heights: Iterable[int]) -> list[Claim]:
+def _stalling_at(height: int, results: Results, heights: Iterable[int]) -> list[Claim]:
     tested = tuple(hopeful(height) for height in heights)
     as_a_slip = Within(0.7 * SLIP, 1.5 * SLIP)
     return [
