@@ -110,6 +110,8 @@ class Update:
         difference = _first_difference(right, found)
         if difference is not None:
             why = self._diagnosis(cases, right, found, settings, difference, returned)
+            if _first_difference(found, _run_student(make, cases)[0]) is not None:
+                why = "a second time it gives something else: `learn` needs no random numbers"
             numbers = {name: settings[name] for name in self.numbers}
             raise WrongAnswer(f"{_describe(cases, right, found, difference, names, numbers)}: {why}")
 
