@@ -84,7 +84,7 @@ def cause_claims(causes: Causes) -> list[Claim]:
                 keeps_from_the_drive(*setting),
                 "share of runs that start with a drive, with the rest played by a rule less as it is",
                 more(setting, REST_KNOWN),
-                Above(0.1),
+                Above(0.05),
                 remark="all that is left of the noise then is bad luck with the first swing",
             )
             for setting in CAUSES
