@@ -54,6 +54,15 @@ CUTTING = ((2.0, 0.1), (2.0, 0.3), (1.0, 0.1), (0.2, 0.1))
 """Standard deviations of the noise and learning rates at which targets are cut; with the last the noise is small."""
 
 
+def needs_untried(start: float, sigma: float, method: str) -> str:
+    """Return the statement that a method meets the exam less often where untried actions look bad."""
+    return f"With start values of {start:g} {method} meets the exam in fewer runs than with 0 (σ = {sigma:g})"
+
+
+UNTRIED = tuple(needs_untried(start, sigma, ONE_STEP) for start, sigma in LOW_STARTS)
+"""What shows that one-step SARSA needs untried actions that look good."""
+
+
 def final_difference(results: Results, method: str, other: str) -> Interval:
     """Return the exact final return of a method less that of another, paired by repetition."""
     return paired_difference(expected_returns(results, method), expected_returns(results, other))
@@ -183,6 +192,7 @@ def action_claims(five_actions: Results, ten_actions: Results) -> list[Claim]:
             final_difference(ten_actions, label(n), ONE_STEP),
             Below(-1.5),
             "deep targets hand less of the value of untried actions back, so that more runs never meet the exam",
+            UNTRIED,
         )
         for n in WITH_TEN_ACTIONS[1:]
     ] + [
@@ -209,6 +219,7 @@ def meeting_claims(ten_actions: Results) -> list[Claim]:
                 paired_difference(met[label(n)], met[ONE_STEP]),
                 Below(-0.2),
                 "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
+                UNTRIED,
             )
             for n in WITH_TEN_ACTIONS[1:]
         ),
@@ -227,11 +238,6 @@ def meeting_claims(ten_actions: Results) -> list[Claim]:
             remark="so its loss is one of exploration, not of credit",
         ),
     ]
-
-
-def needs_untried(start: float, sigma: float, method: str) -> str:
-    """Return the statement that a method meets the exam less often where untried actions look bad."""
-    return f"With start values of {start:g} {method} meets the exam in fewer runs than with 0 (σ = {sigma:g})"
 
 
 def start_claims(by_start: Mapping[tuple[float, float], Results]) -> list[Claim]:
@@ -255,7 +261,7 @@ def start_claims(by_start: Mapping[tuple[float, float], Results]) -> list[Claim]
                 f"With start values of {start:g} most n = 1 runs that have met the exam fail it (σ = {sigma:g})",
                 "share that passes in the end",
                 share_interval(keeps[start, sigma, ONE_STEP]),
-                Below(0.4),
+                Below(0.5),
                 "a pass is handed back by one day only, through values that start far too low",
                 (*(keeps_it(MONTE_CARLO, *at) for at in LOW_STARTS), *(keeps_it(ONE_STEP, *at) for at in zero)),
             )
@@ -345,7 +351,7 @@ def rate_claims(by_rate: Mapping[float, Results]) -> list[Claim]:
             "Monte Carlo learns more slowly with rate 0.3 than with 0.01",
             "return averaged over 500 episodes, rate 0.3 less 0.01",
             paired_difference(averages(quick, MONTE_CARLO), averages(slow, MONTE_CARLO)),
-            Below(-0.5),
+            Below(-0.1),
             "its targets vary much, and a small rate averages them",
         ),
         Claim(
