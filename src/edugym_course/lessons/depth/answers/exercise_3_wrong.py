@@ -13,6 +13,7 @@ def hand_back(self, length):
 
 # %% the best value goes into the update
 # says: Q[
+# says: episode with states
 # says: G is cut before the update, and the value of the action learns from it; the third line comes after the second
 def hand_back(self, length):
     G = 0.0
