@@ -97,7 +97,7 @@ def study(seed: int) -> tuple[Study, Any, Any]:
     best = np.nan_to_num(value_iteration(finite_model(task)).table())
     knowing = QLearning.create(task)._replace(Q=best)
     idle = knowing._replace(Q=np.where(np.arange(best.shape[1]) == 0, -1.0, np.zeros(best.shape)))
-    return task, *(methods.Examinee(agent, np.array([passes])) for agent, passes in ((knowing, 3), (idle, 0)))
+    return task, methods.Examinee(knowing, np.array([3])), methods.Examinee(idle, np.array([0]))
 
 
 def test_depth() -> None:

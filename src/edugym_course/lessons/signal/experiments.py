@@ -153,7 +153,7 @@ def rate_claim(hasty: Results, steady: Results) -> Claim:
         "With learning rate 0.1 more evaluations are below 5000 than with 0.02 (τ = 0.02, discount 0.9)",
         "share of evaluations below 5000 in the second half of training, rate 0.1 less rate 0.02",
         paired_difference(time_below(hasty, label, 5_000), time_below(steady, label, 5_000)),
-        Above(0.0),
+        Above(0.01),
     )
 
 
@@ -170,7 +170,7 @@ def vocabulary_claims(words: Results, meanings: Mapping[int, Results], coin: Rea
                 f"Synonyms slow learning: {few} words are learned faster than {many}",
                 f"return averaged over training, {many} words less {few}",
                 words.difference(f"{many} words", f"{few} words", over="training"),
-                Below(-50.0),
+                Below(-500.0),
                 "a synonym is learned from nothing, since a table does not generalise",
                 tuple(map(looks_the_same, meanings)),
             )
@@ -248,7 +248,7 @@ def message_claims(voted: Mapping[int, Reals], one: Results, four: Results) -> l
             "With four words Q-learning earns less than a majority vote",
             f"return of Q-learning after {LONG} steps less that of the vote, four words",
             paired_difference(after(four, LONG), voted[FOUR]),
-            Below(-500.0),
+            Below(-1000.0),
             remark="a message can carry more than a learner makes of it; the vote has nothing to learn",
         ),
     ]
@@ -256,7 +256,7 @@ def message_claims(voted: Mapping[int, Reals], one: Results, four: Results) -> l
 
 def in_moods(moods: float) -> str:
     """Return the statement that taking turns fails where the needs cannot be foreseen."""
-    return f"With moods in {moods:.0%} of the steps, taking the actions in turn gets less than a quarter of the best"
+    return f"With moods in {moods:.0%} of the steps, taking the actions in turn gets less than half of the best"
 
 
 def memory_claims(in_turn: Reals, moody: Mapping[float, Reals], memory: Results) -> list[Claim]:
@@ -275,7 +275,7 @@ def memory_claims(in_turn: Reals, moody: Mapping[float, Reals], memory: Results)
                 in_moods(moods),
                 "return / the best with the whole state, computed",
                 mean_interval(returns / best_return(moods, 20)),
-                Below(0.25),
+                Below(0.5),
             )
             for moods, returns in moody.items()
         ),

@@ -304,6 +304,7 @@ def figures(
     speed = [
         Curves(results, f"Q-learning, level {level:g}", optimum=optimum(level), y_range=(0.0, 1.0))
         for level, results in by_level.items()
+        if level in (0.0, LEVEL)
     ]
     return [
         Sheet("crossing", [[lines]]),

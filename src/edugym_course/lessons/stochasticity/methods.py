@@ -293,7 +293,8 @@ def values_on_the_tee(results: Results) -> dict[str, Reals]:
 
 def first_swings(results: Results, method: str, observe_hits: bool = True) -> Integers:
     """Return the first swing of the greedy policy of every complete run, shape (n,)."""
-    return _on_the_tee(results, method, observe_hits).argmax(axis=1)
+    swings: Integers = _on_the_tee(results, method, observe_hits).argmax(axis=1)
+    return swings
 
 
 def _on_the_tee(results: Results, method: str, observe_hits: bool = True) -> Reals:
