@@ -309,6 +309,7 @@ def triad_claims() -> list[Claim]:
             ),
             Below(1.0),
             "SARSA learns the values of its own behaviour",
+            ("In Baird's counterexample the weights of Q-learning grow more than fivefold",),
         ),
     ]
 
