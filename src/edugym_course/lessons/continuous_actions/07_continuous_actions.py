@@ -364,6 +364,10 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 # wrist, once for an arm with the box and once for one without it. Each grid is a little displaced. A feature is a
 # tile, and it is 1 if the wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their
 # tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid.
+#
+# The code finds the tile of each grid `k`. `shift` displaces the grid, by another share of a tile in each coordinate; so a
+# place near the upper edge may be in one tile more, hence `+ 1`. The number of a tile is put together from its places in
+# all coordinates, as 352 is from its digits: $(3 \cdot 10 + 5) \cdot 10 + 2$.
 
 # %%
 source(TileCoding.see)

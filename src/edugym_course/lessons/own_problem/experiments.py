@@ -97,7 +97,8 @@ def starts_compared(length: int, bonus: float, **how: Any) -> tuple[Reals, Reals
 
 
 def _early(judge: Any, how: dict[str, Any], task: Any, make: Any = None) -> Reals:
-    return as_meant({"": task}, judge, BUDGETS[1:2], make=make, **how)[""][0]
+    found: Reals = as_meant({"": task}, judge, BUDGETS[1:2], make=make, **how)[""][0]
+    return found
 
 
 def tables_apart(phi: Reals, n_steps: int = 12_800, seed: int = 0) -> float:
