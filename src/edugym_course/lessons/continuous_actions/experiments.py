@@ -24,7 +24,6 @@ from edugym.experiments.results.statistics import (
     share_interval,
 )
 from edugym.experiments.results.tables import Results, joined
-from edugym.mdp.protocol import Reals
 from edugym_course.lessons.continuous_actions.exact import best_return, deliveries
 from edugym_course.lessons.continuous_actions.figures import curves, exact_figure, narrowing, peaks, ppo_figure
 from edugym_course.lessons.continuous_actions.methods import (
@@ -229,16 +228,14 @@ def wide_stays(rate: float) -> str:
     return f"Without a baseline policies whose σ stays at 0.2 or above stay in the container (learning rate {rate:g})"
 
 
-def leaves(rate: float, **how: Any) -> Reals:
+def leaves(rate: float, **how: Any) -> Any:
     """Return for each of 100 policies whether its mean ever leaves the container, in as many updates as it needs."""
-    gone: Reals = (abs(climb(rate=rate, n_updates=round(20 / rate), **how).means) > 1.0).any(axis=0)
-    return gone
+    return np.abs(climb(rate=rate, n_updates=round(20 / rate), **how).means).max(axis=0) > 1.0
 
 
-def outside_in_the_end(rate: float, **how: Any) -> Reals:
+def outside_in_the_end(rate: float, **how: Any) -> Any:
     """Return for each of 100 policies whether its mean is outside of the container after 2 000 updates."""
-    outside: Reals = abs(climb(rate=rate, **how).means[-1]) > 1.0
-    return outside
+    return np.abs(climb(rate=rate, **how).means[-1]) > 1.0
 
 
 def peak_claims() -> list[Claim]:

@@ -79,7 +79,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     network_noisy = learn(seen(sigma=SIGMA), NETWORK, network(), n_steps=HOPELESS, **how("network"))
     general = generalise([TABLE, LINEAR, OFFSET, NETWORK], **how())
     tests = {label: returns_by_column(results) for label, results in general.items()}
-    more = {"repetitions": 3 * how.repetitions}  # runs differ much
+    more: dict[str, Any] = {"repetitions": 3 * how.repetitions}  # runs differ much
     return plain, {**noisy, NETWORK: network_noisy}, tests, {rate: in_the_pixels(rate, **how(**more)) for rate in RATES}
 
 

@@ -65,7 +65,7 @@ from edugym_course.lessons.model_based.methods import (
     with_right_model,
 )
 from edugym_course.lessons.model_based.plans import Plan, follow_plan, used_and_seen
-from edugym_course.lessons.model_based.shops import SHOPS, Elsewhere, compare_shops, in_other_shops
+from edugym_course.lessons.model_based.shops import SHOPS, Elsewhere, compare_shops
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
 
@@ -111,7 +111,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     at_once = compare(with_right_model(whole), n_steps=1, **how(**fewer))
     layouts = sorted(int(seed) for seed in remedied.table["layout_seed"].unique())  # as there are most of them
     plans = {noise: [follow_plan(noise, seed) for seed in layouts] for noise in NOISES}
-    few = {"repetitions": max(how.repetitions // 3, 2)}  # in each shop
+    few: dict[str, Any] = {"repetitions": max(how.repetitions // 3, 2)}  # in each shop
     shops = compare_shops({**LEARNED, DECAYING: REMEDIES[DECAYING]}, **how(**few))
     return learned, remedied, right, wrong, much, at_once, plans, shops
 
@@ -124,14 +124,14 @@ def judge(
     much: Results,
     at_once: Results,
     plans: Mapping[float, list[Plan]],
-    shops: list[Results],
+    elsewhere: Mapping[str, Elsewhere],
 ) -> Report:
     """Return claims and figures."""
     claims = [
         *speed_claims(learned),
         *end_claims(learned, remedied),
         *remedy_claims(learned, remedied),
-        *shop_claims(in_other_shops(shops)),
+        *shop_claims(elsewhere),
         *given_claims(right, at_once),
         *plan_claims(plans),
         *wall_claims(range(len(plans[WRONG]))),

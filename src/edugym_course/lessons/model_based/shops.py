@@ -53,24 +53,30 @@ class Elsewhere(NamedTuple):
     seen: Reals
 
 
-def compare_shops(methods: Mapping[str, Any], **how: Any) -> list[Results]:
-    """Train methods in all shops, as `compare` does in the usual one, with one point of the curve: the last."""
-    return [repeat(shop(number), methods, N_STEPS, evaluate_every=N_STEPS, **how) for number in SHOPS]
+def compare_shops(methods: Mapping[str, Any], **how: Any) -> dict[str, Elsewhere]:
+    """Train methods in all shops, as `compare` does in the usual one, and return by method what it does there.
 
-
-def in_other_shops(results: list[Results]) -> dict[str, Elsewhere]:
-    """Return by method what it does in the other shops.
-
-    Args:
-        results: what `compare_shops` returned.
+    The agents of one shop are judged before those of the next one learn: together they would take gigabytes. It returns
+    nothing if it was stopped.
     """
-    found = dict[str, Elsewhere]()
-    for method in results[0].methods:
-        returns, seen = [], []
-        for number, of_shop in zip(SHOPS, results, strict=True):
-            model, best = model_of(number), best_return(number)
-            agents = of_shop.complete_agents(method).values()
-            returns.append(of_shop.final(method) / best)
-            seen.append([best_by_what_was_seen(agent, model=model) / best for agent in agents])
-        found[method] = Elsewhere(100.0 * np.array(returns), 100.0 * np.array(seen))
+    of_shops = []
+    for number in SHOPS:
+        results = repeat(shop(number), methods, N_STEPS, evaluate_every=N_STEPS, **how)
+        if not results.complete:
+            return {}
+        of_shops.append(in_shop(results, number))
+    return {
+        method: Elsewhere(*(np.array(parts) for parts in zip(*(of_shop[method] for of_shop in of_shops), strict=True)))
+        for method in methods
+    }
+
+
+def in_shop(results: Results, number: int) -> dict[str, tuple[Reals, Reals]]:
+    """Return by method the final return of each run, and that of the best plan by what it has seen, in percent."""
+    model, best = model_of(number), best_return(number)
+    found = {}
+    for method in results.methods:
+        agents = results.complete_agents(method).values()
+        seen = np.array([best_by_what_was_seen(agent, model=model) for agent in agents])
+        found[method] = 100.0 * results.final(method) / best, 100.0 * seen / best
     return found
