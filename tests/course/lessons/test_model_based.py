@@ -183,12 +183,9 @@ def test_other_shops() -> None:
     assert (shops.shop(4).cells != other.cells).any()
     assert shops.best_return(3) == value_iteration(shops.model_of(3)).start
     everything = SimpleNamespace(known=np.ones((800, 4)))
-    runs = [
-        made_up({"one": [{10: shops.best_return(k) / 2}] * 2}, agents={"one": [everything] * 2}) for k in shops.SHOPS
-    ]
-    found = shops.in_other_shops(runs)["one"]
-    assert (found.returns == 50.0).all()
-    assert (found.seen == 100.0).all()
+    half = made_up({"one": [{10: shops.best_return(3) / 2}] * 2}, agents={"one": [everything] * 2})
+    returns, seen = shops.in_shop(half, 3)["one"]
+    assert (returns.tolist(), seen.tolist()) == ([50.0, 50.0], [100.0, 100.0])
 
 
 def test_errors_at_walls() -> None:

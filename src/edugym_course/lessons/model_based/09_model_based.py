@@ -443,9 +443,7 @@ elsewhere = predict("Q-learning ends above Dyna-10 in", unit="of 12 shops")
 elsewhere
 
 # %%
-others = shops.in_other_shops(
-    shops.compare_shops({one: LEARNED[one] for one in ("Q-learning", "Dyna-10")}, repetitions=10)
-)
+others = shops.compare_shops({one: LEARNED[one] for one in ("Q-learning", "Dyna-10")}, repetitions=10)
 for method, (returns, seen) in others.items():
     print(f"{method:10}: by shop", *(f"{mean:4.0f}" for mean in returns.mean(axis=1)), f"  mean {returns.mean():.0f}")
     print(f"{'':10}  allowed", *(f"{mean:4.0f}" for mean in seen.mean(axis=1)), f"  mean {seen.mean():.0f}")
