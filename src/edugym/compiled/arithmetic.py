@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 types: Any = importlib.import_module("numba.core.types")
+registry: Any = importlib.import_module("numba.core.registry")
 extending: Any = importlib.import_module("numba.extending")
 cgutils: Any = importlib.import_module("numba.core.cgutils")
 llvm: Any = importlib.import_module("llvmlite.ir")
@@ -68,12 +69,6 @@ def _float(x: Any) -> Any:
     return float(x * 1.0)  # Numba has no float(True)
 
 
-def _sum(values: Any, start: Any = 0) -> Any:
-    for value in values:
-        start = start + value
-    return start
-
-
 def _any(values: Any) -> Any:
     found = False
     for value in values:
@@ -86,10 +81,6 @@ def _all(values: Any) -> Any:
     for value in values:
         found = found and bool(value)
     return found
-
-
-def _pow(base: Any, exponent: Any) -> Any:
-    return base**exponent
 
 
 def _median(values: Any) -> Any:
@@ -189,8 +180,9 @@ CALLED: dict[Any, Function] = {
     builtins.int: _to_whole(int),
     builtins.round: _to_whole(round),
     builtins.float: _float,
-    builtins.sum: _sum,
-    builtins.pow: _pow,
+    builtins.sum: lambda values, start=0: _sum(values, start),
+    builtins.abs: lambda x: _abs(x),
+    builtins.divmod: lambda x, y: _divmod(x, y),
 }
 """Replacements of builtins where they are called (`int` may also be the type of an array)."""
 EXTREMES: dict[str, Function] = {
@@ -210,18 +202,26 @@ class Operation(NamedTuple):
     """
 
     function: Function
-    kinds: tuple[Any, Any]
+    kinds: tuple[Any, ...]
     result: Any
 
 
-def _operation(kinds: tuple[Any, Any], result: Any, implementation: Function) -> Operation:
+def signature_of(operation: Operation) -> Any:
+    """The signature with which machine code calls an operation in the place of an operator."""
+    context = registry.cpu_target.typing_context
+    return context.resolve_value_type(operation.function).get_call_type(context, operation.kinds, {})
+
+
+def _operation(kinds: tuple[Any, ...], result: Any, implementation: Function) -> Operation:
     """A new operation that machine code can call: `implementation(context, builder, signature, values)` writes it."""
 
-    def operation(x: Any, y: Any) -> Any:
+    def operation(*operands: Any) -> Any:
         raise NotImplementedError
 
     def typer(context: Any) -> Function:
-        return lambda x, y: result if (x, y) == kinds else None
+        if len(kinds) == 1:
+            return lambda x: result if types.unliteral(x) == kinds[0] else None
+        return lambda x, y: result if (types.unliteral(x), types.unliteral(y)) == kinds else None
 
     extending.type_callable(operation)(typer)
     extending.lower_builtin(operation, *kinds)(implementation)
@@ -240,7 +240,7 @@ def _whole_operation(name: str) -> Operation:
     return _operation((types.int64, types.int64), types.int64, implementation)
 
 
-def _operation_in_python(function: Function, kinds: tuple[Any, Any], result: Any) -> Operation:
+def _operation_in_python(function: Function, kinds: tuple[Any, ...], result: Any) -> Operation:
     """An operation written in Python."""
 
     def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
@@ -308,6 +308,16 @@ def _quotient(x: int, y: int) -> float:
     return x / y
 
 
+def _whole_quotient(x: int, y: int) -> int:
+    if y == -1:
+        return _subtract(0, x)
+    return x // y
+
+
+def _remainder(x: int, y: int) -> int:
+    return 0 if y == -1 else x % y  # the processor cannot divide the least number by -1
+
+
 def _left_shift(x: int, y: int) -> int:
     if y < 0 or y > 62 or (x << y) >> y != x:
         raise OverflowError("more than 64 bits")
@@ -333,14 +343,53 @@ def _comparison(compare: Function, *, whole_first: bool) -> Operation:
     return _operation_in_python(compared, kinds, types.boolean)
 
 
+def _exact(x: int) -> float:
+    if x > LARGEST_EXACT or x < -LARGEST_EXACT:
+        raise OverflowError("a whole number too large for a real one")
+    return float(x)
+
+
+def _mixed(operation: Function) -> Operation:
+    """An operation on two real numbers that may be whole in Python.
+
+    It raises an error where that would make a difference: beyond 2^53, and where zero gets a sign.
+    """
+
+    def compute(x: Any, y: Any) -> Any:
+        return _require_same(operation(x, y))
+
+    return _operation_in_python(compute, (REAL, REAL), REAL)
+
+
+def _require_same(result: float) -> float:
+    if abs(result) > LARGEST_EXACT and not math.isinf(result):
+        raise OverflowError("a number, whole in one place and real in another, beyond 2^53")
+    if result == 0.0 and math.copysign(1.0, result) < 0.0:
+        raise ValueError("-0.0 made of numbers that are whole in one place and real in another: write 0.0 for 0")
+    return result
+
+
+def _negative(x: float) -> float:
+    return _require_same(-x)
+
+
 INT, REAL = types.int64, types.float64
+extending.register_jitable(_require_same)
+_ADD, _SUBTRACT = _whole_operation("sadd_with_overflow"), _whole_operation("ssub_with_overflow")
+_add, _subtract = _ADD.function, _SUBTRACT.function
+CHECK_EXACT = _operation_in_python(_exact, (INT,), REAL)
+"""Raises an error for a whole number that is no real number exactly."""
+NEGATIVE = _operation_in_python(lambda x: _subtract(0, x), (INT,), INT)
+"""Minus a whole number."""
 POWER = _operation_in_python(_power, (REAL, REAL), REAL)
 CHECKED: dict[tuple[Any, Any, Any], Operation] = {
-    (operator.add, INT, INT): _whole_operation("sadd_with_overflow"),
-    (operator.sub, INT, INT): _whole_operation("ssub_with_overflow"),
+    (operator.add, INT, INT): _ADD,
+    (operator.sub, INT, INT): _SUBTRACT,
     (operator.mul, INT, INT): _whole_operation("smul_with_overflow"),
     (operator.pow, INT, INT): _operation_in_python(_whole_power, (INT, INT), INT),
     (operator.truediv, INT, INT): _operation_in_python(_quotient, (INT, INT), REAL),
+    (operator.floordiv, INT, INT): _operation_in_python(_whole_quotient, (INT, INT), INT),
+    (operator.mod, INT, INT): _operation_in_python(_remainder, (INT, INT), INT),
     (operator.lshift, INT, INT): _operation_in_python(_left_shift, (INT, INT), INT),
     (operator.rshift, INT, INT): _operation_in_python(_right_shift, (INT, INT), INT),
     **{(operator.pow, *kinds): POWER for kinds in ((REAL, REAL), (REAL, INT), (INT, REAL))},
@@ -351,3 +400,73 @@ CHECKED: dict[tuple[Any, Any, Any], Operation] = {
     },
 }
 """Replacements of operators, by the operator and the types of its operands."""
+MIXED: dict[Any, Operation] = {
+    operator.add: _mixed(extending.register_jitable(lambda x, y: x + y)),
+    operator.sub: _mixed(extending.register_jitable(lambda x, y: x - y)),
+    operator.mul: _mixed(extending.register_jitable(lambda x, y: x * y)),
+    operator.floordiv: _mixed(extending.register_jitable(lambda x, y: x // y)),
+    operator.mod: _mixed(extending.register_jitable(lambda x, y: x % y)),
+    operator.pow: _mixed(POWER.function),
+}
+"""Replacements of operators whose operands may both be whole numbers in Python."""
+MIXED_NEGATIVE = _operation_in_python(_negative, (REAL,), REAL)
+"""Minus such a number."""
+
+
+def _sum(values: Any, start: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_sum(values: Any, start: Any) -> Any:
+    """`sum`: of whole numbers with a check, of real ones from the start as a real number."""
+    begin = types.unliteral(getattr(start, "value", start) if isinstance(start, types.Omitted) else start)
+    of_whole = begin in (INT, 0)
+
+    def whole(values: Any, start: Any) -> Any:
+        total = start
+        for value in values:
+            total = _add(total, int(value))
+        return total
+
+    def real(values: Any, start: Any) -> Any:
+        total, empty = start * 1.0, True
+        for value in values:
+            total, empty = total + value, False
+        if empty and of_whole:
+            raise ValueError("the sum of no real numbers is a whole one")
+        return total
+
+    kind = getattr(getattr(values, "iterator_type", None), "yield_type", None)
+    if kind in (INT, types.boolean) and of_whole:
+        return whole
+    return real if kind in (INT, REAL, types.boolean) and begin in (INT, 0, REAL) else None
+
+
+def _abs(x: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_abs(x: Any) -> Any:
+    whole = types.unliteral(x) == INT
+    return (lambda x: x if x >= 0 else _subtract(0, x)) if whole else (lambda x: abs(x))
+
+
+def _divmod(x: Any, y: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_divmod(x: Any, y: Any) -> Any:
+    def whole(x: Any, y: Any) -> Any:
+        return quotient(x, y), remainder(x, y)
+
+    quotient = CHECKED[operator.floordiv, INT, INT].function
+    remainder = CHECKED[operator.mod, INT, INT].function
+    if types.unliteral(x) == types.unliteral(y) == INT:
+        return whole
+    return lambda x, y: divmod(x, y)
+
+
+extending.overload(_sum, strict=False)(_choose_sum)
+extending.overload(_abs, strict=False)(_choose_abs)
+extending.overload(_divmod, strict=False)(_choose_divmod)
+_sum.__name__, _abs.__name__, _divmod.__name__ = "sum", "abs", "divmod"  # by which messages call them

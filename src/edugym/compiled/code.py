@@ -119,6 +119,11 @@ class Code:
         own = [kind.__name__ for kind in self.classes if is_foreign(kind)]
         return ", ".join(own or [kind.__name__ for kind in self.classes])
 
+    def place_of(self, method: str) -> str:
+        """The place of a student's method, in brackets, for a message; nothing if there is none of this name."""
+        found = next((one for one in self.functions if is_foreign(one) and one.__name__ == method), None)
+        return "" if found is None else f" ({place(found.__code__.co_filename, found.__code__.co_firstlineno)})"
+
     def first_change(self) -> str | None:
         """The name of a method, global or array in a student's code that is not what it was, if there is one."""
         for name, array, before in self._array_bytes:
@@ -163,7 +168,10 @@ class Code:
         yield from ((function, name, value) for (function, name), value in self.globals.items())
         yield from ((kind, name, value) for (kind, name), value in self.members.items())
         for function, cell, value in self.cells:
-            yield function, function.__code__.co_freevars[(function.__closure__ or ()).index(cell)], value
+            place = next(
+                k for k, one in enumerate(function.__closure__ or ()) if one is cell
+            )  # == would compare arrays
+            yield function, function.__code__.co_freevars[place], value
         yield from ((function, f"{module.__name__}.{name}", value) for function, module, name, value in self.attributes)
 
     @cached_property
@@ -352,6 +360,13 @@ def inside(cell: CellType, default: Any = None) -> Any:
         return cell.cell_contents
     except ValueError:
         return default
+
+
+def place(file: str, line: int) -> str:
+    """A line as its author knows it: without the file of a notebook's cell, whose name is made of digits."""
+    name = file.replace("\\", "/").rpartition("/")[2]
+    stem = name.partition(".")[0]
+    return f"line {line}" if stem.isdigit() or name.startswith("<ipython") else f"{name}, line {line}"
 
 
 def is_foreign(thing: Any) -> bool:

@@ -4,6 +4,7 @@ import importlib
 from collections.abc import Callable
 from typing import Any
 
+from edugym.compiled.mixed_numbers import follow_only, require_complete
 from edugym.compiled.typed_checks import check_typed
 from edugym.compiled.untyped_checks import add_polling_only, check_untyped
 
@@ -75,6 +76,8 @@ AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
 CHECK_UNTYPED = _pass("edugym_check_untyped", check_untyped)
 ADD_POLLING = _pass("edugym_add_polling", add_polling_only)
 CHECK_TYPED = _pass("edugym_check_typed", check_typed)
+FOLLOW_MIXED = _pass("edugym_follow_mixed", follow_only)
+REQUIRE_COMPLETE = _pass("edugym_require_complete", require_complete)
 
 
 def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
@@ -83,8 +86,9 @@ def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
     def define_pipelines(self: Any) -> list[Any]:
         manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
         manager.add_pass_after(CHECK_UNTYPED if checked else ADD_POLLING, untyped_passes.InlineClosureLikes)
-        if checked:
-            manager.add_pass_after(CHECK_TYPED, typed_passes.NopythonTypeInference)
+        if not part:
+            manager.add_pass_after(REQUIRE_COMPLETE, typed_passes.NopythonTypeInference)
+        manager.add_pass_after(CHECK_TYPED if checked else FOLLOW_MIXED, typed_passes.NopythonTypeInference)
         if part:
             manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
             manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)

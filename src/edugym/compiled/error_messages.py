@@ -4,12 +4,15 @@ import inspect
 import re
 from pathlib import Path
 
-from edugym.compiled.code import Code
-from edugym.compiled.subset import place
+from edugym.compiled.code import Code, place
 
 MAX_LENGTH = 150
 """How many letters of a message are shown."""
 MESSAGES = (
+    (
+        r"Cannot modify readonly array of type.*",
+        "it writes to an array that is no field, of which machine code has a copy: pass it as a field",
+    ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (
         r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*",

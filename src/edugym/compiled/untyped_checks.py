@@ -7,6 +7,7 @@ Once types are known, `edugym.compiled.typed_checks` goes on.
 
 import importlib
 import math
+import operator
 from collections.abc import Iterator
 from enum import Enum
 from types import ModuleType
@@ -15,9 +16,10 @@ from typing import Any
 import numpy as np
 
 from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
+from edugym.compiled.code import place
 from edugym.compiled.draws import DRAWN
 from edugym.compiled.interrupt_polling import insert_polling
-from edugym.compiled.subset import place, words
+from edugym.compiled.subset import words
 
 ir: Any = importlib.import_module("numba.core.ir")
 analysis: Any = importlib.import_module("numba.core.analysis")
@@ -25,7 +27,13 @@ ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 
 class Refused(Exception):
-    """Code is not in the subset that may be compiled: `str(error)` says what, and where."""
+    """Code is not in the subset that may be compiled: `str(error)` says what, and where.
+
+    Attributes:
+        method: the method of a student's class where the place is; None where the message names the place.
+    """
+
+    method: str | None = None
 
 
 NEVER_NONE = words("initial transition reward terminal observation act greedy")
@@ -59,6 +67,8 @@ def check_untyped(state: Any) -> bool:
             library = _global(state.func_ir, value.value) if value.op == "getattr" else None
             if library is math or library is np:
                 _replace_function(statement, getattr(library, value.attr, None))
+            elif value.op == "call" and _global(state.func_ir, value.func) is pow and len(value.args) == 2:
+                statement.value = ir.Expr.binop(operator.pow, *value.args, value.loc)  # a keyword is refused by Numba
             elif value.op == "call":
                 _rewrite_arguments(state.func_ir, block, statement)
                 _replace_call(state.func_ir, block, statement)
