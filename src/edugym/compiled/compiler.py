@@ -29,8 +29,7 @@ import numpy as np
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.error_messages import reason
-from edugym.compiled.namedtuples import building, skip_check_of_scipy, teach
-from edugym.mdp.membership import is_finite_of_shape
+from edugym.compiled.namedtuples import skip_check_of_scipy, teach
 from edugym.system.interrupts import call_interruptibly, call_within
 
 Function = Callable[..., Any]
@@ -308,32 +307,17 @@ def _compile(
     users_own = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder) if folder else users_own
-        pipeline = importlib.import_module("edugym.compiled.compiler_pipelines").Loop
+        pipelines = importlib.import_module("edugym.compiled.compiler_pipelines")
         caching = {"cache": folder is not None, "nogil": True, "no_cfunc_wrapper": True}
-        made = numba.njit(pipeline_class=pipeline, **caching, **options)(loop)
+        made = numba.njit(pipeline_class=pipelines.Loop, **caching, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
-    _compile_with_facts(made, signature, code, options)
+    functions = {*code.functions, *_replacements()}
+    pipelines.compile_until_known(made, signature, options, functions, code.foreign)
     if folder and (folder / SEAL).exists() and not sum(made.stats.cache_hits.values()):
         seal(folder)  # Numba thought that what was there is older than the source, and has written it again
     made.disable_compile()  # left to itself it would compile for other types without these options
     return made
-
-
-def _compile_with_facts(made: Any, signature: tuple[Any, ...], code: Code, options: dict[str, bool]) -> None:
-    """Compiles, again and again until all is known of the numbers in a student's code (see `mixed_numbers`)."""
-    mixed = importlib.import_module("edugym.compiled.mixed_numbers")
-    functions = {*code.functions, *_replacements()} - {is_finite_of_shape}  # which has another implementation
-    mixed.facts.clear()
-    mixed.facts.is_foreign = code.foreign
-    while True:
-        with building(options, functions), warnings.catch_warnings():
-            warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
-            try:
-                made.compile(signature)
-            except mixed.Incomplete:
-                continue
-        return
 
 
 def _needs_no_counts(kind: Any) -> bool:
@@ -389,7 +373,6 @@ def _load_numba() -> Any:
             try:
                 skip_check_of_scipy()
                 teach(numba, importlib.import_module("edugym.compiled.compiler_pipelines"))
-                importlib.import_module("edugym.compiled.finite")
                 _processor()
             except Exception as error:  # anything may be missing in another version of Numba
                 _setup_error.append(f"{type(error).__name__}: {error}")

@@ -47,3 +47,5 @@ def _of_number(value: Any, shape: Any) -> Any:
 
 
 extending.overload(is_finite_of_shape, strict=False)(_choose)
+IMPLEMENTED = frozenset({is_finite_of_shape})
+"""Functions that machine code does not compile from their source."""

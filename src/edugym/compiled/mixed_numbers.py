@@ -13,36 +13,31 @@ find that a parameter is mixed when its function is finished. Then the build beg
 """
 
 import importlib
-import math
 import operator
-from collections.abc import Iterator
 from types import FunctionType
 from typing import Any
 
-import numpy as np
-
-from edugym.compiled.arithmetic import CHECK_EXACT, MIXED, MIXED_NEGATIVE, signature_of
 from edugym.compiled.code import is_foreign
 from edugym.compiled.namedtuples import member_of
-from edugym.compiled.subset import MATH, words
+from edugym.compiled.number_kinds import (
+    COMPARED,
+    SAME_OF_WHOLE,
+    holds_list,
+    holds_real,
+    is_in,
+    is_whole_array,
+    method_name,
+    pairs_of_types,
+    passes_on,
+)
+from edugym.compiled.operations import CHECK_EXACT, MIXED, MIXED_NEGATIVE, signature_of
+from edugym.compiled.subset import words
 from edugym.compiled.untyped_checks import Refused, refuse, statements
 
 ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
 ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
-COMPARED = (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne, operator.contains)
-SAME_OF_WHOLE: set[Any] = {
-    *(getattr(math, name) for name in MATH if callable(getattr(math, name))),
-    *(getattr(np, name) for name in words("arctan2 cos exp expm1 hypot isfinite isinf isnan log log10 log1p log2 sin")),
-    *(getattr(np, name) for name in words("sqrt tan tanh sinh cosh arcsin arccos arctan float64")),
-    float, int, bool, round, len, range,
-}  # fmt: skip
-"""Functions that give the same of a whole number and of the real number that equals it."""
-PASSED_ON: set[Any] = {max, min, abs, sorted, list, enumerate, zip, reversed, iter, tuple}
-"""Functions whose result may be one of the numbers that they were given, or made of them."""
-PASSED_ON_NAMES = words("np.max np.min max min np.clip abs sum")
-"""The same of the replacements in `edugym.compiled.arithmetic`, by name."""
 SHARING = words("phi cast build_tuple static_getitem getitem exhaust_iter")
 """Expressions that give a list which they were given."""
 WRITE = "write 0.0 for 0, and so on"
@@ -151,13 +146,13 @@ class _Followed:
         return name
 
     def _add(self, variable: Any) -> None:
-        if _holds_real(self.kind(variable)):
+        if holds_real(self.kind(variable)):
             self.mixed.add(self._root(variable.name))
 
     def _join_lists(self) -> None:
         """Finds the variables that stand for the same list."""
         for _, statement in statements(self.ir):
-            if not isinstance(statement, ir.Assign) or not _holds_list(self.kind(statement.target)):
+            if not isinstance(statement, ir.Assign) or not holds_list(self.kind(statement.target)):
                 continue
             value, target = statement.value, statement.target.name
             op = getattr(value, "op", "")
@@ -170,7 +165,7 @@ class _Followed:
                 "exhaust_iter",
             ):
                 for other in [value] if isinstance(value, ir.Var) else value.list_vars():
-                    if _holds_list(self.kind(other)) and self._root(other.name) != self._root(target):
+                    if holds_list(self.kind(other)) and self._root(other.name) != self._root(target):
                         self.group[self._root(other.name)] = self._root(target)
             elif op in ("build_list", "call", "binop"):
                 self.local_lists.add(target)
@@ -178,7 +173,7 @@ class _Followed:
     def _mark(self, statement: Any) -> None:
         if isinstance(statement, ir.SetItem | ir.StaticSetItem):
             target = self.kind(statement.target)
-            if isinstance(target, types.List) and _holds_real(target) and self.may_be_whole(statement.value):
+            if isinstance(target, types.List) and holds_real(target) and self.may_be_whole(statement.value):
                 self._put(statement.target, statement.loc)
         elif isinstance(statement, ir.Assign) and self._gives_mixed(statement.target, statement.value, statement.loc):
             self._add(statement.target)
@@ -200,9 +195,9 @@ class _Followed:
             return False
         kind, given = self.kind(target), [one for one in value.list_vars() if isinstance(one, ir.Var)]
         if value.op == "phi":
-            return any(map(self.is_mixed, given)) or (_holds_real(kind) and any(map(self.may_be_whole, given)))
+            return any(map(self.is_mixed, given)) or (holds_real(kind) and any(map(self.may_be_whole, given)))
         if value.op == "build_list":
-            return _holds_real(kind) and any(map(self.may_be_whole, given))
+            return holds_real(kind) and any(map(self.may_be_whole, given))
         if value.op in ("binop", "inplace_binop", "unary"):
             return self._operation_gives_mixed(value, kind, given)
         if value.op == "call":
@@ -215,7 +210,7 @@ class _Followed:
         function = expr.immutable_fn if expr.op == "inplace_binop" else expr.fn
         if isinstance(kind, types.List):
             return any(map(self.is_mixed, given)) or any(
-                isinstance(self.kind(one), types.List) and not _holds_real(self.kind(one)) for one in given
+                isinstance(self.kind(one), types.List) and not holds_real(self.kind(one)) for one in given
             )
         if kind != types.float64 or function is operator.truediv:
             return False
@@ -243,13 +238,13 @@ class _Followed:
         if not any(map(self.is_mixed, given)):
             smallest = key in (max, min) and kind == types.float64
             return smallest and any(map(self.may_be_whole, given))
-        return _passes_on(called, key)
+        return passes_on(called, key)
 
     def _list_method(self, call: Any, called: Any, given: list[Any], loc: Any) -> bool:
-        name, this = called.typing_key.rpartition(".")[2], self._bound_to(call.func)
-        if name in ("append", "insert") and self.may_be_whole(given[-1]) and _holds_real(self.kind(this)):
+        name, this = method_name(called.typing_key), self._bound_to(call.func)
+        if name in ("append", "insert") and self.may_be_whole(given[-1]) and holds_real(self.kind(this)):
             self._put(this, loc)
-        elif name == "extend" and _holds_real(self.kind(this)):
+        elif name == "extend" and holds_real(self.kind(this)):
             kind = self.kind(given[0])
             if self.is_mixed(given[0]) or getattr(kind, "dtype", kind) != types.float64:
                 self._put(this, loc)
@@ -294,7 +289,7 @@ class _Followed:
         elif isinstance(statement, ir.SetItem | ir.StaticSetItem):
             target, value = self.kind(statement.target), self.kind(statement.value)
             if isinstance(target, types.List):
-                if not _holds_real(target) and _holds_real(value):
+                if not holds_real(target) and holds_real(value):
                     refuse(f"it puts a real number in a list of whole ones: {WRITE}", statement.loc)
                 self._require_exact(block, statement, statement.value, target.dtype)
         elif isinstance(statement, ir.Assign) and isinstance(statement.value, ir.Expr):
@@ -318,7 +313,7 @@ class _Followed:
         loc = getattr(definition, "loc", loc)
         self._require_same_parts(statement.value, result, loc)
         self._require_exact(block, statement, statement.value, result)
-        whole = self.kind(statement.value) == types.int64 and _holds_real(result)
+        whole = self.kind(statement.value) == types.int64 and holds_real(result)
         if whole or self.is_mixed(statement.value):
             if name in ("act", "greedy") and is_foreign(self.function):
                 refuse(f"{name} returns a number that is whole in one place and real in another: use int()", loc)
@@ -332,8 +327,10 @@ class _Followed:
         into = types.unliteral(into.type) if isinstance(into, types.Optional) else into
         if self.in_training and kind == types.int64 and into == types.float64:
             self._refuse_in_training(variable)
+        if isinstance(kind, types.List) and isinstance(into, types.List) and kind.dtype != into.dtype:
+            refuse(f"one name stands for lists of whole and of real numbers: {WRITE}", loc)
         if isinstance(kind, types.BaseTuple) and isinstance(into, types.BaseTuple):
-            for one, other in _pairs(kind, into):
+            for one, other in pairs_of_types(kind, into):
                 if isinstance(types.unliteral(one), types.Integer) and isinstance(types.unliteral(other), types.Float):
                     if self.in_training:
                         self._refuse_in_training(variable)
@@ -348,7 +345,7 @@ class _Followed:
 
     def _require_exact(self, block: Any, statement: Any, variable: Any, into: Any) -> None:
         """Checks a whole number that becomes a real one, unless it is a small constant."""
-        if isinstance(variable, ir.Var) and self.kind(variable) == types.int64 and _holds_real(into):
+        if isinstance(variable, ir.Var) and self.kind(variable) == types.int64 and holds_real(into):
             known = self.kinds[variable.name]
             if not (isinstance(known, types.IntegerLiteral) and abs(known.literal_value) <= 2**53):
                 self.exact.append((block, statement, variable))
@@ -356,7 +353,7 @@ class _Followed:
     def _check_operation(self, expr: Any, kind: Any, loc: Any) -> None:
         given = list(expr.list_vars())
         function = expr.immutable_fn if expr.op == "inplace_binop" else expr.fn
-        with_array = any(map(self.is_mixed, given)) and any(_is_whole_array(self.kind(one)) for one in given)
+        with_array = any(map(self.is_mixed, given)) and any(is_whole_array(self.kind(one)) for one in given)
         if with_array and function not in COMPARED:
             refuse(f"it computes with an array of whole numbers and one that is whole or real: {WRITE}", loc)
         if not self._operation_gives_mixed(expr, kind, given) or isinstance(kind, types.List):
@@ -382,13 +379,13 @@ class _Followed:
             return
         if isinstance(called, types.BoundFunction) and isinstance(called.this, types.List):
             for variable in given:
-                if called.typing_key.rpartition(".")[2] in ("append", "insert"):
+                if method_name(called.typing_key) in ("append", "insert"):
                     self._require_exact(block, statement, variable, called.this.dtype)
             return
         if key in (max, min) and kind == types.float64:
             for variable in given:
                 self._require_exact(block, statement, variable, kind)
-        if any(map(self.is_mixed, given)) and not (_passes_on(called, key) or self._is_same(called, key, given)):
+        if any(map(self.is_mixed, given)) and not (passes_on(called, key) or self._is_same(called, key, given)):
             refuse(
                 f"it gives a number that is whole in one place and real in another to a function: {WRITE}",
                 statement.loc,
@@ -396,7 +393,7 @@ class _Followed:
 
     def _is_same(self, called: Any, key: Any, given: list[Any]) -> bool:
         """Whether a function does the same with whole and with real numbers."""
-        if isinstance(called, types.ExceptionClass) or _in(key, SAME_OF_WHOLE):
+        if isinstance(called, types.ExceptionClass) or is_in(key, SAME_OF_WHOLE):
             return True
         if isinstance(called, types.NumberClass):
             return True
@@ -423,53 +420,3 @@ class _Followed:
         else:
             block.body.insert(block.body.index(before), assign)
         self.ir._definitions[checked.name].append(expr)
-
-
-def _in(key: Any, table: set[Any]) -> bool:
-    try:
-        return key in table
-    except TypeError:  # it has no hash
-        return False
-
-
-def _passes_on(called: Any, key: Any) -> bool:
-    """Whether a function's result may be one of the mixed numbers that it was given."""
-    if isinstance(called, types.NamedTupleClass) or _in(key, PASSED_ON):
-        return True
-    choice = isinstance(called, types.BoundFunction) and isinstance(called.this, types.NumPyRandomGeneratorType)
-    return getattr(key, "__name__", "") in PASSED_ON_NAMES or choice
-
-
-def _holds_real(kind: Any) -> bool:
-    """Whether it is a real number, or holds some (but not as an array, whose numbers are real in Python as well)."""
-    kind = types.unliteral(kind)
-    if isinstance(kind, types.Array):
-        return False
-    if isinstance(kind, types.BaseTuple):
-        return any(map(_holds_real, kind))
-    if isinstance(kind, types.Optional):
-        return _holds_real(kind.type)
-    if isinstance(kind, types.BoundFunction):
-        return _holds_real(kind.this)
-    if isinstance(kind, types.Pair):
-        return _holds_real(kind.first_type)
-    if isinstance(kind, types.IteratorType):
-        return _holds_real(kind.yield_type)
-    return isinstance(kind, types.Float) or (isinstance(kind, types.List) and _holds_real(kind.dtype))
-
-
-def _holds_list(kind: Any) -> bool:
-    return isinstance(kind, types.List) or (isinstance(kind, types.BaseTuple) and any(map(_holds_list, kind)))
-
-
-def _is_whole_array(kind: Any) -> bool:
-    return isinstance(kind, types.Array) and isinstance(kind.dtype, types.Integer)
-
-
-def _pairs(one: Any, other: Any) -> Iterator[tuple[Any, Any]]:
-    """The types of the numbers in two tuples, in pairs."""
-    for part, other_part in zip(one, other, strict=False):
-        if isinstance(part, types.BaseTuple) and isinstance(other_part, types.BaseTuple):
-            yield from _pairs(part, other_part)
-        else:
-            yield part, other_part

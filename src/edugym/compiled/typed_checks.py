@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.arithmetic import CHECKED, NEGATIVE, signature_of
 from edugym.compiled.mixed_numbers import follow_mixed
+from edugym.compiled.number_kinds import method_name
+from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
 from edugym.compiled.subset import MATH, NUMPY, words
-from edugym.compiled.untyped_checks import refuse, statements
+from edugym.compiled.untyped_checks import FROZEN, refuse, statements
 
 ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
@@ -37,7 +38,6 @@ ALLOWED = (
 """Allowed types, besides numbers and what holds other values, which are looked at closer."""
 FILLING = (np.array, np.full, np.full_like)
 """Functions that put what they are given into an array of the type that is asked for."""
-FROZEN = "it writes to an array that is no field, of which machine code has a copy: pass it as a field"
 READING = ARRAY - {"fill"}
 """The members of arrays that write nothing."""
 NOT_WITH_BOOLEANS: set[Any] = {
@@ -209,22 +209,17 @@ def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: An
     if key in (max, min):
         _require_no_flags(expr.args, result, kinds, loc)
     method = getattr(function, "this", None) if isinstance(function, types.BoundFunction) else None
-    if isinstance(method, types.List) and _method_name(key) in ("append", "insert"):
+    if isinstance(method, types.List) and method_name(key) in ("append", "insert"):
         _require_no_flags(expr.args[-1:], method.dtype, kinds, loc)
-    if isinstance(method, types.Array) and not method.mutable and _method_name(key) not in READING:
+    if isinstance(method, types.Array) and not method.mutable and method_name(key) not in READING:
         refuse(FROZEN, loc)
-    shuffles = isinstance(method, types.NumPyRandomGeneratorType) and _method_name(key) == "shuffle"
+    shuffles = isinstance(method, types.NumPyRandomGeneratorType) and method_name(key) == "shuffle"
     if shuffles and any(isinstance(kinds[one.name], types.Array) and not kinds[one.name].mutable for one in given):
         refuse(FROZEN, loc)
-    if isinstance(method, types.Array) and _method_name(key) in ("mean", "std", "var") and not _is_real(method):
+    if isinstance(method, types.Array) and method_name(key) in ("mean", "std", "var") and not _is_real(method):
         refuse("it takes the mean of whole numbers: make them real, as in (1.0 * N).mean()", loc)
     if key in (np.mean, np.std, np.var) and any(_has_whole(kinds[one.name]) for one in given[:1]):
         refuse("it takes the mean of whole numbers: make them real, as in np.mean(1.0 * N)", loc)
-
-
-def _method_name(key: Any) -> str:
-    """The name of a method, by Numba's key of it."""
-    return str(key[1] if isinstance(key, tuple) else key).rpartition(".")[2]
 
 
 def _has_whole(kind: Any) -> bool:

@@ -36,6 +36,7 @@ class Refused(Exception):
     method: str | None = None
 
 
+FROZEN = "it writes to an array that is no field, of which machine code has a copy: pass it as a field"
 NEVER_NONE = words("initial transition reward terminal observation act greedy")
 """Methods of MDPs and agents that have to return something."""
 NUMPY_TYPE: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
@@ -62,6 +63,8 @@ def check_untyped(state: Any) -> bool:
     for block, statement in statements(state.func_ir):
         value = getattr(statement, "value", None)
         if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
+            if value.op == "inplace_binop" and _may_be_frozen(state.func_ir, value.lhs):
+                refuse(FROZEN, statement.loc)  # Numba stumbles over it
             if value.op == "make_function":
                 refuse("it has a function, or a lambda, inside a function", statement.loc)
             library = _global(state.func_ir, value.value) if value.op == "getattr" else None
@@ -146,6 +149,22 @@ def _global(func_ir: Any, variable: Any) -> Any:
         owner = _global(func_ir, definition.value)
         return getattr(owner, definition.attr, None) if isinstance(owner, ModuleType) else None
     return definition.value if isinstance(definition, ir.Global | ir.FreeVar) else None
+
+
+def _may_be_frozen(func_ir: Any, variable: Any) -> bool:
+    """Whether a variable may stand for an array that has a global name, or for a part of it."""
+    seen, open_names = set[str](), [variable.name]
+    while open_names:
+        name = open_names.pop()
+        for definition in () if name in seen else func_ir._definitions[name]:
+            if isinstance(definition, ir.Global | ir.FreeVar) and isinstance(definition.value, np.ndarray):
+                return True
+            if isinstance(definition, ir.Var):
+                open_names.append(definition.name)
+            elif isinstance(definition, ir.Expr) and definition.op in ("getitem", "static_getitem"):
+                open_names.append(definition.value.name)
+        seen.add(name)
+    return False
 
 
 def _replace_function(statement: Any, value: Any) -> None:
