@@ -55,6 +55,7 @@ REPEATED = {
     "minus the least": late("x = -(-2**62 - 2**62 + 0 * k) + 0.0"),
     "the least by -1": late("x = (-2**62 - 2**62 + 0 * k) // (3 - 4) + 0.0"),
     "whole numbers beyond 2^53 that may be real": late("k = 3 ** 35 + k if k > 5 else k * 0.5\nk = k * 3\nx = k % 7"),
+    "the same NaN": late("y = math.nan if k > 7 else 1.0\nx = 1.0 if y in [y, 0.7] else 2.0"),
     "minus 0 that may be whole": late("x = 0 if k % 2 else 0.5\nx = -x"),
 }
 """Programs in which machine code stops, and the interpreter goes on."""

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
+from edugym.compiled.facts import Incomplete, facts, require_complete
 from edugym.compiled.finite import IMPLEMENTED
-from edugym.compiled.mixed_numbers import Incomplete, facts, follow_only, require_complete
+from edugym.compiled.mixed_numbers import follow_only
 from edugym.compiled.namedtuples import building
 from edugym.compiled.typed_checks import check_typed
 from edugym.compiled.untyped_checks import add_polling_only, check_untyped

@@ -18,6 +18,7 @@ from types import FunctionType
 from typing import Any
 
 from edugym.compiled.code import is_foreign
+from edugym.compiled.facts import facts
 from edugym.compiled.namedtuples import member_of
 from edugym.compiled.number_kinds import (
     COMPARED,
@@ -30,7 +31,7 @@ from edugym.compiled.number_kinds import (
     pairs_of_types,
     passes_on,
 )
-from edugym.compiled.operations import CHECK_EXACT, MIXED, MIXED_NEGATIVE, signature_of
+from edugym.compiled.operations import CHECK_EXACT, CHECK_NUMBER, MIXED, MIXED_NEGATIVE, signature_of
 from edugym.compiled.subset import words
 from edugym.compiled.untyped_checks import Refused, refuse, statements
 
@@ -41,47 +42,6 @@ ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 SHARING = words("phi cast build_tuple static_getitem getitem exhaust_iter")
 """Expressions that give a list which they were given."""
 WRITE = "write 0.0 for 0, and so on"
-
-
-class Facts:
-    """What is known of a build so far.
-
-    Attributes:
-        parameters: those that may be given mixed numbers: (function, name).
-        results: functions that may return them.
-        is_incomplete: whether a function was finished before something of it was known.
-        is_foreign: whether there is a student's code in the build.
-    """
-
-    is_foreign = False
-
-    def __init__(self) -> None:
-        """Nothing is known."""
-        self.parameters: set[tuple[FunctionType, str]] = set()
-        self.results: set[FunctionType] = set()
-        self.is_incomplete = False
-
-    def clear(self) -> None:
-        """Forgets everything."""
-        self.parameters.clear()
-        self.results.clear()
-        self.is_incomplete = False
-
-
-facts = Facts()
-"""Those of the build in progress, of which there is one at a time."""
-
-
-class Incomplete(Exception):
-    """The build is to begin again with the facts that were found."""
-
-
-def require_complete(state: Any) -> bool:
-    """Ends a build in which a function was finished too early: the pass for the loop, which comes last."""
-    if facts.is_incomplete:
-        facts.is_incomplete = False
-        raise Incomplete
-    return True
 
 
 def follow_only(state: Any) -> bool:
@@ -106,7 +66,7 @@ class _Followed:
         self.mixed: set[str] = set()  # variables
         self.group: dict[str, str] = {}  # of variables that stand for the same list
         self.local_lists: set[str] = set()
-        self.exact: list[tuple[Any, Any, Any]] = []  # block, statement (None: its end), variable
+        self.checks: list[tuple[Any, Any, Any, Any]] = []  # operation, block, statement (None: its end), variable
 
     def run(self) -> None:
         """Marks until nothing is added, then checks."""
@@ -118,8 +78,8 @@ class _Followed:
                 self._mark(statement)
         for block, statement in statements(self.ir):
             self._check(block, statement)
-        for block, before_statement, variable in self.exact:
-            self._insert_check(block, before_statement, variable)
+        for check in self.checks:
+            self._insert_check(*check)
 
     # what is mixed
 
@@ -220,7 +180,7 @@ class _Followed:
         kind = self.kind(expr.value)
         if isinstance(kind, types.BaseNamedTuple):
             member = member_of(kind, expr.attr)
-            if isinstance(member, property):
+            if isinstance(member, property) and isinstance(member.fget, FunctionType):
                 if self.is_mixed(expr.value):
                     self._suppose(member.fget, "self")
                 return member.fget in facts.results
@@ -258,7 +218,8 @@ class _Followed:
         """The plain function or method that is called, if it is one."""
         called = self.kind(call.func)
         if isinstance(called, types.Dispatcher):
-            return called.dispatcher.py_func
+            function: FunctionType = called.dispatcher.py_func
+            return function
         if isinstance(called, types.BoundFunction) and isinstance(called.this, types.BaseTuple):
             member = member_of(called.this, called.typing_key[1])
             return member if isinstance(member, FunctionType) else None
@@ -303,6 +264,8 @@ class _Followed:
                 for variable in expr.items:
                     self._require_exact(block, statement, variable, self.kind(target).dtype)
             elif expr.op in ("binop", "inplace_binop", "unary"):
+                if expr.op == "binop" and expr.fn is operator.contains and self.kind(expr.rhs) == types.float64:
+                    self.checks.append((CHECK_NUMBER, block, statement, expr.rhs))
                 self._check_operation(expr, self.kind(target), statement.loc)
             elif expr.op == "call":
                 self._check_call(block, statement)
@@ -348,7 +311,7 @@ class _Followed:
         if isinstance(variable, ir.Var) and self.kind(variable) == types.int64 and holds_real(into):
             known = self.kinds[variable.name]
             if not (isinstance(known, types.IntegerLiteral) and abs(known.literal_value) <= 2**53):
-                self.exact.append((block, statement, variable))
+                self.checks.append((CHECK_EXACT, block, statement, variable))
 
     def _check_operation(self, expr: Any, kind: Any, loc: Any) -> None:
         given = list(expr.list_vars())
@@ -407,13 +370,13 @@ class _Followed:
         listed = isinstance(definition, ir.Expr) and definition.op == "build_list" and variable.is_temp
         return listed and any(self.kind(one) == types.float64 and not self.is_mixed(one) for one in definition.items)
 
-    def _insert_check(self, block: Any, before: Any, variable: Any) -> None:
-        """Adds a statement that raises an error where a whole number is no real number exactly."""
+    def _insert_check(self, operation: Any, block: Any, before: Any, variable: Any) -> None:
+        """Adds a statement that raises an error where a number is not what it must be."""
         loc = before.loc if before is not None else block.loc
         checked = ir.Var(block.scope, ir_utils.mk_unique_var("$exact"), loc)
-        expr = ir.Expr.unary(CHECK_EXACT.function, variable, loc)
-        self.kinds[checked.name] = CHECK_EXACT.result
-        self.calltypes[expr] = signature_of(CHECK_EXACT)
+        expr = ir.Expr.unary(operation.function, variable, loc)
+        self.kinds[checked.name] = operation.result
+        self.calltypes[expr] = signature_of(operation)
         assign = ir.Assign(expr, checked, loc)
         if before is None:
             block.body.insert(len(block.body) - 1, assign)

@@ -145,7 +145,8 @@ def _quotient(x: int, y: int) -> float:
 
 def _whole_quotient(x: int, y: int) -> int:
     if y == -1:
-        return _subtract(0, x)
+        opposite: int = _subtract(0, x)
+        return opposite
     return x // y
 
 
@@ -184,6 +185,12 @@ def _exact(x: int) -> float:
     return float(x)
 
 
+def _number(x: float) -> float:
+    if math.isnan(x):
+        raise ValueError("Python finds the same NaN in a list, though NaN equals nothing")
+    return x
+
+
 def _mixed(operation: Function) -> Operation:
     """An operation on two real numbers that may be whole in Python.
 
@@ -214,6 +221,8 @@ ADD, SUBTRACT = _whole_operation("sadd_with_overflow"), _whole_operation("ssub_w
 _add, _subtract = ADD.function, SUBTRACT.function
 CHECK_EXACT = _operation_in_python(_exact, (INT,), REAL)
 """Raises an error for a whole number that is no real number exactly."""
+CHECK_NUMBER = _operation_in_python(_number, (REAL,), REAL)
+"""Raises an error for NaN."""
 NEGATIVE = _operation_in_python(lambda x: _subtract(0, x), (INT,), INT)
 """Minus a whole number."""
 POWER = _operation_in_python(_power, (REAL, REAL), REAL)

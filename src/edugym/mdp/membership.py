@@ -147,7 +147,7 @@ def _of_bounds(low: Any, high: Any, whole: bool) -> Any:
     return _generated(["low", "high"], [f"len(value) == {low.size}", *asked])(low, high)
 
 
-def _of_parts(space: spaces.Tuple) -> Any:
+def _of_parts(space: Any) -> Any:
     parts = [membership(part) for part in space.spaces]
     if None in parts:
         return None
