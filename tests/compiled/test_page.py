@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from edugym.checks.mdps import CHECKED_STEPS
-from edugym.compiled import compiler, disk, execution, interrupt_polling, snapshot, subset
+from edugym.compiled import code, compiler, disk, execution, interrupt_polling, snapshot, subset
 from edugym.training import trainers
 
 PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_text(encoding="utf-8").split())
@@ -21,7 +21,7 @@ PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_te
         ("asks after every 4096 turns", interrupt_polling.ITERATIONS_BETWEEN_POLLS, 4096),
         ("more than 20 seconds of processor time", compiler.MOST_SECONDS, 20),
         ("tuples of up to 300 of them", subset.MOST_PARTS, 300),
-        ("arrays of up to 0.25 MB", subset.MOST_FROZEN, 250_000),
+        ("arrays of up to 0.25 MB", code.MOST_FROZEN, 250_000),
         ("After three such calls", execution.MOST_SURPRISES, 3),
         ("never more than about 256 MB", disk.LIMIT, 256 * 2**20),
     ],

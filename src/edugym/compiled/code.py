@@ -19,6 +19,8 @@ LIBRARIES = frozenset(
     {"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys", "enum"}
 )
 """Packages whose code does not change while a program runs."""
+MOST_FROZEN = 250_000
+"""The largest arrays, in bytes, that may be constants of a student's machine code."""
 EXTENDED_ARG, LOAD_GLOBAL = dis.opmap["EXTENDED_ARG"], dis.opmap["LOAD_GLOBAL"]
 NAMEDTUPLE_MEMBERS = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """Members that every NamedTuple has."""
@@ -91,6 +93,7 @@ class Code:
             for of, name, value in self.named()
             if is_foreign(of)
             for array in arrays_in(value)
+            if array.nbytes <= MOST_FROZEN
         ]
         self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
         self._member_names = [(base, set(vars(base))) for base in self._bases()]
@@ -234,7 +237,8 @@ class Code:
             self._visit_class(thing)
         elif isinstance(thing, np.ndarray):
             self._has_mutable = True
-            self._add(thing.dtype, thing.shape, thing.tobytes())
+            self._add(thing.dtype, thing.shape)
+            self._hash.update(thing.tobytes())
         elif isinstance(thing, tuple):
             self._add(len(thing))
             self._visit(type(thing))

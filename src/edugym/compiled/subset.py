@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.code import LIBRARIES, Code, arrays_in, inside, is_foreign, place
+from edugym.compiled.code import LIBRARIES, MOST_FROZEN, Code, arrays_in, inside, is_foreign, place
 from edugym.system.packages import is_ours, package_of
 
 
@@ -32,8 +32,8 @@ def words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-MOST_FROZEN, MOST_PARTS = 250_000, 300
-"""The largest arrays, in bytes, and tuples that may be constants of machine code."""
+MOST_PARTS = 300
+"""The longest tuples that may be constants of machine code."""
 DTYPES = frozenset({"int64", "float64", "bool"})
 BUILTINS = words(
     "abs all any bool divmod enumerate float int len list max min pow range round sorted sum tuple zip "
