@@ -25,7 +25,7 @@ NO_SENTENCE = re.compile(
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
-WRONG_PLURAL = re.compile(rf"(?<![\d.])(?<!\d )1 {COUNTED}s\b|(?<![\d.])([02-9]|\d\d+) {COUNTED}\b")
+WRONG_PLURAL = re.compile(rf"(?<![\d.])(?<!\d )(?<!= )1 {COUNTED}s\b|(?<![\d.])([02-9]|\d\d+) {COUNTED}\b")
 
 
 class Series(NamedTuple):
