@@ -5,6 +5,7 @@
 #                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
+#   make site       build the website in site/build; `make site-serve` shows it at http://127.0.0.1:8000
 #   make bench      measure speed, against what one would use instead
 #   make clean      remove .venv and what tools left behind
 
@@ -13,7 +14,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all reproduce bench clean
+.PHONY: lab test test-all reproduce site site-serve bench clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -42,8 +43,15 @@ bench: .venv/dev.installed
 reproduce: .venv/lab.installed
 	.venv/bin/edugym reproduce $(ARGS)
 
+# What was compiled before and has not changed is not compiled again.
+site: .venv/lab.installed
+	.venv/bin/python site/playground.py --jobs $(JOBS)
+
+site-serve: .venv/lab.installed
+	.venv/bin/python site/playground.py --jobs $(JOBS) --serve $(ARGS)
+
 clean:
-	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv build dist site/build .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
 # Each extra of pyproject.toml is installed once, and again when what it depends on changes.
