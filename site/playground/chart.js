@@ -22,10 +22,12 @@ export function summary(curves, t) {
 
 export function chart(place, lines, { steps, optimum }) {
   const { clientWidth: width, clientHeight: height } = place
+  if (!width) return // it is hidden
   const known = lines.flat()
-  const ends = known.flatMap(([, mean, half]) => [mean - half, mean + half]).sort((a, b) => a - b)
+  const ends = known.map(([, mean]) => mean).sort((a, b) => a - b)
   // How bad it was at the very start is left out: it would press all the rest together.
   let low = Math.min(ends[Math.floor(ends.length / 12)] ?? 0, optimum ?? Infinity), high = Math.max(ends.at(-1) ?? 0, optimum ?? -Infinity)
+  if (low === high) low = Math.min(low, ends[0] ?? low)
   if (low === high) [low, high] = [low - 1, high + 1]
   const margin = 0.06 * (high - low)
   const x = step => LEFT + (width - LEFT - RIGHT) * step / steps
