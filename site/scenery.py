@@ -62,7 +62,8 @@ def scenery(where: Map, mdp: Any) -> dict[str, Any]:
     states = list(where.pictures(mdp))
     scene = where.scene(mdp, states[0])
     drawn = {key_of(where, mdp, state): elements(where.scene(mdp, state)) for state in states}
-    common = set.intersection(*map(set, drawn.values()))
+    actors = {element for elements in drawn.values() for element in _from_the_face_on(elements)}
+    common = set.intersection(*map(set, drawn.values())) - actors
     found: dict[str, Any] = {
         "width": scene.width,
         "height": scene.height,
@@ -72,7 +73,6 @@ def scenery(where: Map, mdp: Any) -> dict[str, Any]:
     if moves := where.moves(mdp):
         return found | {"moves": moves}
     changing = Counter(element for elements in drawn.values() for element in elements if element not in common)
-    actors = {element for elements in drawn.values() for element in _from_the_face_on(elements)}
     usual = [element for element, times in changing.items() if times > 0.6 * len(drawn) and element not in actors]
     parts = {element: k for k, element in enumerate(dict.fromkeys([*usual, *changing]))}
     moments = {key: [parts[element] for element in elements if element in parts] for key, elements in drawn.items()}

@@ -60,7 +60,7 @@ export class Picture {
     for (const [k, { visits, row }] of cells.entries()) {
       if (!visits) continue
       const [x, y, w, h] = table.cells[k]
-      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.62 * (Math.log1p(visits) / most) ** 2})`
+      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.55 * (Math.log1p(visits) / most) ** 2})`
       else pen.fillStyle = row >= 0 ? colour((values[row] - low) / range) : 'transparent'
       if (show !== 'nothing') pen.fillRect(x, y, w, h)
       const readable = Math.min(w, h) * scale > SMALLEST * devicePixelRatio
