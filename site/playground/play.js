@@ -14,8 +14,10 @@ export class Play {
   }
 
   async open(race, task, streams) {
+    this.asked = task
     const answer = await fetch(`kernels/${race.play}.wasm`)
     const loaded = await load(await answer.arrayBuffer(), race.play)
+    if (this.asked !== task) return // another task came meanwhile
     Object.assign(this, { race, task, table: task.tables[task.play.table], returns: [] })
     this.kernel = new Kernel(loaded, task.play, [streams[0]])
     this.picture = new Picture(this.board, task.scene, this.table, [], `${race.name}, as you play it`)
