@@ -34,8 +34,11 @@ async function open() {
   if (!data.several.some(([n]) => n === state.several)) state.several = 1
   state.steps ??= race.steps
   for (const link of find('tasks').children) {
-    if (link.textContent === race.name) link.setAttribute('aria-current', 'page')
-    else link.removeAttribute('aria-current')
+    if (link.textContent !== race.name) link.removeAttribute('aria-current')
+    else {
+      link.setAttribute('aria-current', 'page')
+      link.scrollIntoView({ block: 'nearest', inline: 'center' })
+    }
   }
   document.title = `${race.name} · EduGym playground`
   find('question').textContent = race.question
@@ -90,8 +93,8 @@ function controls() {
   find('speed').value = state.speed
   find('speed-shown').value = rate() === Infinity ? 'full' : `${short(Math.round(rate()))} / s`
   for (const name of OWN) {
-    find(name).value = state[name] ?? 0.1
-    find(name).nextElementSibling.value = state[name] ?? 'lesson’s'
+    find(name).value = state[name] ?? race.own[name]
+    find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
   }
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
   find('policy').checked = state.policy

@@ -31,6 +31,7 @@ def test_the_menu_can_be_shown(race: Race) -> None:
     """It is JSON; three agents or more race; and "why?" is plain text, three sentences from the lesson."""
     menu = json.loads(json.dumps(playground.menu(race), allow_nan=False))
     assert len(menu["agents"]) >= 3
+    assert len(race.actions) in (0, tabular(race.agents[0].view.of(race.mdp(0))).action_space.n)
     assert len({agent["label"] for agent in menu["agents"]}) == len(menu["agents"])
     assert not re.search(r"[$\\{}*^_]", menu["why"])
     assert len(re.findall(r"[.?](?= |$)", menu["why"])) == 3
