@@ -110,11 +110,12 @@ const tell = text => { find('verdict').textContent = text }
 // What happens
 
 function onLook(lane, fresh) {
-  if (lanes.every(({ look }) => look) && (fresh || performance.now() - charted > 100 || lane.over)) soon(draw)
+  if (fresh || performance.now() - charted > 100 || lane.over) soon(draw)
   if (running && lanes.every(({ over }) => over)) finish()
 }
 
 function draw() {
+  if (!lanes.every(({ look }) => look)) return // a new race has begun meanwhile
   charted = performance.now()
   const [, t] = data.several.find(([n]) => n === state.several)
   chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum })
@@ -201,7 +202,7 @@ find('blind').onchange = event => set('blind', event.target.checked, () => { con
 function remeasure() {
   for (const { picture } of lanes) picture?.measure()
   redraw()
-  if (lanes.every(({ look }) => look)) soon(draw)
+  soon(draw)
 }
 
 function redraw() {
