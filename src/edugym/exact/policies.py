@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from edugym.checks.parameters import in_short, true_or_false
 from edugym.exact.branching import branches
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import require_model
@@ -37,9 +38,10 @@ def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
         ValueError: `agent` cannot act, chooses an action that is not there, or draws what cannot be followed; or the
             observations are not whole numbers.
     """
+    true_or_false("greedy", greedy)
     choose_name = "greedy" if greedy and hasattr(agent, "greedy") else "act"
     if isinstance(agent, type) or not hasattr(agent, choose_name):
-        raise ValueError(f"agent must be an agent, with a method act(state, rng), but is {agent!r}")
+        raise ValueError(f"agent must be an agent, with a method act(state, rng), but is {in_short(agent)}")
     require_model(model)
     task = model.table_task()
     n_states, n_actions, _ = model.successors.shape

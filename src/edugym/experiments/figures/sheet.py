@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from edugym.checks.parameters import a_text, in_short, several
 from edugym.experiments.figures.panel import Panel, Place
 from edugym.experiments.figures.style import PANEL_SIZE, to_bytes
 from edugym.system.extras import require
@@ -32,7 +33,15 @@ class Sheet(NamedTuple):
 
         Returns:
             The Matplotlib figure; `save_figure` writes it to files.
+
+        Raises:
+            ValueError: the name is no text, or a panel is none.
         """
+        a_text("name", self.name)
+        rows = "rows of panels, such as [[Curves(results)]]"
+        for panel in [panel for row in several("rows", self.rows, Sequence, rows) for panel in row]:
+            if isinstance(panel, type) or not hasattr(panel, "draw"):
+                raise ValueError(f"rows must be {rows}, but one panel is {in_short(panel)}")
         require("plot", "matplotlib")
         from matplotlib.figure import Figure
 
