@@ -38,7 +38,7 @@ CALLS: dict[str, Callable[[], Case]] = {
     "figures.Lines": lambda: drawn(
         figures.Lines, {"title": "text", "x_label": "text", "y_label": "text"}, x=[1, 2], lines={"a": [1, 2]}, theory={}
     )._replace(named={"x": "lines"}),
-    "figures.Lines.draw": lambda: Case(lambda ax: figures.Lines([1], {"a": [1]}).draw(ax), {"ax": None}),
+    "figures.Lines.draw": lambda: Case(lambda ax: figures.Lines(np.ones(1), {"a": np.ones(1)}).draw(ax), {"ax": None}),
     "figures.Sheet": lambda: drawn(
         figures.Sheet, {"name": "text", "rows": "[]"}, name="a", rows=[[figures.Curves(known().results)]]),
     "figures.VisitMap": lambda: drawn(

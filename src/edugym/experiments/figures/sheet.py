@@ -1,6 +1,7 @@
 """Figures of several panels."""
 
 from collections.abc import Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, NamedTuple
 
 from edugym.checks.parameters import a_text, in_short, several
@@ -39,9 +40,9 @@ class Sheet(NamedTuple):
         """
         a_text("name", self.name)
         rows = "rows of panels, such as [[Curves(results)]]"
-        for panel in [panel for row in several("rows", self.rows, Sequence, rows) for panel in row]:
+        for panel in chain(*(several("rows", row, object, rows) for row in several("rows", self.rows, object, rows))):
             if isinstance(panel, type) or not hasattr(panel, "draw"):
-                raise ValueError(f"rows must be {rows}, but one panel is {in_short(panel)}")
+                raise ValueError(f"rows must be {rows}, but one of {in_short(self.rows)} is {in_short(panel)}")
         require("plot", "matplotlib")
         from matplotlib.figure import Figure
 
