@@ -48,7 +48,7 @@ CALLS: dict[str, Callable[[], Case]] = {
         figures.save_figure,
         {"figure": figures.Curves(known().results).draw(), "path": known().folder / "figure"}, {"path": "text"}),
     "statistics.exactly": lambda: Case(statistics.exactly, {"value": 1}, {"value": NUMBER}),
-    "statistics.share_interval": lambda: Case(statistics.share_interval, {"values": [0, 1]}, {"values": "[]"}),
+    "statistics.share_interval": lambda: Case(statistics.share_interval, {"values": [0, 1]}, {"values": "[] array"}),
     "statistics.by_point": lambda: Case(statistics.by_point, {"values": np.zeros((2, 3))}),
     "tables.joined": lambda: Case(tables.joined, {"parts": [known().results]}),
     "notebook.frames": lambda: Case(

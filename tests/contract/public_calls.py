@@ -229,7 +229,7 @@ CALLS: dict[str, Callable[[], Case]] = {
         edugym.load, {"path": known().folder / "agent.npz"}, {"kinds": "[] agent_class task_class"}),
     "make_environment": lambda: Case(lambda name: edugym.make_environment(name), {"name": "Boulder"}),
     "make_mdp": lambda: Case(lambda name: edugym.make_mdp(name), {"name": "Boulder"}),
-    "mean_interval": lambda: Case(edugym.mean_interval, {"values": [1, 2, 3]}, {"values": "[]"}),
+    "mean_interval": lambda: Case(edugym.mean_interval, {"values": [1, 2, 3]}, {"values": "[] array"}),
     "paired_difference": lambda: Case(
         edugym.paired_difference, {"first": [1, 2], "second": [2, 2]}, named={"first": "second"}),
     "policy_evaluation": lambda: Case(

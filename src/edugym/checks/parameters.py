@@ -119,27 +119,30 @@ def several(name: str, values: Any, kind: type[Kind], allowed: str) -> list[Kind
     return given
 
 
-def an_array(name: str, values: Any, shape: Sequence[int | str]) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def an_array(
+    name: str, values: Any, shape: Sequence[int | str] | None = None
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     """Refuse `values` that are not an array of real numbers, or a list that stands for one; NaN and infinity are fine.
 
     Args:
         name: the parameter's name.
         values: what was given.
-        shape: the length of each axis; where any will do, what it is called, such as "n_states".
+        shape: the length of each axis; where any will do, what it is called, such as "n_states". None for any shape
+            of one axis or more.
     """
     try:
         array = np.asarray(values)
         array = np.array(values, float) if array.dtype.kind == "O" else array  # of huge numbers, or with None for NaN
-        fits = array.ndim == len(shape) and all(
-            isinstance(n, str) or n == m for n, m in zip(shape, array.shape, strict=True)
+        wanted = array.shape if shape is None else tuple(shape)
+        fits = 0 < array.ndim == len(wanted) and all(
+            isinstance(n, str) or n == m for n, m in zip(wanted, array.shape, strict=True)
         )
     except (ValueError, TypeError, OverflowError):  # of lists of different lengths, of objects, of huge numbers
         fits = False
     if not fits or array.dtype.kind not in "biuf":
-        axes = ", ".join(map(str, shape))
+        axes = "" if shape is None else f" of shape ({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
         given = f", of shape {values.shape}" if isinstance(values, np.ndarray) else ""
-        wanted = f"({axes},)" if len(shape) == 1 else f"({axes})"
-        raise ValueError(f"{name} must be an array of numbers of shape {wanted}, but is {in_short(values)}{given}")
+        raise ValueError(f"{name} must be an array of numbers{axes}, but is {in_short(values)}{given}")
     return np.asarray(array, np.float64)
 
 

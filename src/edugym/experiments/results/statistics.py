@@ -72,7 +72,7 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
     """The mean of independent values, with Student's t interval.
 
     Args:
-        values: shape (n,): one value of each repetition; NaN means no value.
+        values: one value of each repetition, in any shape; NaN means no value.
         confidence: the share of such intervals that contain the true mean, between 0 and 1.
 
     Returns:
@@ -82,7 +82,7 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
         ValueError: the values are no numbers, or the confidence is not between 0 and 1.
     """
     between("confidence", confidence, 0, 1)
-    known = an_array("values", values, ("n",))
+    known = an_array("values", values).ravel()
     known = known[~np.isnan(known)]
     if len(known) < 2:
         return Interval(float(known[0]) if len(known) else math.nan, -math.inf, math.inf, len(known))
@@ -130,7 +130,7 @@ def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interva
     Raises:
         ValueError: a value is neither 0 nor 1.
     """
-    known = an_array("values", values, ("n",))
+    known = an_array("values", values).ravel()
     known = known[~np.isnan(known)]
     if not np.isin(known, (0.0, 1.0)).all():
         raise ValueError(f"values of a share must be 0 or 1, but there is {known[~np.isin(known, (0.0, 1.0))][0]}")
@@ -148,7 +148,7 @@ def paired_difference(first: ArrayLike, second: ArrayLike, confidence: float = C
     Raises:
         ValueError: they are no numbers, or have different lengths.
     """
-    one = an_array("first", first, ("n",))
+    one = an_array("first", first)
     other = an_array("second", second, one.shape)
     return mean_interval(one - other, confidence)
 
