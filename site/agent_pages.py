@@ -18,13 +18,15 @@ from edugym.adapters.registration import in_course_order
 PAGE = """\
 # {name}
 
-{docstring}
+{equation}
 
 ## The code that runs
 
 {code}
 
 The whole file: [`{path}`]({repository}/blob/main/{path}).
+
+{details}
 
 ## Where it works
 
@@ -63,10 +65,12 @@ def pages(lessons: list[Lesson]) -> dict[str, str]:
 def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
     """Return the page of an agent."""
     code = "\n\n\n".join([*map(source, (vars(kind)[method] for method in SHOWN)), *helpers(kind)])
+    equation, attributes, details = markdown(kind).partition("**Attributes**")
     path = f"src/{kind.__module__.replace('.', '/')}.py"
     return PAGE.format(
         name=name,
-        docstring=markdown(kind),
+        equation=equation,
+        details=attributes + details,
         code=f"```python\n{code}\n```",
         path=path,
         repository=REPOSITORY,

@@ -57,6 +57,7 @@ def lesson(path: Path) -> Lesson:
         same, shown = outputs[cell["id"]]
         if same == source and "check" not in cell["metadata"].get("tags", []):
             text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures))
+    text.append("[Answer the three statements on this site](../survey.md), which sends nothing anywhere.")
     title = text[0].split("\n")[0].removeprefix("# ")
     return Lesson(path.stem, title, "\n\n".join([_opening(text[0], path), *text[1:], ""]), figures)
 

@@ -13,7 +13,8 @@ VERSION: str = _PROJECT["version"]
 
 PICTURES = {".svg", ".png", ".gif"}
 _FENCED = re.compile(r"^(?P<fence>`{3,}|~{3,}).*?^(?P=fence)`*$|`[^`\n]+`", re.MULTILINE | re.DOTALL)
-_LINK = re.compile(r"(?<=\]\()(?!https?:|mailto:|[#/])[^)\s]+(?=\))")
+_MAIN = f"{REPOSITORY}/blob/main/"
+_LINK = re.compile(rf"(?<=\]\()(?:{re.escape(_MAIN)}|(?!https?:|mailto:|[#/]))[^)\s]+(?=\))")
 _SECTION = re.compile(r"^<!-- section: (\S+) # (.+) -->$", re.MULTILINE)
 
 
@@ -59,7 +60,8 @@ def with_links(text: str, path: str, page: str) -> str:
 
     def target(link: str) -> str:
         file, hash_sign, heading = link.partition("#")
-        there = os.path.normpath(os.path.join(os.path.dirname(path), file))
+        folder = "" if file.startswith(_MAIN) else os.path.dirname(path)
+        there = os.path.normpath(os.path.join(folder, file.removeprefix(_MAIN)))
         if not (ROOT / there).exists():
             raise ValueError(f"{path} links to {link}, which is not there")
         if (known := page_of(there)) is not None:

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import agent_pages
 import lesson_pages
+import mathematics
 import reference_pages
 from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
 from sphinx.cmd.build import main as sphinx_build
@@ -116,6 +117,7 @@ def build(folder: Path, jobs: int = 2) -> int:
     options = ["-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
     status = sphinx_build([*options, "-c", str(HERE), "-d", str(folder / "doctrees"), str(folder / "source"), str(html)])
     if status == 0:
+        (html / "_static" / "math.woff").write_bytes(mathematics.font())
         shutil.copytree(ROOT / "notebooks", html / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
         if PLAYGROUND.exists():
             shutil.copytree(PLAYGROUND, html / "playground", dirs_exist_ok=True)
