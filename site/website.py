@@ -15,6 +15,7 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
+import accessibility
 import agent_pages
 import lesson_pages
 import mathematics
@@ -117,6 +118,7 @@ def build(folder: Path, jobs: int = 2) -> int:
     options = ["-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
     status = sphinx_build([*options, "-c", str(HERE), "-d", str(folder / "doctrees"), str(folder / "source"), str(html)])
     if status == 0:
+        accessibility.mend(html)
         (html / "_static" / "math.woff").write_bytes(mathematics.font())
         shutil.copytree(ROOT / "notebooks", html / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
         if PLAYGROUND.exists():
