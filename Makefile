@@ -5,6 +5,7 @@
 #                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
+#   make site       build the website in site/build/html; `make site-serve` also shows it at http://127.0.0.1:8000
 #   make bench      measure speed, against what one would use instead
 #   make dist       build the package from what is committed, and try it in an empty environment
 #   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
@@ -15,7 +16,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all test-lowest reproduce bench dist clean
+.PHONY: lab test test-all test-lowest reproduce site site-serve bench dist clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -44,6 +45,13 @@ bench: .venv/dev.installed
 reproduce: .venv/lab.installed
 	.venv/bin/edugym reproduce $(ARGS)
 
+# The website with the playground. Nothing of the lessons is executed; kernels that were compiled before are not compiled again.
+site: .venv/site.installed
+	.venv/bin/python site/website.py --jobs $(JOBS)
+
+site-serve: .venv/site.installed
+	.venv/bin/python site/website.py --jobs $(JOBS) --serve $(ARGS)
+
 # From a copy of what is committed, so that nothing of the working folder gets in.
 dist: .venv/dev.installed
 	rm -rf dist build && mkdir -p build/tree build/empty
@@ -68,7 +76,7 @@ test-lowest:
 		tests/mdp tests/rendering tests/system tests/training
 
 clean:
-	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv build dist site/build .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
 # Each extra of pyproject.toml is installed once, and again when what it depends on changes.

@@ -19,6 +19,7 @@ import accessibility
 import agent_pages
 import lesson_pages
 import mathematics
+import playground
 import reference_pages
 from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
 from sphinx.cmd.build import main as sphinx_build
@@ -28,7 +29,6 @@ from edugym.adapters.registration import in_course_order
 
 HERE = ROOT / "site"
 BUILT = HERE / "build"
-PLAYGROUND = BUILT / "playground"
 
 
 def sources() -> dict[str, bytes]:
@@ -121,8 +121,9 @@ def build(folder: Path, jobs: int = 2) -> int:
         accessibility.mend(html)
         (html / "_static" / "math.woff").write_bytes(mathematics.font())
         shutil.copytree(ROOT / "notebooks", html / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
-        if PLAYGROUND.exists():
-            shutil.copytree(PLAYGROUND, html / "playground", dirs_exist_ok=True)
+        playground.build(playground.BUILT, jobs=jobs)
+        shutil.rmtree(html / "playground", ignore_errors=True)
+        shutil.copytree(playground.BUILT, html / "playground")
     return int(status)
 
 

@@ -167,7 +167,7 @@ def bins_of(bins: int | Sequence[int], n: int, least: int = 1) -> Integers:
     each = np.ravel(np.full(n, bins, object) if np.ndim(bins) == 0 else np.array(bins, object))
     if len(each) != n:
         raise ValueError(f"bins must be one number or {n}, one for each, but is {bins!r}")
-    return np.array([whole_number("bins", number, least, 2**31) for number in each])
+    return np.array([whole_number("bins", number, least, 2**31) for number in each], np.int64)
 
 
 def _ends(name: str, given: float | Sequence[float] | None, of_space: Any, n: int) -> Reals:

@@ -104,9 +104,9 @@ class Tabular(NamedTuple):
         if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
             raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
         number_of_rows(sizes)
-        lows, seen = np.array(table_lows(space)), np.zeros(len(sizes), np.int64)
+        lows, seen = np.array(table_lows(space), np.int64), np.zeros(len(sizes), np.int64)
         kind = TabularInPlace if writes_in_place(mdp) else cls
-        return kind(mdp, np.array(sizes), lows, seen)
+        return kind(mdp, np.array(sizes, np.int64), lows, seen)
 
 
 class TabularInPlace(Tabular):
