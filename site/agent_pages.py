@@ -75,13 +75,14 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         path=path,
         repository=REPOSITORY,
         works="\n".join(_works(name)),
-        lessons="\n".join(_used(name, lessons)) or "No lesson uses it. Try it in one of them, in place of another agent.",
+        lessons="\n".join(_used(name, lessons))
+        or "No lesson uses it. Try it in one of them, in place of another agent.",
         reference=described(name, kind, docstring=summary(kind)),
     )
 
 
 def helpers(kind: Any) -> Iterator[str]:
-    """Yield the source of what the algorithm calls: other methods of the agent, and functions of the rooms of agents."""
+    """Yield the source of what the algorithm calls: methods of the agent, and functions of the room of agents."""
     module, seen, todo = sys.modules[kind.__module__], set(SHOWN), [vars(kind)[method] for method in SHOWN]
     while todo:
         function = todo.pop(0)

@@ -81,7 +81,9 @@ def described(name: str, thing: Any, module: str = "edugym", docstring: str | No
     if not inspect.isclass(thing):
         return _directive("data", name, summary(thing) if thing.__doc__ != type(thing).__doc__ else "", module)
     members = [_member(label, member) for label, member in public_members(thing)]
-    return _directive("class", name, "\n\n".join([markdown(thing) if docstring is None else docstring, *members]), module, colons=5)
+    return _directive(
+        "class", name, "\n\n".join([markdown(thing) if docstring is None else docstring, *members]), module, colons=5
+    )
 
 
 def _member(name: str, member: Any) -> str:

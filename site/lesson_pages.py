@@ -9,12 +9,16 @@ import json
 import re
 from pathlib import Path
 from typing import Any, NamedTuple
+from urllib.parse import urlencode
 
 from repository import REPOSITORY, ROOT, with_links
+
+from edugym import ENVIRONMENTS
 
 NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
 LIVE = "*In JupyterLab these controls are live.*"
+PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
 IMAGES = {"image/svg+xml": "svg", "image/png": "png"}
 
 
@@ -48,7 +52,7 @@ def lesson(path: Path) -> Lesson:
     for cell in cells:
         source = _source(cell)
         if cell["cell_type"] == "markdown":
-            heading = ([heading] + re.findall(r"^#+ (.*)$", source, re.MULTILINE))[-1]
+            heading = [heading, *re.findall(r"^#+ (.*)$", source, re.MULTILINE)][-1]
             text.append(with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}"))
             continue
         if cell["metadata"].get("jupyter", {}).get("source_hidden"):
@@ -56,7 +60,7 @@ def lesson(path: Path) -> Lesson:
         text.append(_fenced(source, "python"))
         same, shown = outputs[cell["id"]]
         if same == source and "check" not in cell["metadata"].get("tags", []):
-            text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures))
+            text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures).replace(LIVE, _live(source)))
     text.append("[Answer the three statements on this site](../survey.md), which sends nothing anywhere.")
     title = text[0].split("\n")[0].removeprefix("# ")
     return Lesson(path.stem, title, "\n\n".join([_opening(text[0], path), *text[1:], ""]), figures)
@@ -73,6 +77,16 @@ def _opening(first: str, path: Path) -> str:
         f"{notebook}, or [open it in Colab]({colab}/blob/main/notebooks/{path.name})."
     )
     return f"{heading}\n\n:::{{container}} where\n{here}\n:::\n{rest}"
+
+
+def _live(source: str) -> str:
+    """Return what is said below controls; a task that one plays can also be played in the playground."""
+    played = re.match(r'play\(\s*"(\w+)"', source)
+    names = [entry.name for entry in ENVIRONMENTS]
+    if played is None or played[1] not in names:
+        return LIVE
+    where = urlencode({"task": played[1], "play": "true"} | ({"blind": "true"} if "blind=True" in source else {}))
+    return PLAY.format(where, played[1])
 
 
 def _source(cell: dict[str, Any]) -> str:
@@ -109,7 +123,7 @@ def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: di
         return ""
     body = "\n\n".join(parts)
     if answers:
-        body = f"<details class=\"measured\"><summary>Show what this cell measured</summary>\n\n{body}\n\n</details>"
+        body = f'<details class="measured"><summary>Show what this cell measured</summary>\n\n{body}\n\n</details>'
     return f"::::{{container}} output\n{body}\n::::"
 
 
@@ -119,7 +133,7 @@ def _question(shown: str, name: str) -> str:
     options = re.split(r"(?:^| )\([a-z]\) ", choices)[1:]
     fields = [f'<label><input type="radio" name="{name}"> {option}</label>' for option in options]
     fields = fields or ['<label>your guess <input type="text" inputmode="decimal" size="8"></label>']
-    return f"<fieldset class=\"prediction\"><legend>Your prediction. {question}</legend>{''.join(fields)}</fieldset>"
+    return f'<fieldset class="prediction"><legend>Your prediction. {question}</legend>{"".join(fields)}</fieldset>'
 
 
 def _picture(data: dict[str, str], kind: str, name: str, heading: str, figures: dict[str, bytes]) -> str:

@@ -35,7 +35,6 @@ from edugym.training.visits import record_visits
 HERE = Path(__file__).parent
 PAGE, BUILT = HERE / "playground", HERE / "build" / "playground"
 LESSONS = HERE.parent / "src" / "edugym_course" / "lessons"
-REPOSITORY = "https://github.com/RLG-Leiden/edugym"
 SEEDS = 20
 SEVERAL = (1, 5, 10, 20)
 """How many seeds a reader may run at once."""
@@ -164,7 +163,7 @@ def lesson(number: int | None) -> dict[str, str]:
     return {
         "lesson": title,
         "why": " ".join(sentences[:3]),
-        "link": f"{REPOSITORY}/blob/main/notebooks/{file.stem}.ipynb",
+        "link": f"../lessons/{file.stem}.html",
     }
 
 

@@ -15,15 +15,18 @@ def statements(lessons: list[Lesson]) -> list[str]:
 
 def form(lessons: list[Lesson]) -> str:
     """Return the form, in HTML."""
-    choices = "".join(f"<option value=\"{lesson.name}\">{lesson.title}</option>" for lesson in lessons)
+    choices = "".join(f'<option value="{lesson.name}">{lesson.title}</option>' for lesson in lessons)
     questions = "".join(
         f"<fieldset><legend>{statement}</legend>"
-        + "".join(f'<label><input type="radio" name="s{number}" value="{answer}"> {answer}</label>' for answer in ANSWERS)
+        + "".join(
+            f'<label><input type="radio" name="s{number}" value="{answer}"> {answer}</label>' for answer in ANSWERS
+        )
         + "</fieldset>"
         for number, statement in enumerate(statements(lessons), 1)
     )
     return (
-        f'<form id="survey"><p><label>Lesson <select name="lesson"><option value="">all</option>{choices}</select></label></p>'
+        f'<form id="survey"><p><label>Lesson <select name="lesson"><option value="">all</option>'
+        f"{choices}</select></label></p>"
         f"{questions}"
         '<p><label>Remarks<br><textarea name="remarks" rows="4" cols="50"></textarea></label></p>'
         '<p><button type="submit">Save my answers as a file</button> <button type="button" id="survey-link">'

@@ -21,6 +21,7 @@ import lesson_pages
 import mathematics
 import playground
 import reference_pages
+from races import RACES
 from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
 from sphinx.cmd.build import main as sphinx_build
 from survey import form
@@ -29,6 +30,7 @@ from edugym.adapters.registration import in_course_order
 
 HERE = ROOT / "site"
 BUILT = HERE / "build"
+RACE = '\n*{1}* <a href="../playground/index.html#task={0}">Bet on an agent, or play yourself</a>.\n\n```python'
 
 
 def sources() -> dict[str, bytes]:
@@ -42,6 +44,9 @@ def sources() -> dict[str, bytes]:
     }
     for folder, title in (("guides", "Guides"), ("lessons", "The lessons")):
         texts[f"{folder}/index"] = f"# {title}\n\n" + "".join(_listed(folder, texts))
+    for race in RACES:
+        page = f"environments/{race.environment.lower()}"
+        texts[page] = texts[page].replace("\n```python", RACE.format(race.environment, race.question), 1)
     texts["index"] = texts["index"].replace("<!-- gallery -->", _gallery())
     texts["survey"] = texts["survey"].replace("<!-- form -->", form(lessons))
     for folder, pages in _children(texts).items():
@@ -57,7 +62,12 @@ def sources() -> dict[str, bytes]:
 
 def _copied() -> dict[str, str]:
     """Return the pages that are files of the checkout."""
-    found = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docs/environments/*.md"), *HERE.glob("pages/*.md")]
+    found = [
+        *ROOT.glob("*.md"),
+        *ROOT.glob("docs/*.md"),
+        *ROOT.glob("docs/environments/*.md"),
+        *HERE.glob("pages/*.md"),
+    ]
     texts = {}
     for file in found:
         path = file.relative_to(ROOT).as_posix()
@@ -111,20 +121,27 @@ def write(folder: Path) -> None:
             file.write_bytes(content)
 
 
-def build(folder: Path, jobs: int = 2) -> int:
-    """Build the website into `folder`/html, and return the exit status of Sphinx; a warning is an error."""
+def write_pages(folder: Path, jobs: int = 2) -> int:
+    """Write all pages but the playground into `folder`/html. Return Sphinx's exit status; a warning is an error."""
     write(folder / "source")
-    html = folder / "html"
+    source, html, doctrees = (str(folder / name) for name in ("source", "html", "doctrees"))
     options = ["-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
-    status = sphinx_build([*options, "-c", str(HERE), "-d", str(folder / "doctrees"), str(folder / "source"), str(html)])
+    status = sphinx_build([*options, "-c", str(HERE), "-d", doctrees, source, html])
     if status == 0:
-        accessibility.mend(html)
-        (html / "_static" / "math.woff").write_bytes(mathematics.font())
-        shutil.copytree(ROOT / "notebooks", html / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
-        playground.build(playground.BUILT, jobs=jobs)
-        shutil.rmtree(html / "playground", ignore_errors=True)
-        shutil.copytree(playground.BUILT, html / "playground")
+        accessibility.mend(folder / "html")
+        (folder / "html" / "_static" / "math.woff").write_bytes(mathematics.font())
+        shutil.copytree(ROOT / "notebooks", folder / "html" / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
     return int(status)
+
+
+def build(folder: Path, jobs: int = 2) -> int:
+    """Write the whole website into `folder`/html."""
+    status = write_pages(folder, jobs)
+    if status == 0:
+        playground.build(playground.BUILT, jobs=jobs)
+        shutil.rmtree(folder / "html" / "playground", ignore_errors=True)
+        shutil.copytree(playground.BUILT, folder / "html" / "playground")
+    return status
 
 
 def _no_folders(folder: str, names: list[str]) -> list[str]:
