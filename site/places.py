@@ -156,7 +156,8 @@ def _corridors(mdp: Any) -> Iterator[Corridor]:
 
 def _on_the_screen(mdp: Any, seen: tuple[int, ...]) -> Place:
     hp, word = seen
-    return Cell(3.6 + 0.24 * min(hp // 5, 19), 6.4 + 1.05 * word, 0.24, 1.05), min(hp - 5 * min(hp // 5, 19), 5)
+    column = min(hp // 20, 4)
+    return Cell(3.6 + 0.96 * column, 6.3 + 0.82 * word, 0.96, 0.82), hp - 20 * column
 
 
 def _toys(mdp: Any) -> Iterator[Toy]:

@@ -4,6 +4,7 @@ Both come from the scenes that the environments draw themselves. What is the sam
 What is not is kept once, and each state has a list of what is to be seen there.
 """
 
+from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from places import Map
 from edugym.adapters.fitting import tabular
 from edugym.mdp.frame_stack import FrameStack
 from edugym.mdp.tabular import table_lows, table_sizes
+from edugym.rendering.palette import YELLOW
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 
@@ -53,12 +55,15 @@ def scenery(where: Map, mdp: Any) -> dict[str, Any]:
 
     Returns:
         `width`, `height`, `colour` and `background`; `parts`, elements of SVG, and `moments`, by the numbers that
-        decide a picture, the indices of its parts. Where pictures move without steps, `moves` says how instead.
+        decide a picture, the indices of its parts. The first parts, so many as `behind` says, are to be seen in many
+        pictures, and no face: they lie behind what an agent knows. Where pictures move without steps, `moves` says how
+        instead.
     """
     states = list(where.pictures(mdp))
     scene = where.scene(mdp, states[0])
     drawn = {key_of(where, mdp, state): elements(where.scene(mdp, state)) for state in states}
-    common = set.intersection(*map(set, drawn.values()))
+    actors = {element for elements in drawn.values() for element in _from_the_face_on(elements)}
+    common = set.intersection(*map(set, drawn.values())) - actors
     found: dict[str, Any] = {
         "width": scene.width,
         "height": scene.height,
@@ -67,15 +72,22 @@ def scenery(where: Map, mdp: Any) -> dict[str, Any]:
     }
     if moves := where.moves(mdp):
         return found | {"moves": moves}
-    changing = (element for elements in drawn.values() for element in elements if element not in common)
-    parts = {element: k for k, element in enumerate(dict.fromkeys(changing))}
+    changing = Counter(element for elements in drawn.values() for element in elements if element not in common)
+    usual = [element for element, times in changing.items() if times > 0.6 * len(drawn) and element not in actors]
+    parts = {element: k for k, element in enumerate(dict.fromkeys([*usual, *changing]))}
     moments = {key: [parts[element] for element in elements if element in parts] for key, elements in drawn.items()}
-    return found | {"parts": list(parts), "moments": moments}
+    return found | {"parts": list(parts), "behind": len(usual), "moments": moments}
 
 
 def elements(scene: Scene) -> list[str]:
     """The shapes of a scene as SVG, without title and background."""
     return to_svg(scene).split("\n")[3:-1]
+
+
+def _from_the_face_on(elements: list[str]) -> list[str]:
+    """The face, which is the last that is yellow, and what is drawn after it."""
+    yellow = [k for k, element in enumerate(elements) if f'fill="{YELLOW}"' in element and "<circle" in element]
+    return elements[yellow[-1] :] if yellow else []
 
 
 def key_of(where: Map, mdp: Any, state: Any) -> str:

@@ -1,6 +1,6 @@
 // The learning curves: mean return over training steps, with the exact optimum, and with several seeds an interval.
 
-const LEFT = 58, RIGHT = 12, TOP = 14, BOTTOM = 26 // pixels around the lines
+const LEFT = 58, RIGHT = 12, TOP = 20, BOTTOM = 26 // pixels around the lines
 const DASHES = ['', '9 4', '3 3'] // so that the lines differ without colours, too
 
 // A number in a few characters.
@@ -22,10 +22,12 @@ export function summary(curves, t) {
 
 export function chart(place, lines, { steps, optimum }) {
   const { clientWidth: width, clientHeight: height } = place
+  if (!width) return // it is hidden
   const known = lines.flat()
-  const ends = known.flatMap(([, mean, half]) => [mean - half, mean + half]).sort((a, b) => a - b)
+  const ends = known.map(([, mean]) => mean).sort((a, b) => a - b)
   // How bad it was at the very start is left out: it would press all the rest together.
   let low = Math.min(ends[Math.floor(ends.length / 12)] ?? 0, optimum ?? Infinity), high = Math.max(ends.at(-1) ?? 0, optimum ?? -Infinity)
+  if (low === high) low = Math.min(low, ends[0] ?? low)
   if (low === high) [low, high] = [low - 1, high + 1]
   const margin = 0.06 * (high - low)
   const x = step => LEFT + (width - LEFT - RIGHT) * step / steps
@@ -38,7 +40,7 @@ export function chart(place, lines, { steps, optimum }) {
   }
   if (optimum !== null) {
     parts.push(`<path d="M${LEFT} ${y(optimum)}H${width - RIGHT}" stroke="var(--optimum)" stroke-width="2" stroke-dasharray="2 5"/>`
-      + `<text x="${width - RIGHT - 4}" y="${y(optimum) + 15}" text-anchor="end">best possible: ${short(optimum)}</text>`)
+      + `<text x="${width - RIGHT - 4}" y="${y(optimum) - 6}" text-anchor="end">best possible: ${short(optimum)}</text>`)
   }
   parts.push(`<clipPath id="inside"><rect x="${LEFT - 2}" width="${width - LEFT - RIGHT + 4}" y="${TOP - 8}" height="${height - TOP - BOTTOM + 8}"/></clipPath><g clip-path="url(#inside)">`)
   lines.forEach((line, k) => {

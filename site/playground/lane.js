@@ -2,6 +2,7 @@
 
 import { short } from './chart.js'
 import { Picture } from './picture.js'
+import { soon } from './soon.js'
 
 const SLOW = 20 // up to so many steps a second, the picture shows what the agent would do as things are now
 
@@ -9,6 +10,7 @@ export class Lane {
   constructor(k, { onAgent, onBet, onLook }) {
     this.k = k
     this.onLook = onLook
+    this.draw = this.draw.bind(this)
     this.id = 0
     this.article = document.createElement('article')
     this.article.style.setProperty('--lane', `var(--lane-${k})`)
@@ -32,7 +34,8 @@ export class Lane {
     this.says.textContent = says
     this.numbers.textContent = ''
     this.picture = new Picture(this.place, task.scene, this.table, task.marks, `${race.name}, as ${label} learns it`)
-    this.worker.postMessage({ kind: 'new', id: ++this.id, kernel, plan: lane, look: lane.look, rows: this.table.rows, ...how, at: how.at[this.k] })
+    const { rows, cell } = this.table
+    this.worker.postMessage({ kind: 'new', id: ++this.id, kernel, plan: lane, look: lane.look, rows, now: cell.length, ...how, at: how.at[this.k] })
   }
 
   rate(rate) {
@@ -45,13 +48,11 @@ export class Lane {
     if (data.id !== this.id) return
     const fresh = !this.look
     Object.assign(this, { look: data, steps: data.steps, curves: data.curves, over: data.over })
-    if (!this.waiting) requestAnimationFrame(() => this.draw())
-    this.waiting = true
+    soon(this.draw)
     this.onLook(this, fresh)
   }
 
   draw() {
-    this.waiting = false
     const { look, how } = this
     if (!look) return
     this.picture.happen(look.look)

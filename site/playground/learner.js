@@ -64,8 +64,10 @@ export class Learner {
     return { visits, values, greedy }
   }
 
-  // The row of the table that it observes, and the numbers that decide the picture.
-  moment(look) {
-    return { row: this.kernel.result(this.kernel.index('result.1')), look: look.map(k => this.kernel.result(k)) }
+  // The row of the table that it observes, and the numbers that decide the picture; `now` says how many observations
+  // there are: a row that remembers more begins again after so many.
+  moment(look, now) {
+    const observed = this.kernel.index('result.1'), row = this.kernel.result(observed)
+    return { row, look: look.map(k => k === observed ? row % now : this.kernel.result(k)) }
   }
 }

@@ -5,12 +5,13 @@ import { chart, short, summary } from './chart.js'
 import { read, write } from './link.js'
 import { Lane } from './lane.js'
 import { Play } from './play.js'
+import { soon } from './soon.js'
 
 const find = id => document.getElementById(id)
 const data = await (await fetch('data/playground.json')).json()
 const STEPS = [10_000, 100_000, 1_000_000, 10_000_000]
 const OWN = ['learning_rate', 'discount', 'epsilon']
-let state, race, task, running = false, charted = false
+let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
 lanes.forEach(lane => find('lanes').append(lane.article))
@@ -46,8 +47,9 @@ async function open() {
   find('strength').max = race.strength.values.length - 1
   find('steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
+  uncover()
   await begin()
-  await choose(state.play)
+  await refreshPlay()
 }
 
 // A new race: everybody at the start, or as far as the link says.
@@ -58,7 +60,7 @@ async function begin() {
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   controls()
   find('lanes').classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
-  charted = false
+  charted = 0
   const own = OWN.filter(name => state[name] !== null).map(name => [`.${name}`, state[name]])
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
   const { steps, show, policy, at } = state
@@ -74,7 +76,7 @@ async function begin() {
 function legend() {
   const signs = new Map()
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
-  const named = [...signs].map(([sign, names]) => names.length > 1 ? `${sign} ${names[0].replace(/ \d+$/, '')}` : `${sign} ${names[0]}`)
+  const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'Purple: where it was most.', values: 'Dark to bright: the return that it expects.', nothing: '' }[state.show]
   find('legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
 }
@@ -104,7 +106,7 @@ const tell = text => { find('verdict').textContent = text }
 // What happens
 
 function onLook(lane, fresh) {
-  if (lanes.every(({ look }) => look) && (fresh || !charted || performance.now() - charted > 100 || lane.over)) draw()
+  if (lanes.every(({ look }) => look) && (fresh || performance.now() - charted > 100 || lane.over)) soon(draw)
   if (running && lanes.every(({ over }) => over)) finish()
 }
 
@@ -135,7 +137,7 @@ function finish() {
   const first = good.length > winners.length ? ', and got there first' : ''
   const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on ${lanes[state.bet].label}.`
   const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
-  tell(`${names} did best: ${short(best.mean)} at the end${first}.${bet}${luck}`)
+  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} at the end${first}.${bet}${luck}`)
 }
 
 function stop() {
@@ -190,25 +192,38 @@ find('show').onchange = event => set('show', event.target.value, redraw)
 find('policy').onchange = event => set('policy', event.target.checked, redraw)
 find('blind').onchange = event => set('blind', event.target.checked, () => { controls(); play.show('') })
 
+function remeasure() {
+  for (const { picture } of lanes) picture?.measure()
+  redraw()
+  if (lanes.every(({ look }) => look)) soon(draw)
+}
+
 function redraw() {
   controls()
   legend()
-  for (const lane of lanes) { Object.assign(lane.how, { show: state.show, policy: state.policy }); lane.draw() }
+  for (const lane of lanes) {
+    Object.assign(lane.how, { show: state.show, policy: state.policy })
+    soon(lane.draw)
+  }
 }
 
 // Watch or play
 
 async function choose(playing) {
+  if (playing && running) find('run').onclick()
   state.play = playing
-  for (const [name, on] of [['race', !playing], ['play', playing]]) {
+  uncover()
+  controls()
+  if (playing) return refreshPlay()
+  remeasure()
+}
+
+function uncover() {
+  for (const [name, on] of [['race', !state.play], ['play', state.play]]) {
     find(name).hidden = !on
     find(`tab-${name}`).setAttribute('aria-selected', on)
     find(`tab-${name}`).tabIndex = on ? 0 : -1
   }
-  if (playing && running) find('run').onclick()
-  controls()
-  await refreshPlay()
-  if (!playing) redraw()
 }
 
 async function refreshPlay() {
@@ -256,6 +271,6 @@ find('theme').onclick = () => {
   document.documentElement.dataset.theme = localStorage.theme = theme
 }
 addEventListener('hashchange', open)
-addEventListener('resize', () => lanes.forEach(lane => lane.draw()))
+addEventListener('resize', remeasure)
 await open()
-document.documentElement.dataset.ready = 'true' // for tests
+document.documentElement.dataset.ready = 'true' // see style.css

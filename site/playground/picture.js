@@ -2,13 +2,15 @@
 
 const LOW = [68, 60, 140], MIDDLE = [33, 145, 140], HIGH = [253, 231, 37] // values, from dark to bright
 
+const SMALLEST = 7 // pixels of a cell in which a sign can be read
+
 export class Picture {
   // `scene` and `table` are those of the task (see scenery.py), `marks` the signs of the actions.
   constructor(place, scene, table, marks, label) {
     Object.assign(this, { scene, table, marks })
     const box = `0 0 ${scene.width} ${scene.height}`
     place.innerHTML = `<svg viewBox="${box}" aria-hidden="true"><rect width="100%" height="100%" fill="${scene.colour}"/>`
-      + `${scene.background}</svg><canvas aria-hidden="true"></canvas><svg viewBox="${box}" aria-hidden="true"></svg>`
+      + `${scene.background}<g></g></svg><canvas aria-hidden="true"></canvas><svg viewBox="${box}" aria-hidden="true"></svg>`
     place.style.setProperty('--ratio', scene.width / scene.height)
     place.setAttribute('role', 'img')
     place.setAttribute('aria-label', label)
@@ -19,18 +21,22 @@ export class Picture {
       svg.setAttribute('font-weight', 'bold')
     }
     this.canvas = place.querySelector('canvas')
+    this.back = place.querySelector('g:last-child')
     this.front = place.lastElementChild
     this.drawn = ''
   }
 
   // What happens now, by the numbers that decide the picture.
   happen(look) {
-    const { moves, moments, parts } = this.scene
+    const { moves, moments, parts, behind } = this.scene
     const key = look.join()
     if (key === this.drawn) return
     this.drawn = key
-    if (!moves) this.front.innerHTML = (moments[key] ?? []).map(k => parts[k]).join('')
-    else if (moves.kind === 'arm') this.front.innerHTML = arm(moves, ...look)
+    if (!moves) {
+      const shown = moments[key] ?? []
+      this.back.innerHTML = shown.filter(k => k < behind).map(k => parts[k]).join('')
+      this.front.innerHTML = shown.filter(k => k >= behind).map(k => parts[k]).join('')
+    } else if (moves.kind === 'arm') this.front.innerHTML = arm(moves, ...look)
     else {
       const [x, y] = look, [x0, y0] = moves.start
       this.front.innerHTML = `<g transform="translate(${x - x0} ${y0 - y})">${moves.sprite}</g>`
@@ -40,26 +46,35 @@ export class Picture {
   // What the agent knows: `show` is "visits" or "values"; `now` is the row that it observes, if only what it would do
   // with all else as it is now should be seen.
   know({ visits, values, greedy }, show, policy, now) {
-    const { canvas, scene, table } = this, { width } = canvas.getBoundingClientRect()
-    const scale = width * devicePixelRatio / scene.width
-    if (!width) return
-    canvas.width = Math.round(scene.width * scale)
-    canvas.height = Math.round(scene.height * scale)
-    const pen = canvas.getContext('2d')
-    pen.scale(scale, scale)
+    const { canvas, scene, table } = this
+    if (!this.scale) this.measure()
+    if (!this.scale) return // it is hidden
+    const { scale } = this, pen = canvas.getContext('2d')
+    pen.setTransform(scale, 0, 0, scale, 0, 0)
+    pen.clearRect(0, 0, scene.width, scene.height)
     const cells = this.gather(visits, now)
     const most = Math.log1p(Math.max(1, ...cells.map(cell => cell.visits)))
     const shown = cells.filter(cell => cell.row >= 0).map(cell => values[cell.row])
     const low = Math.min(...shown), range = Math.max(...shown) - low || 1
+    canvas.dataset.cells = shown.length // for tests
     for (const [k, { visits, row }] of cells.entries()) {
       if (!visits) continue
       const [x, y, w, h] = table.cells[k]
-      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.62 * (Math.log1p(visits) / most) ** 2})`
+      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.55 * (Math.log1p(visits) / most) ** 2})`
       else pen.fillStyle = row >= 0 ? colour((values[row] - low) / range) : 'transparent'
       if (show !== 'nothing') pen.fillRect(x, y, w, h)
-      const mark = policy && row >= 0 && greedy[row] >= 0 && this.marks[greedy[row]]
+      const readable = Math.min(w, h) * scale > SMALLEST * devicePixelRatio
+      const mark = policy && readable && row >= 0 && greedy[row] >= 0 && this.marks[greedy[row]]
       if (mark) this.sign(pen, mark, x + w / 2, y + h / 2, Math.min(w, h))
     }
+  }
+
+  // How many of the screen's own pixels a unit of the scene has: to be called again when the page has another size.
+  measure() {
+    const { canvas, scene } = this
+    this.scale = canvas.clientWidth * devicePixelRatio / scene.width
+    canvas.width = Math.round(scene.width * this.scale)
+    canvas.height = Math.round(scene.height * this.scale)
   }
 
   // For each cell the visits, and the row that stands for it: the most visited, or that which fits what is now.

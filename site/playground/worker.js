@@ -60,6 +60,7 @@ function show() {
   const [learner] = learners
   const knowledge = learner.knowledge(task.rows)
   const curves = learners.map(learner => learner.curve)
-  postMessage({ kind: 'look', id: task.id, steps: learner.steps, over: learner.over, curves, ...learner.moment(task.look), ...knowledge },
+  const { steps, over } = learner, moment = learner.moment(task.look, task.now)
+  postMessage({ kind: 'look', id: task.id, steps, over, curves, ...moment, ...knowledge },
     Object.values(knowledge).map(array => array.buffer))
 }

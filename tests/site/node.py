@@ -26,11 +26,13 @@ class Outcome(NamedTuple):
         arrays: the bytes of every array, in hexadecimal digits.
         generators: the states of the random streams.
         curve: steps, return, and return while it explored (None where no episode ended).
+        borrowed: the functions of mathematics that came from Node.
     """
 
     arrays: list[str]
     generators: list[int]
     curve: list[list[float | None]]
+    borrowed: list[str]
 
 
 def in_node(call: kernels.Call, seed: int, steps: int, every: int, **how: Any) -> Outcome:
@@ -50,7 +52,7 @@ def in_node(call: kernels.Call, seed: int, steps: int, every: int, **how: Any) -
     assert done.returncode == 0, done.stderr
     came = json.loads(done.stdout)
     states = [struct.unpack("<2Q", bytes.fromhex(generator)[16:32]) for generator in came["generators"]]
-    return Outcome(came["arrays"], [low | high << 64 for low, high in states], came["curve"])
+    return Outcome(came["arrays"], [low | high << 64 for low, high in states], came["curve"], came["imports"])
 
 
 def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
@@ -67,10 +69,11 @@ def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
         episodes = int(log.episodes[0])
         curve.append([done, float(np.mean(returns)), float(log.returns[0] / episodes) if episodes else None])
         log.returns[0] = log.episodes[0] = 0
-    return Outcome(_arrays((*arguments, carry)), [rng.bit_generator.state["state"]["state"] for rng in rngs], curve)
+    states = [rng.bit_generator.state["state"]["state"] for rng in rngs]
+    return Outcome(arrays_of((*arguments, carry)), states, curve, [])
 
 
-def _arrays(value: Any) -> list[str]:
+def arrays_of(value: Any) -> list[str]:
     """The bytes of the arrays in a value, each once, in the order in which a plan has them."""
     found: dict[tuple[int, str], str] = {}
 
