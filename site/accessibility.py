@@ -9,6 +9,7 @@ _MENDED = [
     ('<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="All pages">'),
     ('<aside class="toc-drawer">', '<aside class="toc-drawer" aria-label="On this page">'),
     ('<aside class="toc-drawer no-toc">', '<aside class="toc-drawer no-toc" aria-label="On this page">'),
+    ('</noscript>\n\n<div id="search-results">', '</noscript>\n<h1>Search</h1>\n<div id="search-results">'),
     ('<th class="head"><p></p></th>', '<td class="head"></td>'),
 ]
 _LINES = [("<dl>", '<span class="parameters">'), ("</dl>", "</span>"), ("<dd>", "<span>"), ("</dd>", "</span>")]

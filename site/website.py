@@ -47,6 +47,9 @@ def sources() -> dict[str, bytes]:
     for race in RACES:
         page = f"environments/{race.environment.lower()}"
         texts[page] = texts[page].replace("\n```python", RACE.format(race.environment, race.question), 1)
+    for name, kind in agent_pages.AGENTS.items():
+        link = f"| [{name}](/{agent_pages.place(kind)}.md) |"
+        texts["agents/index"] = texts["agents/index"].replace(f"\n| {name} |", f"\n{link}")
     texts["index"] = texts["index"].replace("<!-- gallery -->", _gallery())
     texts["survey"] = texts["survey"].replace("<!-- form -->", form(lessons))
     for folder, pages in _children(texts).items():

@@ -21,7 +21,16 @@ import pytest
 
 from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
 
-PAGES = ["index", "lessons/01_exploration", "environments/boulder", "agents/q_learning", "survey", "reference/training"]
+PAGES = [
+    "index",
+    "lessons/01_exploration",
+    "environments/boulder",
+    "agents/index",
+    "agents/q_learning",
+    "reference/training",
+    "survey",
+    "search",
+]
 WIDTHS = (1400, 390, 360)
 needs_browser = pytest.mark.skipif(
     not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
