@@ -10,6 +10,7 @@ author = "The EduGym developers"
 project_copyright = "The EduGym developers, MIT licence"
 version = release = VERSION
 language = "en"
+smartquotes = False  # docstrings speak of code
 
 extensions = ["myst_parser"]
 myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "dollarmath"]

@@ -128,7 +128,8 @@ def write_pages(folder: Path, jobs: int = 2) -> int:
     """Write all pages but the playground into `folder`/html. Return Sphinx's exit status; a warning is an error."""
     write(folder / "source")
     source, html, doctrees = (str(folder / name) for name in ("source", "html", "doctrees"))
-    options = ["-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
+    shutil.rmtree(html, ignore_errors=True)  # every page has the navigation, so every page is written
+    options = ["-a", "-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
     status = sphinx_build([*options, "-c", str(HERE), "-d", doctrees, source, html])
     if status == 0:
         accessibility.mend(folder / "html")
