@@ -117,6 +117,7 @@ def menu(race: Race) -> dict[str, Any]:
         "rules": race.rules,
         **lesson(entry.lesson),
         "steps": race.n_steps,
+        "own": own_settings(race),
         "episodes": EPISODES,
         "numbers": race.numbers,
         "keys": race.keys,
@@ -139,6 +140,12 @@ def menu(race: Race) -> dict[str, Any]:
         ],
         "play": play,
     }
+
+
+def own_settings(race: Race) -> dict[str, float]:
+    """The learning rate, the discount and the ε of the first agent, where the page's sliders stand at first."""
+    agent = race.agents[0].make((1, 2))
+    return {"learning_rate": agent.learning_rate, "discount": agent.discount, "epsilon": agent.exploration.epsilon}
 
 
 def _as_code(value: Any) -> str:
@@ -193,7 +200,7 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
     for lane, agent in zip(lanes, race.agents, strict=True):
         lane["table"] = list(tables).index(agent.view)
     return {
-        "actions": tabular(race.agents[0].view.of(mdp)).action_names,
+        "actions": race.actions or tabular(race.agents[0].view.of(mdp)).action_names,
         "marks": MAPS[race.environment].marks(mdp),
         "optimum": optimum(mdp) if race.is_finite else None,
         "scene": scenery(MAPS[race.environment], mdp),

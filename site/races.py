@@ -91,6 +91,7 @@ class Race(NamedTuple):
         keys: the keys for the actions, besides 1, 2, ...
         parameters: the other parameters of the environment.
         is_finite: whether it has few states, so that its optimum can be computed exactly.
+        actions: what actions are called, where the task itself only has numbers for them.
     """
 
     environment: str
@@ -103,6 +104,7 @@ class Race(NamedTuple):
     keys: tuple[str, ...] = ()
     parameters: Mapping[str, Any] = NONE
     is_finite: bool = True
+    actions: tuple[str, ...] = ()
 
     def mdp(self, k: int) -> Any:
         """The task at its k-th strength."""
@@ -261,6 +263,7 @@ TRASHBOT = Race(
     Strength("container_width", (0.3, 0.35, 0.4, 0.45, 0.6), 3),
     ("elbow x", "elbow y", "wrist x", "wrist y", "magnet x", "magnet y", "holding"),
     is_finite=False,
+    actions=tuple(f"arm {upper} hand {fore}" for upper in "↻·↺" for fore in "↻·↺"),
 )
 GOLFING = learning(stochasticity)
 GOLF = Race(

@@ -62,7 +62,8 @@ def scenery(where: Map, mdp: Any) -> dict[str, Any]:
     states = list(where.pictures(mdp))
     scene = where.scene(mdp, states[0])
     drawn = {key_of(where, mdp, state): elements(where.scene(mdp, state)) for state in states}
-    actors = {element for elements in drawn.values() for element in _from_the_face_on(elements)}
+    moves = where.moves(mdp)
+    actors = {element for elements in drawn.values() for element in _from_the_face_on(elements) if not moves}
     common = set.intersection(*map(set, drawn.values())) - actors
     found: dict[str, Any] = {
         "width": scene.width,
@@ -70,7 +71,7 @@ def scenery(where: Map, mdp: Any) -> dict[str, Any]:
         "colour": scene.background,
         "background": "".join(element for element in elements(scene) if element in common),
     }
-    if moves := where.moves(mdp):
+    if moves:
         return found | {"moves": moves}
     changing = Counter(element for elements in drawn.values() for element in elements if element not in common)
     usual = [element for element, times in changing.items() if times > 0.6 * len(drawn) and element not in actors]

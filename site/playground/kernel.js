@@ -10,6 +10,13 @@ const TYPES = { float64: Float64Array, int64: BigInt64Array, bool: Uint8Array, f
 const { cos, exp, expm1, log, log1p, pow, sin, tanh } = Math
 const MATHEMATICS = { cos, exp, expm1, log, log1p, pow, sin, tanh }
 
+// Fetch a kernel by its fingerprint.
+export async function fetched(fingerprint) {
+  const answer = await fetch(`kernels/${fingerprint}.wasm`)
+  if (!answer.ok) throw new Error('This page is older than its kernels: load it again.')
+  return load(await answer.arrayBuffer(), fingerprint)
+}
+
 // Load a kernel, and refuse it unless it is the very one that was asked for.
 export async function load(bytes, fingerprint) {
   const module = await WebAssembly.compile(bytes)

@@ -9,8 +9,8 @@ import { soon } from './soon.js'
 
 const find = id => document.getElementById(id)
 const data = await (await fetch('data/playground.json')).json()
-const STEPS = [10_000, 100_000, 1_000_000, 10_000_000]
-const OWN = ['learning_rate', 'discount', 'epsilon']
+const STEPS = [10_000, 100_000, 1_000_000, 10_000_000] // how long a race may be
+const OWN = ['learning_rate', 'discount', 'epsilon'] // settings that all agents may be given, in place of the lesson's
 let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
@@ -32,10 +32,13 @@ async function open() {
   state.agents = state.agents.map(k => within(k, race.agents.length))
   state.seed = within(state.seed, data.seeds.length)
   if (!data.several.some(([n]) => n === state.several)) state.several = 1
-  state.steps = Math.max(100, Math.min(state.steps ?? race.steps, STEPS.at(-1)))
+  state.steps ??= race.steps
   for (const link of find('tasks').children) {
-    if (link.textContent === race.name) link.setAttribute('aria-current', 'page')
-    else link.removeAttribute('aria-current')
+    if (link.textContent !== race.name) link.removeAttribute('aria-current')
+    else {
+      link.setAttribute('aria-current', 'page')
+      link.scrollIntoView({ block: 'nearest', inline: 'center' })
+    }
   }
   document.title = `${race.name} · EduGym playground`
   find('question').textContent = race.question
@@ -56,8 +59,9 @@ async function open() {
 async function begin() {
   stop()
   const wanted = `data/${race.name}-${state.strength}.json`
-  task = await (await fetch(wanted)).json()
+  const answer = await (await fetch(wanted)).json()
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
+  task = answer
   controls()
   find('lanes').classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
   charted = 0
@@ -82,15 +86,15 @@ function legend() {
 }
 
 function controls() {
-  const { strength, parameter } = { ...race, parameter: race.strength.parameter }
+  const strength = race.strength.values[state.strength]
   find('strength').value = state.strength
-  find('strength').setAttribute('aria-valuetext', `${parameter} ${strength.values[state.strength]}`)
-  find('strength-shown').value = strength.values[state.strength]
+  find('strength').setAttribute('aria-valuetext', strength)
+  find('strength-shown').value = strength
   find('speed').value = state.speed
   find('speed-shown').value = rate() === Infinity ? 'full' : `${short(Math.round(rate()))} / s`
   for (const name of OWN) {
-    find(name).value = state[name] ?? 0.1
-    find(name).nextElementSibling.value = state[name] ?? 'lesson’s'
+    find(name).value = state[name] ?? race.own[name]
+    find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
   }
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
   find('policy').checked = state.policy
@@ -106,21 +110,24 @@ const tell = text => { find('verdict').textContent = text }
 // What happens
 
 function onLook(lane, fresh) {
-  if (lanes.every(({ look }) => look) && (fresh || performance.now() - charted > 100 || lane.over)) soon(draw)
+  if (fresh || performance.now() - charted > 100 || lane.over) soon(draw)
   if (running && lanes.every(({ over }) => over)) finish()
 }
 
 function draw() {
+  if (!lanes.every(({ look }) => look)) return // a new race has begun meanwhile
   charted = performance.now()
   const [, t] = data.several.find(([n]) => n === state.several)
   chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum })
-  const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval` : ''
+  const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval; the pictures show the first` : ''
   find('caption').textContent = `Mean return of ${race.episodes} games without exploring, after so many training steps${what}`
 }
 
 function finish() {
+  state.at = lanes.map(({ steps }) => steps)
   stop()
   draw()
+  controls()
   const [, t] = data.several.find(([n]) => n === state.several)
   const results = lanes.map(lane => {
     const line = summary(lane.curves, t), end = line.slice(-10), values = line.map(([, value]) => value)
@@ -195,7 +202,7 @@ find('blind').onchange = event => set('blind', event.target.checked, () => { con
 function remeasure() {
   for (const { picture } of lanes) picture?.measure()
   redraw()
-  if (lanes.every(({ look }) => look)) soon(draw)
+  soon(draw)
 }
 
 function redraw() {

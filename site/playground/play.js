@@ -1,7 +1,7 @@
 // Play a task yourself, by keys, mouse or touch; also blind, with no more than an agent sees.
 
 import { short } from './chart.js'
-import { Kernel, load } from './kernel.js'
+import { Kernel, fetched } from './kernel.js'
 import { Picture } from './picture.js'
 
 const BEGIN = -1
@@ -14,8 +14,9 @@ export class Play {
   }
 
   async open(race, task, streams) {
-    const answer = await fetch(`kernels/${race.play}.wasm`)
-    const loaded = await load(await answer.arrayBuffer(), race.play)
+    this.asked = task
+    const loaded = await fetched(race.play)
+    if (this.asked !== task) return // another task came meanwhile
     Object.assign(this, { race, task, table: task.tables[task.play.table], returns: [] })
     this.kernel = new Kernel(loaded, task.play, [streams[0]])
     this.picture = new Picture(this.board, task.scene, this.table, [], `${race.name}, as you play it`)

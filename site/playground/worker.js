@@ -1,6 +1,6 @@
 // A worker for one agent: it trains while the page stays free. With several seeds it trains several of its kind.
 
-import { load } from './kernel.js'
+import { fetched } from './kernel.js'
 import { Learner } from './learner.js'
 
 const FRAME = 33 // milliseconds between two pictures
@@ -22,9 +22,7 @@ async function begin(asked) {
   rate = 0
   task = asked
   learners = []
-  const url = `kernels/${asked.kernel}.wasm`
-  loading[url] ??= fetch(url).then(answer => answer.arrayBuffer()).then(bytes => load(bytes, asked.kernel))
-  const loaded = await loading[url]
+  const loaded = await (loading[asked.kernel] ??= fetched(asked.kernel))
   if (task !== asked) return // another task came meanwhile
   const begun = asked.seeds.map(streams => new Learner(loaded, asked.plan, streams, asked.settings, asked))
   for (const learner of begun) while (learner.steps < Math.min(asked.at, asked.steps)) learner.advance(asked.at - learner.steps)

@@ -45,7 +45,7 @@ def test_no_array_has_fewer_than_64_bits(kind: Any, task: Any, monkeypatch: pyte
     assert np.array([1]).dtype == np.int32
     given = {"observation_type": "vectorised"} if task == "Catch" else {}
     mdp = task() if callable(task) else edugym.make_mdp(task, **given)
-    playing = trainer(mdp, kind.create(mdp), 0, None, 0)
+    playing: Any = trainer(mdp, kind.create(mdp), 0, None, 0)
     arrays = list(arrays_in(playing._plain_arguments))
     assert arrays
     assert [array.dtype for array in arrays if array.dtype == np.int32] == []

@@ -59,7 +59,8 @@ def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
     """Train with the very call that was compiled, interpreted."""
     rngs = streams(seed)
     fresh = iter(rngs)
-    arguments: list[Any] = [next(fresh) if isinstance(a, np.random.Generator) else a for a in call.arguments[2:-1]]
+    given = call.arguments[2:-1]
+    arguments: list[Any] = [next(fresh) if isinstance(part, np.random.Generator) else part for part in given]
     log, returns, curve = arguments[5], arguments[-1], list[list[float | None]]()
     carry = call.loop(kernels.BEGIN, 0, *arguments, call.arguments[-1])
     for done in range(0, steps + 1, every):

@@ -31,6 +31,7 @@ def test_the_menu_can_be_shown(race: Race) -> None:
     """It is JSON; three agents or more race; and "why?" is plain text, three sentences from the lesson."""
     menu = json.loads(json.dumps(playground.menu(race), allow_nan=False))
     assert len(menu["agents"]) >= 3
+    assert len(race.actions) in (0, tabular(race.agents[0].view.of(race.mdp(0))).action_space.n)
     assert len({agent["label"] for agent in menu["agents"]}) == len(menu["agents"])
     assert not re.search(r"[$\\{}*^_]", menu["why"])
     assert len(re.findall(r"[.?](?= |$)", menu["why"])) == 3
@@ -52,13 +53,13 @@ def test_the_code_for_readers_makes_the_agents(race: Race) -> None:
 
 
 @each_race
-@pytest.mark.parametrize("k", [0, -1])
+@pytest.mark.parametrize("k", [0, pytest.param(-1, marks=pytest.mark.slow)])
 def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
     """And every observation has a cell and a layer."""
     mdp = race.mdp(range(len(race.strength.values))[k])
-    scene = scenery(MAPS[race.environment], mdp)
-    for agent in race.agents:
-        seen = agent.view.of(mdp)
+    scene = MAPS[race.environment].scene(mdp, mdp.initial(np.random.default_rng(0)))
+    for view in dict.fromkeys(agent.view for agent in race.agents):
+        seen = view.of(mdp)
         places = table(MAPS[race.environment], mdp, seen)
         assert places["rows"] % len(places["cell"]) == 0
         assert len(places["cell"]) == len(places["layer"]) == math.prod(places["sizes"])
@@ -66,8 +67,8 @@ def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
         if race is TRASHBOT:
             continue  # the arm's reach is larger than the picture
         for x, y, width, height in places["cells"]:
-            assert -0.01 <= x <= x + width <= scene["width"] + 0.01
-            assert -0.01 <= y <= y + height <= scene["height"] + 0.01
+            assert -0.01 <= x <= x + width <= scene.width + 0.01
+            assert -0.01 <= y <= y + height <= scene.height + 0.01
 
 
 @each_race

@@ -165,6 +165,17 @@ def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
     other.check()
 
 
+@pytest.mark.parametrize(
+    "ending", ["#task=Nowhere", "#agents=7.8.9&steps=12.5&bet=9&at=-1.2&several=3", "#epsilon=two&%&=&show=x"]
+)
+def test_a_broken_link_opens_what_can_be_opened(ending: str, address: str, browser: Any) -> None:
+    """What it says that cannot be is left out."""
+    reader = Reader(browser, f"{address}{ending}")
+    assert reader.text("#question") == RACES[0].question
+    assert "did best" in reader.race()
+    reader.check()
+
+
 def test_several_seeds_have_a_band(address: str, browser: Any) -> None:
     """Mean and interval are drawn, and the verdict speaks of no luck."""
     reader = Reader(browser, f"{address}#task=Boulder&several=5")
