@@ -3,7 +3,7 @@
 import io
 import logging
 import re
-from importlib.resources import files
+from importlib.metadata import distribution
 from typing import Any
 
 from docutils.nodes import SkipNode
@@ -62,7 +62,7 @@ def visit_block(translator: Any, node: Any) -> None:
 def font() -> bytes:
     """Return the part of STIX Two Math (SIL Open Font License) that formulas need, as WOFF."""
     logging.getLogger("fontTools").setLevel(logging.WARNING)  # it tells of every sign
-    original = TTFont(io.BytesIO(files("ziamath.fonts").joinpath("STIXTwoMath-Regular.ttf").read_bytes()))
+    original = TTFont(str(distribution("ziamath").locate_file("ziamath/fonts/STIXTwoMath-Regular.ttf")))
     options = Options()
     options.layout_features = ["ssty"]  # smaller signs for superscripts, such as a prime
     options.hinting = False
