@@ -96,6 +96,8 @@ class NStepSARSA(NamedTuple):
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         most = whole_number("longest", longest, 1)
+        if isinstance(n, str):
+            raise ValueError(f"n must be a whole number, 1 or more, or infinity, math.inf, but is {n!r}")
         if n != math.inf:
             most = min(most, number_of_steps("n", int(n) if isinstance(n, float) and n.is_integer() else n))
         return new(cls, environment, {**settings, "n": n}, **{"n": most, "n + 1": most + 1})

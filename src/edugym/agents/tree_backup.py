@@ -1,5 +1,6 @@
 """n-step tree backup: several steps off-policy without importance sampling."""
 
+import math
 from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.last_steps import LastSteps
@@ -92,6 +93,8 @@ class TreeBackup(NamedTuple):
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
+        if n == math.inf:
+            raise ValueError("n must be a whole number, 1 or more, but is inf; the length of an episode is enough")
         n = whole_number("n", n, 1)
         agent = new(cls, environment, {**settings, "n": n}, **{"n": n, "n + 1": n + 1})
         check_policy("target_policy", agent.target_policy)

@@ -67,6 +67,7 @@ class Boulder(NamedTuple):
       on average; the number of steps is (N^(H+1) - N)/(N - 1).
     - The paper's state space is `Discrete(H)`; here the top is a position too, because the agent
       observes it when the episode ends.
+    - The paper gives no step limit. Here an episode is truncated after 10 H steps, unless `max_steps` says otherwise.
 
     ## Algorithms
     The paper compares three agents: ε-greedy Q-learning; Q-learning that gets a bonus for rarely visited states (a

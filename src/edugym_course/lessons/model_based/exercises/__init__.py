@@ -25,7 +25,7 @@ ENOUGH = 0.15
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the error from which bumping into a wall for ever looks better than anything else."""
     require_function("smallest_error", answer, "v and gamma")
-    for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875)):
+    for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875), (48.0, 1 - 2**-9)):  # the last adds up slowly
         with student_code(f"smallest_error({v:g}, {gamma})"):
             found = answer(v, gamma)
         right = 1 + (1 - gamma) * v
@@ -47,6 +47,9 @@ def exercise_1(answer: Any, seed: int) -> str:
                 "the cost is subtracted twice": 1 + (1 - gamma) * (v + 1),
                 "that is 1 − (1 − γ) v: the two terms add up": 1 - (1 - gamma) * v,
                 "only the first three bumps are counted, and there is no end to them": 1 + v / (1 + gamma + gamma**2),
+                "only 500 bumps are counted, as in an episode; the plan knows no step limit": (
+                    1 + v * (1 - gamma) / (1 - gamma**500)
+                ),
             },
             otherwise="solve (e − 1)/(1 − γ) = v for e",
         )
@@ -69,6 +72,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         "environment.is_slippery": True,
         "n_steps": LAKE_STEPS,
         "repetitions": 5,
+        "evaluation_episodes": 10,
     }
     methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}
     results = check_results("lake_results", answer, asked=asked, methods=methods, environment=lake)
