@@ -301,7 +301,7 @@ def _on_the_tee(results: Results, method: str, observe_hits: bool = True) -> Rea
     """Return the values of the three swings from the tee in every complete run, shape (n, 3)."""
     golf = Golf.create()
     row = (golf.width // 2) * golf.length * (golf.max_hits + 1 if observe_hits else 1)
-    return np.array([agent.Q[row] for agent in results.complete_agents(method).values()])
+    return np.array([agent.Q[row] for agent in results.complete_agents(method).values()]).reshape(-1, len(SWINGS))
 
 
 def by_first_swing(
