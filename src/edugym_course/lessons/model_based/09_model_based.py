@@ -342,7 +342,7 @@ free.measured(min(learned.methods, key=lambda method: simulator.seconds_to(metho
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Q-learning, by far. Each planner saves steps, and pays for them with more targets than it saves.
-# Prioritised sweeping computes about 6 200 in its first 500 steps, most of them for priorities. Later its queue is
+# Prioritised sweeping computes about 6 100 in its first 500 steps, most of them for priorities. Later its queue is
 # mostly empty. Where a step takes a tenth of a second (right), targets are free, and the planners are ahead by minutes.
 # A model pays where steps cost much. (The curves are means again, so they get to 70 later than half of the runs.)
 # </details>
@@ -401,7 +401,7 @@ sliders(one_clock, step_ms=[0.0, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0, 100.0], target
 # know. Or perhaps they know too little. A computer can tell: take the experience of a run, *plan with it until nothing
 # changes any more*, and see what the best plan returns that uses nothing but actions which the run has tried.
 #
-# **Predict.** Dyna-10 ends with a return of about 84. What does the best plan by what it has seen return?
+# **Predict.** Dyna-10 ends with a return of about 83. What does the best plan by what it has seen return?
 
 # %%
 more_planning = predict("With perfect planning on its own experience, Dyna-10 would return:")
@@ -418,7 +418,7 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About 84, no better: planning is not what Dyna lacks. Its policy already is the best one by what it has
+# **Measured.** About 83, no better: planning is not what Dyna lacks. Its policy already is the best one by what it has
 # seen, and so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item,
 # most often the blue one: nearly half of the runs of prioritised sweeping never stepped on it. With Q-learning it is
 # the other way round: it has seen the whole shop, and makes less of it.
@@ -453,7 +453,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In 6 of 12. In the others it ends below, in some of them far below. So "planning makes the last policy
+# **Measured.** In 7 of 12. In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method, which says what the best plan by
 # what it has seen would return. This is the same everywhere. Q-learning gets to know nearly the whole of every shop,
 # and in some it does not make a policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each

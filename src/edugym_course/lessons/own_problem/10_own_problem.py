@@ -493,8 +493,8 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-3.3$
-# against 6.7. After 12 800 steps both are near the optimum (9.9 and 9.8). With $\varphi = v_*$ Q-learning is close to
+# **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-2.4$
+# against 6.7. After 12 800 steps both are near the optimum (9.8). With $\varphi = v_*$ Q-learning is close to
 # the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help learning or slow it
 # down. With the two careless rewards more training does not bring the agent to what was meant.
 # </details>
