@@ -11,6 +11,7 @@ ordinary lesson:
 import hashlib
 import hmac
 import inspect
+import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, get_args
@@ -19,6 +20,9 @@ from edugym_course.grading.errors import TooSlow, Unsolved, WrongAnswer, only_ve
 from edugym_course.grading.student_code import student_code
 
 Exercise = Callable[..., str]
+
+SEARCH_SECONDS = 5.0
+"""The seconds of processor time after which no more numbers are tried on a wrong answer."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +67,13 @@ def draw_numbers(exercise: Exercise, key: bytes) -> dict[str, Any]:
     }
 
 
+def ordinary_numbers(exercise: Exercise) -> dict[str, Any]:
+    """Return the numbers of the ordinary lesson, by name; none where it leaves one to the student."""
+    parameters = inspect.signature(exercise).parameters
+    numbers = {name: parameters[name].default for name in own_parameters(exercise)}
+    return {} if None in numbers.values() else numbers
+
+
 def told(exercise: Exercise, numbers: Mapping[str, Any]) -> str:
     """Return the sentences that tell a student of her numbers."""
     return " ".join(own.text.format(**numbers) for own in own_parameters(exercise).values())
@@ -79,16 +90,19 @@ def passes(exercise: Exercise, answer: Any, seed: int, numbers: Mapping[str, Any
 
 
 def numbers_of_others(exercise: Exercise, answer: Any, seed: int, numbers: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the numbers for which a wrong answer is right; none if there are none."""
-    others = _others(exercise, numbers)
-    return next((other for other in others if passes(exercise, answer, seed, other)), {})
+    """Return the numbers for which a wrong answer is right; none if there are none, or none is found soon."""
+    end = time.process_time() + SEARCH_SECONDS
+    for other in _others(exercise, numbers):
+        if passes(exercise, answer, seed, other):
+            return other
+        if time.process_time() > end:
+            break
+    return {}
 
 
 def _others(exercise: Exercise, numbers: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """Yield the numbers of the ordinary lesson, and then all that differ from a student's in one of them."""
-    parameters = inspect.signature(exercise).parameters
-    ordinary = {name: parameters[name].default for name in numbers}
-    if None not in ordinary.values():
+    if ordinary := ordinary_numbers(exercise):
         yield ordinary
     for name, own in own_parameters(exercise).items():
         if name in numbers:

@@ -110,7 +110,7 @@ class Update:
         difference = _first_difference(right, found)
         if difference is not None:
             if nobody_asks_why():  # to find the mistake takes longer than to see that there is one
-                raise WrongAnswer("the update is another one")
+                raise WrongAnswer(UNUSUAL)
             why = self._diagnosis(cases, right, found, settings, difference, returned)
             numbers = {name: settings[name] for name in self.numbers}
             raise WrongAnswer(f"{_describe(cases, right, found, difference, names, numbers)}: {why}")

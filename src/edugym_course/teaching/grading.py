@@ -13,14 +13,19 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
+from symtable import SymbolTable, symtable
 from typing import Any, NamedTuple
 
 from edugym.system.extras import require
+from edugym_course.grading.own_numbers import ordinary_numbers
 from edugym_course.teaching.assignment import Assignment, Task, handed_out
 from edugym_course.teaching.marks import is_check, is_code
 from edugym_course.teaching.students import Student
 
 NOTHING = "nothing came in"
+
+ORDINARY = ""
+"""The ordinary lesson, whose solutions everybody can read, among those whose numbers answers may fit."""
 
 
 class Verdict(NamedTuple):
@@ -29,7 +34,7 @@ class Verdict(NamedTuple):
     Attributes:
         points: the points that it gets.
         says: what is wrong with it, "" if nothing is.
-        fits: the ids of the students for whose numbers it is right.
+        fits: the ids of the other students for whose numbers it is right, and `ORDINARY`.
     """
 
     points: float
@@ -173,6 +178,8 @@ def needed_steps(cells: Iterable[Any], given: Iterable[Any], tasks: list[Task]) 
         steps.append({"check": False, "source": cell.source, "exercise": number, "own": own})
     _checked(steps, unchecked)
     steps += [{"check": True, "exercise": task.number} for task in tasks if not _is_checked(task, steps)]
+    while not steps[-1]["check"]:  # what follows the last exercise, such as the open challenge, takes minutes
+        steps.pop()
     _leave_out(steps, {name for task in tasks for name in _used(task.answer)})
     return [{key: value for key, value in step.items() if key != "own"} for step in steps]
 
@@ -231,13 +238,21 @@ def _used(source: str) -> set[str]:
     defined = {*dir(builtins)}
     used: set[str] = set()
     for statement in _statements(source):
-        loads = {
-            node.id for node in ast.walk(statement) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
-        }
-        used |= loads - defined
+        if isinstance(statement, ast.For):
+            defined |= {node.id for node in ast.walk(statement.target) if isinstance(node, ast.Name)}
+        used |= {*_globals_of(symtable(ast.unparse(statement), "cell", "exec"))} - defined
         if isinstance(statement, ast.Assign | ast.FunctionDef | ast.ClassDef | ast.Import | ast.ImportFrom):
             defined |= {*_bindings(statement)}
     return used
+
+
+def _globals_of(scope: SymbolTable) -> Iterator[str]:
+    """Yield the names that are read in a scope, or in one inside it, and are local to none of them."""
+    for symbol in scope.get_symbols():
+        if symbol.is_referenced() and (scope.get_type() == "module" or symbol.is_global()):
+            yield symbol.get_name()
+    for inner in scope.get_children():
+        yield from _globals_of(inner)
 
 
 def _run(
@@ -245,10 +260,12 @@ def _run(
 ) -> tuple[list[dict[str, Any]], str]:
     """Run a student's cells in a process of its own, and return what it reports, and what went wrong with it."""
     token = secrets.token_hex(16)
-    others = {
-        task.number: {name: dict(draws[place].numbers) for name, draws in assignment.draws.items() if name != student}
-        for place, task in enumerate(assignment.tasks)
-    }
+    others: dict[int, dict[str, dict[str, Any]]] = {}
+    for place, task in enumerate(assignment.tasks):
+        others[task.number] = {name: dict(draws[place].numbers) for name, draws in assignment.draws.items()}
+        del others[task.number][student]
+        if ordinary := ordinary_numbers(task.check()):
+            others[task.number][ORDINARY] = ordinary
     job = {
         "token": token,
         "tasks": [asdict(task) for task in assignment.tasks],

@@ -6,7 +6,7 @@ import io
 from collections.abc import Sequence
 
 from edugym_course.teaching.assignment import Assignment
-from edugym_course.teaching.grading import Graded
+from edugym_course.teaching.grading import ORDINARY, Graded
 
 STYLE = """\
 :root { color-scheme: light dark; }
@@ -23,10 +23,13 @@ def number(points: float) -> str:
 
 
 def belongs(graded: Graded, assignment: Assignment) -> list[str]:
-    """Return a sentence for each other student whose numbers some answers fit."""
+    """Return a sentence for each other student whose numbers some answers fit, and for the ordinary lesson."""
+
+    def whose(other: str) -> str:
+        return "the ordinary lesson" if other == ORDINARY else f"{assignment.students[other].name} ({other})"
+
     return [
-        f"{_exercises(exercises)} {'fits' if len(exercises) == 1 else 'fit'} the numbers of"
-        f" {assignment.students[other].name} ({other})"
+        f"{_exercises(exercises)} {'fits' if len(exercises) == 1 else 'fit'} the numbers of {whose(other)}"
         for other, exercises in graded.fits.items()
     ]
 
@@ -135,6 +138,8 @@ def as_csv(assignment: Assignment, results: Sequence[Graded]) -> str:
     most = number(sum(task.points for task in assignment.tasks))
     for graded in results:
         points = [number(verdict.points) for verdict in graded.verdicts]
-        fits = " ".join(f"{other}:{'+'.join(map(str, numbers))}" for other, numbers in graded.fits.items())
+        fits = " ".join(
+            f"{other or 'ordinary'}:{'+'.join(map(str, numbers))}" for other, numbers in graded.fits.items()
+        )
         writer.writerow([graded.student.id, graded.student.name, *points, number(graded.points), most, fits])
     return text.getvalue()

@@ -27,7 +27,7 @@ After = Annotated[
 Margin = Annotated[
     float,
     Own(
-        tuple(k / 20 for k in range(1, 61)),
+        tuple(k / 20 for k in range(5, 65)),
         "In your version a value that is at most {margin} below the highest counts as the highest too.",
     ),
 ]

@@ -44,6 +44,7 @@ def swept(
     """Return the values that sweeps of R-max settle at; other arguments than the defaults are mistakes."""
     Q, known = model.Q.copy(), model.known
     for _ in range(SETTLED):
+        before = Q.copy()
         for s, a in np.ndindex(*SHAPE):
             if (not known[s, a] and unknown == "left") or (unknown == "only" and known[s, a]):
                 continue
@@ -62,6 +63,8 @@ def swept(
                 "added": Q[s, a] + reward + discount * value,
                 "minus": reward - discount * value,
             }[target]
+        if np.array_equal(Q, before):
+            break
     return Q
 
 
