@@ -39,7 +39,7 @@ class Session:
 
         settings = Config()
         settings.HistoryManager.enabled = False
-        self.shell = InteractiveShell.instance(config=settings)
+        self.shell: Any = InteractiveShell.instance(config=settings)
         self.tell = tell
         self.failed: dict[int, str] = {}  # by exercise, why its cell failed
         self.whole = {*_functions()}

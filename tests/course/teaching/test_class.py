@@ -107,6 +107,12 @@ def turns_to_magic(work: Work) -> None:
     work.write("1 / 0")
 
 
+def copies_one_answer(work: Work) -> None:
+    """Two answers are right, and the third is somebody else's."""
+    work.solve()
+    work.solve("ada", 3)
+
+
 CLASS: dict[str, tuple[Callable[[Work], None] | None, list[int], str]] = {
     "ada": (Work.solve, [1, 1, 2], ""),
     "bob": (lambda work: work.solve("ada"), [0, 0, 0], "exercises 1, 2 and 3 fit the numbers of Ada (ada)"),
@@ -117,7 +123,7 @@ CLASS: dict[str, tuple[Callable[[Work], None] | None, list[int], str]] = {
     "gus": (None, [0, 0, 0], "nothing came in"),
     "hal": (changes_the_package, [0, 0, 0], ""),
     "ivy": (turns_to_magic, [1, 1, 2], ""),
-    "jo": (lambda work: (work.solve(), work.solve("ada", 3))[0], [1, 1, 0], "exercise 3 fits the numbers of Ada (ada)"),
+    "jo": (copies_one_answer, [1, 1, 0], "exercise 3 fits the numbers of Ada (ada)"),
 }
 """What each student does, her points, and what the teacher is told of it."""
 
@@ -125,8 +131,7 @@ CLASS: dict[str, tuple[Callable[[Work], None] | None, list[int], str]] = {
 def graded(folder: Path, made: Assignment, *options: str) -> tuple[dict[str, list[float]], dict[str, str], str]:
     """The points and the remarks by student, and the page of the class."""
     results = folder / "results"
-    collected = ["--submitted", folder / "submitted", "--output", results]
-    said = run("grade", made.path, *collected, *options)
+    said = run("grade", made.path, "--submitted", folder / "submitted", "--output", results, *options)
     rows = list(csv.DictReader((results / f"{made.lesson}.csv").read_text(encoding="utf-8").splitlines()))
     points = {row["id"]: [float(row[f"exercise_{task.number}"]) for task in made.tasks] for row in rows}
     assert all(float(row["points"]) == sum(points[row["id"]]) for row in rows)
