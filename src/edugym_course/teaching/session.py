@@ -86,13 +86,13 @@ class Session:
         """Return a student's answer.
 
         Raises:
-            WrongAnswer: there is none.
+            Unsolved: there is none.
         """
         try:
             return eval(task.answer, self.shell.user_ns)
         except Exception as error:
             why = self.failed.get(task.number, f"{type(error).__name__}: {error}")
-            raise WrongAnswer(f"there is no {task.answer}: {why}") from None
+            raise Unsolved(f"there is no {task.answer}: {why}") from None
 
 
 def _functions() -> Iterator[tuple[str, int, int]]:

@@ -78,7 +78,7 @@ def test_an_answer_is_right_for_one_student(lesson: str, number: int) -> None:
     exercise, *_ = exercise_of(lesson, number)
     (name, own), *_ = own_parameters(exercise).items()
     assert len({*own.values}) == len(own.values) >= 40
-    some = own.values[:: len(own.values) // 2]
+    some = own.values[:: len(own.values) // 2] if number < 4 else own.values[:1]  # exercises 4 train for half a minute
     for place, value in enumerate(some):
         answer = solved(lesson, number, {name: value})
         for seed in (0, 77_777, 2**31):

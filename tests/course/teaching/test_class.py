@@ -146,7 +146,7 @@ def graded(folder: Path, made: Assignment, *options: str) -> tuple[dict[str, lis
 
 
 @pytest.mark.parametrize(
-    "ids", [["ada", "bob", "cleo", "dora"], pytest.param([*CLASS], marks=pytest.mark.slow)], ids=len
+    "ids", [["ada", "bob", "cleo", "dora"], pytest.param([*CLASS], marks=pytest.mark.slow)], ids=["four", "ten"]
 )
 def test_a_class(ids: list[str], tmp_path: Path) -> None:
     """Right answers get all points, copied ones none, and the page says whose numbers they fit."""
