@@ -21,7 +21,7 @@ from edugym_course.grading.student_code import student_code
 
 Exercise = Callable[..., str]
 
-SEARCH_SECONDS = 5.0
+SEARCH_SECONDS = 3.0
 """The seconds of processor time after which no more numbers are tried on a wrong answer."""
 
 

@@ -4,6 +4,7 @@ import csv
 import json
 import re
 from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,13 @@ from tests.course.lessons.test_nbgrader import nbgrader, submit
 LESSON = "00_loop"
 POINTS = [1, 1, 2]
 """Of the exercises of lesson 0."""
+
+
+@pytest.fixture(autouse=True)
+def known_secrets(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Secrets by which no two students of a test happen to share a number that counts."""
+    known = (f"secret {number}" for number in count())
+    monkeypatch.setattr("edugym_course.teaching.assignment.secrets.token_hex", lambda length: next(known))
 
 
 def run(*arguments: str | Path) -> str:

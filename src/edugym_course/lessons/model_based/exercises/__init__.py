@@ -30,7 +30,7 @@ Cost = Annotated[
 ExperimentSeed = Annotated[
     int | None,
     Own(
-        tuple(range(1000, 1060)),
+        tuple(range(1000, 10_000)),
         "Your runs have a seed of their own: give `repeat` also `seed={experiment_seed}`.",
     ),
 ]
