@@ -5,6 +5,7 @@
 #                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
+#   make site       build the website in site/build; `make site-serve` shows it at http://127.0.0.1:8000
 #   make bench      measure speed, against what one would use instead
 #   make dist       build the package from what is committed, and try it in an empty environment
 #   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
@@ -15,7 +16,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all test-lowest reproduce bench dist clean
+.PHONY: lab test test-all test-lowest reproduce site site-serve bench dist clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -67,8 +68,15 @@ test-lowest:
 		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \
 		tests/mdp tests/rendering tests/system tests/training
 
+# What was compiled before and has not changed is not compiled again.
+site: .venv/lab.installed
+	.venv/bin/python site/playground.py --jobs $(JOBS)
+
+site-serve: .venv/lab.installed
+	.venv/bin/python site/playground.py --jobs $(JOBS) --serve $(ARGS)
+
 clean:
-	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv build dist site/build .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
 # Each extra of pyproject.toml is installed once, and again when what it depends on changes.

@@ -29,6 +29,7 @@ from edugym import agents, finite_model, make_mdp, train, value_iteration
 from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import in_course_order
 from edugym.checks.contract import takes_vectors
+from edugym.system.files import write_whole
 
 PAGE, DATA = Path(__file__).parent / "agents.md", Path(__file__).parent / "agents.json"
 SEEDS, EPISODES = 3, 20
@@ -142,19 +143,37 @@ def bounds(name: str) -> Cell:
         return {}
 
 
-def measured() -> dict[str, Any]:
-    """Measure every agent in every environment, and say on what."""
-    cells: dict[str, dict[str, Cell]] = {}
-    for agent, kind in agent_classes().items():
-        cells[agent] = {}
+def measure_missing(data: dict[str, Any]) -> None:
+    """Measure every agent and every environment that the data do not have, and write each as soon as it is measured."""
+    new = set(environment_names()) - data["bounds"].keys()
+    classes = agent_classes()
+    for agent in data["cells"].keys() - classes.keys():
+        del data["cells"][agent]
+    for agent, kind in classes.items():
+        cells = data["cells"].get(agent, {})
         for name in environment_names():
+            if agent in data["cells"] and name not in new:
+                continue
             cell = measure(kind, name)
             if cell is not None:
-                cells[agent][name] = cell
+                cells[name] = cell
             print(agent, name, cell, flush=True)
+        data["cells"][agent] = cells
+        write(data)
+    data["cells"] = {agent: data["cells"][agent] for agent in classes}
+    data["bounds"] = {name: data["bounds"].get(name) or bounds(name) for name in environment_names()}
+    write(data)
+
+
+def write(data: dict[str, Any]) -> None:
+    """Write the data whole, or not at all."""
+    write_whole(DATA, (json.dumps(data, indent=1) + "\n").encode())
+
+
+def nothing() -> dict[str, Any]:
+    """Return data without a measurement, for this machine."""
     versions = {name: importlib.metadata.version(name) for name in ("edugym", "gymnasium", "numba", "numpy")}
-    machine = {"python": platform.python_version(), **versions}
-    return {"machine": machine, "cells": cells, "bounds": {name: bounds(name) for name in environment_names()}}
+    return {"machine": {"python": platform.python_version(), **versions}, "cells": {}, "bounds": {}}
 
 
 def table(data: dict[str, Any], names: list[str], what: str) -> list[str]:
@@ -207,7 +226,7 @@ def page(data: dict[str, Any]) -> str:
             "",
             *table(data, list(OTHERS), "speed"),
             "",
-            f"Measured with {versions}, by `python docs/agents.py --measure`.",
+            f"Measured with {versions}, by `python docs/agents.py --measure-all`.",
             "",
         ]
     )
@@ -222,11 +241,12 @@ def missing(data: dict[str, Any]) -> list[str]:
 def main() -> int:
     """Run the command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--measure", action="store_true", help="measure everything again")
+    parser.add_argument("--measure", action="store_true", help="measure what is new")
+    parser.add_argument("--measure-all", action="store_true", help="measure everything again, which takes an hour")
     parser.add_argument("--check", action="store_true", help="write nothing, and fail if the page is out of date")
     options = parser.parse_args()
-    if options.measure:
-        DATA.write_text(json.dumps(measured(), indent=1) + "\n", encoding="utf-8")
+    if options.measure or options.measure_all:
+        measure_missing(nothing() if options.measure_all else json.loads(DATA.read_text(encoding="utf-8")))
     data = json.loads(DATA.read_text(encoding="utf-8"))
     if not options.check:
         PAGE.write_text(page(data), encoding="utf-8")

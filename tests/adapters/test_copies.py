@@ -210,7 +210,7 @@ def test_states_with_arrays() -> None:
 
 
 STATES = {
-    "fractions in a tuple": ("(0, 0)", "(state[0] + 0.25 if state[1] > 150 else state[0], state[1] + 1)", 150),
+    "fractions in a tuple": ("(0, 0)", "(state[0] + 0.25 if state[1] > 150 else state[0], state[1] + 1)", 0),
     "chance": ("int(rng.random() * 10)", "state + (int(rng.random() * 3) if state < 150 else rng.random())", 100),
     "a tuple that grows": ("(0,)", "(state[0] + 1, 7) if len(state) > 1 or state[0] > 150 else (state[0] + 1,)", 0),
     "small numbers": ("np.int8(0)", "np.int8(state + 1) if state < 100 else np.int64(state + 1)", 0),
@@ -218,7 +218,7 @@ STATES = {
     "texts": ("'start'", "state + '>'", 0),
     "none": ("None", "1 if state is None else state + 1", 0),
     "tuples of any length": ("()", "(*state, action)", 0),
-    "array": ("(np.zeros(2), 0)", "(state[0] + 1.0, state[1] + 1.5 if state[1] > 150 else state[1] + 1)", 150),
+    "array": ("(np.zeros(2), 0)", "(state[0] + 1.0, state[1] + 1.5 if state[1] > 150 else state[1] + 1)", 0),
 }
 
 

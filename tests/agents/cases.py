@@ -70,6 +70,9 @@ def small_gaussian(environment: Any, **settings: Any) -> eg.GaussianActorCritic:
 
 DESCRIBED: dict[str, Case] = {
     "QLearning": _halves(eg.QLearning),
+    "QLearning, ties by rounding": _case(
+        eg.QLearning, learning_rate=1.0, discount=0.9, initial_value=1.0, exploration=eg.Greedy()
+    ),
     "SARSA": _halves(eg.SARSA),
     "ExpectedSARSA": _halves(eg.ExpectedSARSA),
     "ExpectedSARSA, softmax": _case(eg.ExpectedSARSA, exploration=eg.Softmax(0.3)),

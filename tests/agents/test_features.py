@@ -83,16 +83,16 @@ def test_every_state_has_a_tile_in_every_tiling(state: list[float], x: int, y: i
 @pytest.mark.parametrize(
     ("n_inputs", "settings", "message"),
     [
-        (7, {"tiles": 0}, "tiles must be 1 or more, but is 0"),
-        (7, {"tiles": [4]}, "tiles must have a number for each of 7, but has 1"),
+        (7, {"tiles": 0}, "tiles must be from 1 to 10000000, but is 0"),
+        (7, {"tiles": [4]}, "tiles must be a whole number, or 7, one for each input, but is .4"),
         (7, {"tiles": [2.5] * 7}, "tiles must be a whole number"),
-        (7, {"tilings": 0}, "tilings must be 1 or more, but is 0"),
-        (7, {"low": [0.0]}, "low must have 7 numbers"),
+        (7, {"tilings": 0}, "tilings must be from 1 to 10000000, but is 0"),
+        (7, {"low": [0.0]}, "low must be an array of numbers of shape .7"),
         (1, {"low": [0.0], "high": [0.0]}, "low and high must be the bounds .* number 0 is from 0.0 to 0.0"),
         (1, {"low": [0.0], "high": [math.inf]}, r"number 0 is from 0.0 to inf: give low=\[...\] and high=\[...\]"),
         (1, {"low": [0.0], "high": [1e9]}, "less than a billion apart, but number 0 is from 0.0 to 1"),
-        (7, {"tiles": 9}, r"tiles must make 10,000,000 tiles at most, but make 8e\+07: leave numbers out by 1"),
-        (1, {"tiles": 10_000, "tilings": 1_000}, "at most, but make 1e"),
+        (7, {"tiles": 9}, "at most 10,000,000 tiles, but 9 and 8 make 80,000,000: leave numbers out by 1"),
+        (1, {"tiles": 10_000, "tilings": 1_000}, "but 10000 and 1000 make 10,001,000"),
     ],
 )
 def test_what_makes_no_sense_is_refused(n_inputs: int, settings: dict[str, Any], message: str) -> None:

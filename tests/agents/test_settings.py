@@ -133,7 +133,7 @@ OWN: list[tuple[Any, dict[str, tuple[Any, ...]]]] = [
     (eg.DynaQ, {"planning_steps": (math.inf, -1, 2.5), "planning_seconds": (0,)}),
     (eg.DynaQ, {"memory": (0,), "expected_updates": (1,)}),
     (eg.GoExplore, {"longest": (0,)}),
-    (eg.NStepSARSA, {"n": (0, 2.5), "longest": (0,)}),
+    (eg.NStepSARSA, {"n": (0, 2.5, "inf"), "longest": (0,)}),
     (eg.PrioritisedSweeping, {"planning_steps": (-1, 2.5, 2**70), "planning_seconds": (-1.0,)}),
     (eg.PrioritisedSweeping, {"expected_updates": ("yes",)}),
     (eg.QLambda, {"traces": (eg.Dutch,)}),
@@ -141,7 +141,7 @@ OWN: list[tuple[Any, dict[str, tuple[Any, ...]]]] = [
     (eg.REINFORCE, {"longest": (0,)}),
     (eg.RMax, {"planning_seconds": (0,), "lowest_return": (101.0,)}),
     (eg.SARSALambda, {"traces": ("replacing",)}),
-    (eg.TreeBackup, {"n": (1.5,)}),
+    (eg.TreeBackup, {"n": (1.5, math.inf)}),
 ]
 """What `create` itself looks at."""
 

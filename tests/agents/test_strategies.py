@@ -11,13 +11,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import edugym as eg
+from edugym.agents import tables
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
 from tests.agents.cases import STRATEGIES, package_classes
 
 KNOWN = {name: make for name, make in STRATEGIES.items() if hasattr(make((2, 2)), "probability")}
-# Values from so few numbers that ties are frequent.
-rows = st.lists(st.sampled_from([-1.0, 0.0, 0.5, 2.0]), min_size=1, max_size=6)
+# Values from so few numbers that ties are frequent, and the same with other last digits.
+FEW = [-1.0, 0.0, 0.5, 2.0]
+rows = st.lists(st.sampled_from(FEW), min_size=1, max_size=6)
+rounded_rows = st.lists(
+    st.sampled_from([*FEW, -1 - 4e-16, 0.5 + 2e-16, 0.5 - 2e-16, 2 + 4e-16]), min_size=1, max_size=6
+)
 
 
 def exact(make: Callable[[], Any], values: list[float]) -> list[float]:
@@ -30,8 +35,8 @@ def exact(make: Callable[[], Any], values: list[float]) -> list[float]:
 
 
 def epsilon_greedy(values: list[float], epsilon: float) -> list[float]:
-    """ε/n for every action, and the rest evenly for the best."""
-    best = [value == max(values) for value in values]
+    """ε/n for every action, and the rest evenly for the best, which are equal but for their last digits."""
+    best = [round(value, 9) == round(max(values), 9) for value in values]
     return [epsilon / len(values) + (1 - epsilon) * is_best / sum(best) for is_best in best]
 
 
@@ -41,12 +46,73 @@ def softmax(values: list[float], temperature: float) -> list[float]:
     return [weight / sum(weights) for weight in weights]
 
 
-@given(rows, st.floats(0.0, 1.0), st.sampled_from([0.1, 1.0, 7.0]))
+@given(rounded_rows, st.floats(0.0, 1.0), st.sampled_from([0.1, 1.0, 7.0]))
 def test_closed_forms(values: list[float], epsilon: float, temperature: float) -> None:
     """Ties are broken at random, an exploring step may hit the best action too, and softmax is equation 2.11."""
     assert exact(eg.Greedy, values) == pytest.approx(epsilon_greedy(values, 0.0))
     assert exact(lambda: eg.EpsilonGreedy(epsilon), values) == pytest.approx(epsilon_greedy(values, epsilon))
     assert exact(lambda: eg.Softmax(temperature), values) == pytest.approx(softmax(values, temperature))
+
+
+@pytest.mark.parametrize(
+    ("value", "best", "expected"),
+    [
+        (0.1 * 3, 0.3, True),
+        (-0.3, 0.1 * -3, True),
+        (1.0 + (2.0**-40 - 1.0), 2.0**-40, True),
+        (0.3 - 1e-11, 0.3, False),  # small, and not by rounding
+        (-1e-300, 0.0, False),
+        (-0.0, 0.0, True),
+        (5e-324, 1e-323, False),
+        (math.inf, math.inf, True),
+        (-math.inf, -math.inf, True),
+        (3.0, math.inf, False),
+        (-math.inf, math.inf, False),
+        (-math.inf, 3.0, False),
+        (-1.7e308, 1.7e308, False),  # without a warning, which would be an error here
+    ],
+)
+def test_equal_but_for_rounding(value: float, best: float, expected: bool) -> None:
+    """By hand; everyone who asks which actions are best gives the same answer."""
+    Q, other = np.array([[value, best]]), np.array([[10.0, 20.0]])
+    assert tables.tied(value, best) == tables.tied(Q[0, 0], Q[0, 1]) == expected
+    share = 0.5 if expected else 0.0
+    assert exact(eg.Greedy, [value, best]) == [share, 1 - share]
+    assert exact(eg.Greedy, [best, value]) == [1 - share, share]
+    assert eg.Greedy().probability(Q, 0, 0) == share
+    assert tables.value_of_best(Q, other, 0) == 20 - 10 * share
+    watkins = eg.QLambda.create((2, 2))
+    watkins.Q[1] = Q[0]
+    watkins.learn(0, 0, 0.0, 1, 0, False, False)
+    assert watkins.Z.n[0] == expected
+
+
+class ByTheLastDigit(eg.QLearning):
+    """Q-learning that takes the highest value even where it is higher by rounding only."""
+
+    __slots__ = ()
+
+    def act(self, state: int, rng: Random) -> int:
+        """Draw among those that are exactly the highest."""
+        return int(rng.choice(np.flatnonzero(self.Q[state] == self.Q[state].max())))
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The same."""
+        return self.act(state, rng)
+
+
+def test_rounding_decides_nothing() -> None:
+    """With α = 1 all values here are powers of γ, the same ones for every γ. Not so where the last digit decides."""
+
+    def powers(kind: Any, discount: float, seed: int) -> Any:
+        wall = eg.make_mdp("Boulder", height=25, n_grips=3, layout_seed=seed)
+        agent = kind(np.ones((26, 3)), 1.0, discount, eg.Greedy())
+        eg.train(wall, agent, 1_500, seed=seed, evaluate_every=1_500)
+        return (np.log(agent.Q) / math.log(discount)).round().tolist()
+
+    for seed in (1, 2):
+        assert powers(eg.QLearning, 0.9, seed) == powers(eg.QLearning, 0.99, seed) == powers(eg.QLearning, 0.5, seed)
+        assert powers(ByTheLastDigit, 0.9, seed) != powers(ByTheLastDigit, 0.5, seed)
 
 
 @pytest.mark.parametrize(
@@ -64,7 +130,7 @@ def test_the_limits_of_softmax(temperature: float, values: list[float], expected
     assert exact(lambda: eg.Softmax(temperature), values) == pytest.approx(expected)
 
 
-@given(rows)
+@given(rounded_rows)
 @pytest.mark.parametrize("make", KNOWN.values(), ids=KNOWN)
 def test_known_probabilities_are_those_of_the_choices(make: Any, values: list[float]) -> None:
     """`probability` is how often `choose` gives each action, ties included, and `expected_value` the mean."""

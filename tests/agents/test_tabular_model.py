@@ -127,7 +127,7 @@ def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
 @pytest.mark.parametrize(
     ("environment", "model", "message"),
     [
-        ((5, 2), "exact", r"model must be a FiniteModel, .* but is str"),
+        ((5, 2), "exact", r"model must be a FiniteModel, .* but is 'exact'"),
         (Blind(), finite_model(Walk()), r"model must have states that the agent can tell apart"),
         ((4, 2), finite_model(Walk()), r"model must be one of this environment, which has 4 states and 2 actions"),
         ((5, 3), finite_model(Walk()), r"model must be one of this environment, .*, but has 5 and 2"),

@@ -30,8 +30,9 @@ class Parameters:
         bad: what must be refused, with a ValueError that names the parameter and the value; likewise.
         finite: tasks with a finite model, small enough to look at every state and action; empty if there is none.
         layout: parameters with which the layout seed makes a difference, to the task or to its model.
-        random: whether what happens depends on the seed of `reset`.
-        informed: a good action, from `info` and the environment: random play alone would see little of some tasks.
+        random: whether what happens depends on the seed of `reset`. With the default parameters 40 steps of play must
+            show it.
+        informed: an action from `info` and the environment, for tasks of which random play alone would see little.
     """
 
     valid: SearchStrategy[Keywords]
@@ -49,7 +50,8 @@ def refused(name: str, *values: Any, **given: Any) -> tuple[Bad, ...]:
 
 
 NO_WHOLE_NUMBER = (0.5, "1", None, True, nan)
-NO_STEPS = (0, -1, 2**62 + 1, 10**400, 0.5, "1", True, nan)
 """What no whole number may be."""
+NO_STEPS = (0, -1, 2**62 + 1, 10**400, 0.5, "1", True, nan)
+"""What no number of steps may be."""
 
 LAYOUT_SEEDS = st.integers(0, 2**32)

@@ -88,9 +88,9 @@ def test_no_policy_is_better(seed: int, epsilon: float, discount: float) -> None
     ("parameter", "value", "allowed"),
     [
         ("discount", -0.1, "from 0 to 1"), ("discount", 1.1, "from 0 to 1"), ("discount", float("nan"), "from 0 to 1"),
-        ("epsilon", 2, "from 0 to 1"), ("epsilon", "0", "a number"), ("horizon", 0, "1 or more"),
+        ("epsilon", 2, "from 0 to 1"), ("epsilon", "0", "a number"), ("horizon", 0, "from 1 to 10000000"),
         ("horizon", 2.0, "a whole number"), ("tolerance", 0, "greater than 0"),
-        ("tolerance", float("inf"), "a finite number"), ("max_sweeps", 0, "1 or more"),
+        ("tolerance", float("inf"), "a finite number"), ("max_sweeps", 0, "from 1 to 10000000"),
     ],
 )  # fmt: skip
 def test_bad_parameters(parameter: str, value: Any, allowed: str) -> None:

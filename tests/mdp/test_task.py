@@ -75,7 +75,7 @@ def test_train_looks_once(made: Callable[[Any], Any], mdp: Any, monkeypatch: pyt
         (lambda folder: eg.finite_model(MDP), ["mdp"]),
         (lambda folder: eg.check_mdp(MDP), ["mdp"]),
         (lambda folder: eg.share(MDP, folder / "wall.py"), ["mdp"]),
-        (lambda folder: Game(MDP), ["mdp"]),
+        (lambda folder: Game(MDP), ["environment"]),
         (lambda folder: eg.table_size(MDP), ["environment"]),
         (lambda folder: QLearning.create(MDP), ["environment"]),
         (lambda folder: eg.DQN.create(MDP), ["environment"]),

@@ -112,7 +112,7 @@ def test_a_long_evaluation_stops_between_episodes() -> None:
     stop = threading.Event()
     threading.Timer(0.5, stop.set).start()
     wall = make_mdp("Boulder", height=100, max_steps=100_000)
-    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=10**7, stop=stop)
+    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=10**6, stop=stop)
     assert (run.complete, len(run.steps)) == (False, 0)
 
 

@@ -298,7 +298,7 @@ def test_what_is_given_is_wrong_as_a_whole(name: str) -> None:
     [
         ("n_steps", 0, "1 or more"), ("n_steps", 1e5, "whole"), ("n_steps", "10", "whole"),
         ("max_steps", 0, "1 or more"), ("max_steps", True, "whole"), ("max_steps", 2**62 + 1, str(2**62)),
-        ("evaluate_every", 0, "1 or more"), ("evaluation_episodes", 0, "1 or more"),
+        ("evaluate_every", 0, "1 or more"), ("evaluation_episodes", 0, "from 1 to 1000000"),
         ("seed", -1, "0 or more"), ("seed", None, "whole"), ("stop", 3, "threading.Event None"),
     ],
 )  # fmt: skip

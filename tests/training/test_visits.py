@@ -56,9 +56,9 @@ def test_visits_are_where_the_agent_was(on_policy: bool) -> None:
     assert recorder.recorded is agent
 
 
-@pytest.mark.parametrize("name", ["n_steps", "n_intervals"])
-def test_wrong_numbers_are_named(name: str) -> None:
+@pytest.mark.parametrize(("name", "allowed"), [("n_steps", "1 or more"), ("n_intervals", "from 1 to 1000000")])
+def test_wrong_numbers_are_named(name: str, allowed: str) -> None:
     """Of steps and intervals there is one or more."""
-    with pytest.raises(ValueError, match=f"{name} must be 1 or more, but is 0"):
+    with pytest.raises(ValueError, match=f"{name} must be {allowed}, but is 0"):
         record_visits(QLearning.create((3, 2)), (3, 2), **{"n_steps": 10, name: 0})
     assert record_visits(QLearning.create((3, 2)), (3, 2), **{"n_steps": 10, name: 1})

@@ -242,4 +242,5 @@ def _vector_rows(mdp: Any) -> Any:
     if isinstance(space, spaces.Discrete):
         return OneHotRow(np.zeros((2, n)), int(space.start))
     seen = observation_rows(mdp, sample)(np.zeros((1, *shape), np.int64))
-    return OneHotRows(np.zeros((2, n)), seen, np.array(table_sizes(space)), np.array(table_lows(space)))
+    sizes, lows = (np.array(numbers, np.int64) for numbers in (table_sizes(space), table_lows(space)))
+    return OneHotRows(np.zeros((2, n)), seen, sizes, lows)

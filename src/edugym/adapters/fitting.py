@@ -111,6 +111,8 @@ class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
 
     def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
         """See the class."""
+        if not isinstance(env, gymnasium.Env):
+            raise ValueError(f"env must be a Gymnasium environment, but is {in_short(env)}")
         super().__init__(env)
         self._sizes = table_sizes(env.observation_space)
         self._is_plain = isinstance(env.observation_space, spaces.Discrete)

@@ -101,10 +101,15 @@ def find(name: str) -> Entry:
     Raises:
         ValueError: there is none.
     """
+    from edugym.checks.parameters import (
+        in_short,  # as below: `import edugym` registers, and takes no longer than it must
+    )
+
     for entry in ENVIRONMENTS:
-        if name in (entry.name, entry.id):
+        if isinstance(name, str) and name in (entry.name, entry.id):
             return entry
-    raise ValueError(f"environment must be one of {', '.join(e.name for e in ENVIRONMENTS)}, but is {name!r}")
+    known = ", ".join(entry.name for entry in ENVIRONMENTS)
+    raise ValueError(f"name of an environment must be one of {known}, but is {in_short(name)}")
 
 
 def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, dict[str, Any]]:

@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks.parameters import a_path, in_short
 from edugym.mdp.task import check_mdp
 from edugym.rendering.ansi import to_text
 from edugym.system.files import write_whole
@@ -58,7 +59,7 @@ def share(mdp: Any, path: str | Path) -> Path:
             written into a file, or its picture cannot be drawn.
         OSError: the file cannot be written.
     """
-    path = Path(path)
+    path = a_path("path", path)
     if path.suffix != ".py" or not path.stem.isidentifier() or keyword.iskeyword(path.stem):
         raise ValueError(f"path must be the name of a Python module, such as kiosk.py, but is {str(path)!r}")
     check_mdp(mdp)
@@ -104,7 +105,7 @@ def read_mdp(path: str | Path, **parameters: Any) -> Any:
         ValueError: the file has no value `MDP`, this is no MDP, or it has no such fields.
         OSError: the file cannot be read.
     """
-    path = Path(path)
+    path = a_path("path", path)
     path.open("rb").close()  # an error that names the path
     spec = importlib.util.spec_from_file_location(path.stem, path)
     if spec is None or spec.loader is None:
@@ -158,7 +159,7 @@ class _Parts:
             return f"{type(value).__name__}({', '.join(f'{n}={self.text_of(part, n)}' for n, part in fields)})"
         if type(value) in (tuple, list, set, dict):
             return self._container(value, what)
-        raise ValueError(f"{what} must be made of numbers, texts and arrays to be shared, but is {value!r}")
+        raise ValueError(f"{what} must be made of numbers, texts and arrays to be shared, but is {in_short(value)}")
 
     def _container(self, value: Any, what: str) -> str:
         if isinstance(value, dict):

@@ -24,6 +24,7 @@ from edugym.mdp.protocol import HISTORY, history_wanted
 from edugym.mdp.task import task_of
 
 NO_LIMIT = 2**62
+MOST_COPIES = 10_000_000
 NOTHING = np.empty(0, np.int64)
 TRIED = 100  # steps
 ARRAYS = (spaces.Discrete, spaces.Box, spaces.MultiDiscrete, spaces.MultiBinary)
@@ -39,7 +40,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
 
     Args:
         env: what all copies are: an environment, what `gymnasium.make` gives, or the MDP itself.
-        num_envs: how many copies, 1 or more.
+        num_envs: how many copies, from 1 to 10 million.
         autoreset_mode: what becomes of a copy whose episode is over. `"NextStep"`: the next `step` resets it and
             ignores its action. `"SameStep"`: it is reset at once, and its last observation is in
             `infos["final_obs"]`. `"Disabled"`: it waits for `reset(options={"reset_mask": mask})`.
@@ -79,7 +80,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
                 )
         self._env = copy.copy(env)  # to draw with
         self.closed = False
-        num_envs = whole_number("num_envs", num_envs, 1)
+        num_envs = whole_number("num_envs", num_envs, 1, MOST_COPIES)
         if not isinstance(autoreset_mode, AutoresetMode):
             one_of("autoreset_mode", autoreset_mode, [mode.value for mode in MODES])
         self.autoreset_mode = AutoresetMode(autoreset_mode)
@@ -91,7 +92,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self.action_space = batch_space(env.action_space, num_envs)
         task = task_of(env.mdp, "env", MDP_ONLY)
         self._limit, self._is_own = task.max_steps, task.is_own
-        if max_episode_steps not in (None, -1):
+        if max_episode_steps is not None and not (type(max_episode_steps) is int and max_episode_steps == -1):
             most = number_of_steps("max_episode_steps", max_episode_steps)
             self._limit = most if self._limit is None else min(most, self._limit)
         self._n_actions = int(env.action_space.n) if isinstance(env.action_space, spaces.Discrete) else 0
@@ -121,8 +122,10 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         """Start an episode in every copy, or in those that `options["reset_mask"]`, booleans of shape (n,), picks.
 
         Raises:
-            ValueError: the mask is something else.
+            ValueError: the options, or the mask in them, are something else.
         """
+        if options is not None and not isinstance(options, dict):
+            raise ValueError(f"options must be a dictionary or None, but is {in_short(options)}")
         mask = (options or {}).get("reset_mask", np.ones(self.num_envs, np.bool_))
         if not (isinstance(mask, np.ndarray) and mask.shape == self._over.shape and mask.dtype == np.bool_):
             raise ValueError(f"reset_mask must be an array of {self.num_envs} booleans, but is {in_short(mask)}")

@@ -9,7 +9,7 @@ from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target
 from edugym.agents.vectors import input_scale, vector_bounds, vector_size
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import MOST_ENTRIES, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
 
@@ -236,9 +236,9 @@ class DQN(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment with actions 0, 1, ...
-            hidden: how many hidden units the network has, 1 or more.
-            memory_size: how many transitions are remembered, 1 or more.
-            batch_size: from how many of them each update learns, 1 or more.
+            hidden: how many hidden units the network has, from 1 to 2^28.
+            memory_size: how many transitions are remembered, likewise.
+            batch_size: from how many of them each update learns, likewise.
             **settings: see the class.
 
         Raises:
@@ -246,7 +246,7 @@ class DQN(NamedTuple):
         """
         n_inputs, n_actions = vector_size(environment)
         for name, size in (("hidden", hidden), ("memory_size", memory_size), ("batch_size", batch_size)):
-            whole_number(name, size, 1)
+            whole_number(name, size, 1, MOST_ENTRIES)
         sizes = {"inputs": n_inputs, "hidden": hidden, "actions": n_actions, "memory": memory_size, "batch": batch_size}
         sizes |= {"inputs + 1": n_inputs + 1, "hidden + 1": hidden + 1}
         agent = new(cls, None, settings, **sizes)

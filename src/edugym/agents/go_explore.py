@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action, replaces
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import MOST_ENTRIES, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
 
@@ -147,10 +147,10 @@ class GoExplore(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-            longest: the maximum number of steps in one attempt, 1 or more.
+            longest: the maximum number of steps in one attempt, from 1 to 2^28.
             **settings: the fields of the class that have a default.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment is not tabular.
         """
-        return new(cls, environment, settings, longest=whole_number("longest", longest, 1))
+        return new(cls, environment, settings, longest=whole_number("longest", longest, 1, MOST_ENTRIES))

@@ -7,7 +7,7 @@ from edugym.agents.last_steps import LastSteps
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action
-from edugym.checks.parameters import number_of_steps, whole_number
+from edugym.checks.parameters import MOST_ENTRIES, number_of_steps, whole_number
 from edugym.mdp.protocol import Random, Reals
 
 
@@ -89,13 +89,15 @@ class NStepSARSA(NamedTuple):
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
             n: how many rewards the target has: a whole number of 1 or more, or `math.inf` for Monte Carlo.
-            longest: the largest size of the buffer, 1 or more. A larger n acts as n = `longest`.
+            longest: the largest size of the buffer, from 1 to 2^28. A larger n acts as n = `longest`.
             **settings: the learning rate and what follows it above, and `initial_value`, by default 0.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
-        most = whole_number("longest", longest, 1)
-        if n != math.inf:
+        most = whole_number("longest", longest, 1, MOST_ENTRIES)
+        if isinstance(n, str):
+            raise ValueError(f"n must be a whole number, 1 or more, or infinity, math.inf, but is {n!r}")
+        if not (isinstance(n, float) and n == math.inf):
             most = min(most, number_of_steps("n", int(n) if isinstance(n, float) and n.is_integer() else n))
         return new(cls, environment, {**settings, "n": n}, **{"n": most, "n + 1": most + 1})

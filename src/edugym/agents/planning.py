@@ -5,7 +5,7 @@ import time
 from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Part
-from edugym.checks.parameters import above, number_of_steps, whole_number
+from edugym.checks.parameters import MOST_STEPS, above, whole_number
 
 
 class Budget(Protocol):
@@ -65,8 +65,8 @@ def budget(planning_steps: float, planning_seconds: float | None) -> Any:
     Raises:
         ValueError: the steps are no whole number of 0 or more (or infinity), or the seconds not greater than 0.
     """
-    if planning_steps != math.inf and whole_number("planning_steps", planning_steps, 0) > 0:
-        number_of_steps("planning_steps", planning_steps)
+    if not (isinstance(planning_steps, float) and planning_steps == math.inf):
+        whole_number("planning_steps", planning_steps, 0, MOST_STEPS)
     if planning_seconds is not None:
         above("planning_seconds", planning_seconds, 0)
         return Seconds(float(planning_seconds))

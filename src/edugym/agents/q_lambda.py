@@ -4,7 +4,7 @@ from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
-from edugym.agents.tables import best_value, greedy_action, one_step_target
+from edugym.agents.tables import best_value, greedy_action, one_step_target, tied
 from edugym.agents.traces import Replacing, Trace, Traces, check_trace
 from edugym.mdp.protocol import Random
 from edugym.mdp.task import table_size
@@ -60,7 +60,7 @@ class QLambda(NamedTuple):
         """Move all pairs that have a trace by the TD error."""
         value = float(self.Q[state, action])
         next_value = best_value(self.Q, next_state)
-        next_is_greedy = self.Q[next_state, next_action] == next_value
+        next_is_greedy = tied(self.Q[next_state, next_action], next_value)
         delta = one_step_target(reward, self.discount, next_value, terminated) - value
         change = self.traces.true_online * (value - self.Z.next_value[0])  # Q(S, A) - Q_old
         self.Z.put(state, action, self.traces.visited(self.Z.value(state, action), self.learning_rate))

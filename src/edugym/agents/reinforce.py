@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from edugym.agents.tables import greedy_action
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import MOST_ENTRIES, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
 
@@ -110,12 +110,12 @@ class REINFORCE(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment with whole numbers for observations and actions.
-            longest: how many steps of an episode there is room for, 1 or more. A longer one is learned from in parts,
-                as if it were truncated after each: γ^t starts at 1 again.
+            longest: how many steps of an episode there is room for, from 1 to 2^28. A longer one is
+                learned from in parts, as if it were truncated after each: γ^t starts at 1 again.
             **settings: see the class.
 
         Raises:
             ValueError: a setting is not as above or as the class says, or the environment does not fit a table.
         """
-        whole_number("longest", longest, 1)
+        whole_number("longest", longest, 1, MOST_ENTRIES)
         return new(cls, environment, settings, longest=longest, **{"longest + 1": longest + 1})

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from edugym.agents.settings import check
-from edugym.checks.parameters import in_short
+from edugym.checks.parameters import MOST_STEPS, a_path, in_short, several, whole_number
 from edugym.system.files import write_whole
 
 MOST_BYTES = 2**30
@@ -33,6 +33,7 @@ def save(agent: Any, path: str | Path) -> None:
     """
     if not _is_named_tuple(agent):
         raise ValueError(f"agent must be a NamedTuple, such as QLearning.create(...), but is {in_short(agent)}")
+    path = a_path("path", path)
     check(agent)
     arrays: dict[str, Any] = {}
     structure = _structure(agent, "agent", arrays)
@@ -56,9 +57,11 @@ def load(path: str | Path, kinds: Iterable[type] | type = (), *, max_bytes: int 
     """
     if isinstance(path, type):
         raise ValueError("path must be the name of a file, and come first, but is the class " + path.__name__)
-    given = [kinds] if isinstance(kinds, type) else [*kinds]
+    path = a_path("path", path)
+    given = [kinds] if isinstance(kinds, type) else several("kinds", kinds, type, "a class or several")
+    max_bytes = whole_number("max_bytes", max_bytes, 1, MOST_STEPS)
     known = {kind.__name__: kind for kind in (*_own_classes(), *given)}
-    with Path(path).open("rb") as file:
+    with path.open("rb") as file:
         content = file.read(max_bytes + 1)
     try:
         arrays = _arrays(content, max_bytes)

@@ -20,7 +20,17 @@ from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, ge
 import numpy as np
 
 from edugym.checks.interfaces import require_method
-from edugym.checks.parameters import a_number, above, at_least, between, in_short, whole_number
+from edugym.checks.parameters import (
+    MOST_STEPS,
+    a_number,
+    above,
+    as_float,
+    at_least,
+    between,
+    in_short,
+    true_or_false,
+    whole_number,
+)
 from edugym.mdp.protocol import Integers, Reals
 from edugym.mdp.task import table_size
 from edugym.system.memory import require_memory
@@ -34,7 +44,8 @@ class Range(NamedTuple):
 
     Attributes:
         low: the lowest.
-        high: the highest; with None any finite number is allowed, with `math.inf` infinity as well.
+        high: the highest; with None any finite number is allowed (a whole one up to 2^62), with `math.inf` infinity as
+            well.
         open: whether `low` itself is excluded.
     """
 
@@ -105,8 +116,9 @@ def new(
     Raises:
         ValueError: a setting is unknown, or a value is not allowed.
     """
-    tables = (_mark(hint, Table) for name, hint in _hints(kind).items() if name not in parts)
-    needed = {axis for table in tables if table is not None for axis in table.axes}
+    marks = (_mark(hint, Table) for name, hint in _hints(kind).items() if name not in parts)
+    tables = [table for table in marks if table is not None]
+    needed = {axis for table in tables for axis in table.axes}
     if environment is not None or (needed & {"states", "actions"}) - sizes.keys():
         sizes["states"], sizes["actions"] = table_size(environment)
     allowed = settings_of(kind)
@@ -120,8 +132,9 @@ def new(
         if default is inspect.Parameter.empty and name not in settings:
             raise ValueError(f"{kind.__name__} needs the setting {name!r}")
     values = {**allowed, **settings}
-    if "initial_value" in values:
-        a_number("initial_value", values["initial_value"])
+    for table in tables:
+        if isinstance(table.fill, str):
+            a_number(table.fill, values[table.fill])
     missing = {name: hint for name, hint in _hints(kind).items() if name not in parts}
     made = kind(**{name: _field(name, hint, values, sizes) for name, hint in missing.items()}, **parts)
     check(made)
@@ -188,11 +201,11 @@ def check(value: Any) -> None:
             raise ValueError(f"{name} must be a {hint.__name__}, but is {in_short(part)}")
         elif number is not None:
             if get_args(hint)[0] is int:
-                whole_number(name, part, int(number.low), None if number.high is None else int(number.high))
+                whole_number(name, part, int(number.low), MOST_STEPS if number.high is None else int(number.high))
             number.check(name, part)
-        elif hint is bool and not isinstance(part, bool):
-            raise ValueError(f"{name} must be True or False, but is {in_short(part)}")
-        elif name == "exploration" and (isinstance(part, type) or not hasattr(part, "choose")):
+        elif hint is bool:
+            true_or_false(name, part)
+        elif name == "exploration" and (isinstance(part, type | np.ndarray) or not hasattr(part, "choose")):
             raise ValueError(f"exploration must be a strategy such as EpsilonGreedy(0.1), but is {in_short(part)}")
         elif name == "exploration" and not is_own(part):
             require_method(part, "choose", ("Q", "state", "rng"))
@@ -260,7 +273,7 @@ def _field(name: str, hint: Any, values: Mapping[str, Any], sizes: Mapping[str, 
     value = values[name]
     kind = get_args(hint)[0] if get_origin(hint) is Annotated else hint
     if kind is float and isinstance(value, int | np.number) and not isinstance(value, bool):
-        return float(value)
+        return as_float(value)
     if kind is int and isinstance(value, np.integer):
         return int(value)
     return value

@@ -5,19 +5,32 @@ One loop over single entries finds the best action, counts its equals and draws 
 
 from edugym.mdp.protocol import Random, Reals
 
+ROUNDING = 1e-12
+"""Values that differ by a smaller share than this count as equal: some thousand times the last digit of a float."""
+
+
+def tied(value: float, best: float) -> bool:
+    """Whether a value equals the best one but for rounding: they differ by less than 10⁻¹² of the best.
+
+    One number, learned in two ways, may differ in its last digit: even with α = 1, Q + α (T - Q) is not always T. If
+    that digit decided between actions that are equally good, the same one would win each time, and nothing would be
+    left to chance. Only 0 equals 0.
+    """
+    return value == best or abs(float(value) - float(best)) < ROUNDING * abs(best)
+
 
 def greedy_action(Q: Reals, state: int, rng: Random) -> int:
-    """The action with the highest value in `state`; among equals, one at random (argmax_a Q(s, a))."""
+    """The action with the highest value in `state`: argmax_a Q(s, a). Among equals (see `tied`) it draws one."""
     best = 0
     ties = 1
     for action in range(1, Q.shape[1]):
-        if Q[state, action] > Q[state, best]:
-            best = action
-            ties = 1
-        elif Q[state, action] == Q[state, best]:
+        if tied(Q[state, action], Q[state, best]):
             ties += 1
             if replaces(ties, rng):
                 best = action
+        elif Q[state, action] > Q[state, best]:
+            best = action
+            ties = 1
     return best
 
 
@@ -40,7 +53,7 @@ def value_of_best(Q: Reals, other: Reals, state: int) -> float:
     total = 0.0
     ties = 0
     for action in range(Q.shape[1]):
-        if Q[state, action] == highest:
+        if tied(Q[state, action], highest):
             total += float(other[state, action])
             ties += 1
     return total / ties
@@ -62,11 +75,11 @@ def epsilon_greedy_probability(Q: Reals, state: int, action: int, epsilon: float
     """How likely `epsilon_greedy_action` is to choose an action: ε/n, and the best actions share 1 - ε."""
     share = epsilon / Q.shape[1]
     highest = best_value(Q, state)
-    if Q[state, action] < highest:
+    if not tied(Q[state, action], highest):
         return share
     ties = 0
     for other in range(Q.shape[1]):
-        if Q[state, other] == highest:
+        if tied(Q[state, other], highest):
             ties += 1
     return share + (1.0 - epsilon) / ties
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.tables import best_value, one_step_target, random_action
-from edugym.checks.parameters import in_short, whole_number
+from edugym.checks.parameters import MOST_ENTRIES, in_short, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.tabular import tabular_mdp
@@ -161,7 +161,7 @@ def empty_model(environment: Any, memory: int | None = None) -> TabularModel:
 
     Args:
         environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-        memory: how many outcomes it can hold, 1 or more; by default 8 for each pair of state and action, or
+        memory: how many outcomes it can hold, from 1 to 2^28; by default 8 for each pair of state and action, or
             100 000 if that is less, but never fewer than 1 000 or two for each pair. An outcome that no longer
             fits is neither remembered nor counted as a visit.
 
@@ -171,7 +171,7 @@ def empty_model(environment: Any, memory: int | None = None) -> TabularModel:
     n_states, n_actions = table_size(environment)
     pairs = n_states * n_actions
     default = max(1_000, 2 * pairs, min(8 * pairs, 100_000))
-    memory = default if memory is None else whole_number("memory", memory, 1)
+    memory = default if memory is None else whole_number("memory", memory, 1, MOST_ENTRIES)
     return new(TabularModel, environment, {}, memory=memory)
 
 
@@ -206,7 +206,7 @@ def given_model(environment: Any, model: FiniteModel) -> TabularModel:
         ValueError: it is no model, not one of this environment, or states that differ look the same.
     """
     if not isinstance(model, FiniteModel):
-        raise ValueError(f"model must be a FiniteModel, such as finite_model(mdp), but is {type(model).__name__}")
+        raise ValueError(f"model must be a FiniteModel, such as finite_model(mdp), but is {in_short(model)}")
     rows = [_observed(environment, state) for state in model.states]
     n_states, n_actions = table_size(environment)
     going_on = [row for row, end in zip(rows, model.terminal, strict=True) if not end]

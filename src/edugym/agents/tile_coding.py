@@ -9,8 +9,9 @@ from gymnasium import spaces
 
 from edugym.agents.settings import Table, check
 from edugym.agents.vectors import UNBOUNDED, vector_bounds, vector_size
-from edugym.checks.parameters import in_short, whole_number
+from edugym.checks.parameters import an_array, in_short, whole_number
 from edugym.mdp.protocol import Integers, Reals
+from edugym.system.memory import in_digits
 
 MOST_FEATURES = 10_000_000
 
@@ -108,14 +109,16 @@ class TileCoding(NamedTuple):
         box = isinstance(getattr(environment, "action_space", None), spaces.Box)
         n_inputs, _ = vector_size(environment, spaces.Box if box else spaces.Discrete)
         lows, highs = vector_bounds(environment)
-        lows = lows if low is None else _numbers("low", low, n_inputs)
-        highs = highs if high is None else _numbers("high", high, n_inputs)
+        lows = lows if low is None else an_array("low", low, (n_inputs,))
+        highs = highs if high is None else an_array("high", high, (n_inputs,))
         counts: list[Any] = list(tiles) if isinstance(tiles, list | tuple | np.ndarray) else [tiles] * n_inputs
-        if len(counts) != n_inputs:
-            raise ValueError(f"tiles must have a number for each of {n_inputs}, but has {len(counts)}")
+        if len(counts) != n_inputs or np.ndim(tiles) > 1:
+            raise ValueError(
+                f"tiles must be a whole number, or {n_inputs}, one for each input, but is {in_short(tiles)}"
+            )
         for count in counts:
-            whole_number("tiles", count, 1)
-        whole_number("tilings", tilings, 1)
+            whole_number("tiles", count, 1, MOST_FEATURES)
+        whole_number("tilings", tilings, 1, MOST_FEATURES)
         for i in range(n_inputs):
             if counts[i] > 1 and not (lows[i] < highs[i] and highs[i] - lows[i] < UNBOUNDED):
                 raise ValueError(
@@ -126,21 +129,10 @@ class TileCoding(NamedTuple):
         n_tiles = tilings * math.prod(count + 1 for count in counts if count > 1)
         if n_tiles > MOST_FEATURES:
             raise ValueError(
-                f"tiles must make {MOST_FEATURES:,} tiles at most, but make {n_tiles:.3g}: leave numbers out by 1"
+                f"tiles and tilings must make at most {MOST_FEATURES:,} tiles, but {in_short(tiles)} and {tilings} make"
+                f" {in_digits(n_tiles)}: leave numbers out by 1"
             )
         lows, highs = (np.where(np.array(counts) > 1, bounds, 0.0) for bounds in (lows, highs))
         made = cls(np.zeros(tilings, np.int64), np.ones(tilings), lows, highs, np.array(counts, np.int64))
         check(made)
         return made
-
-
-def _numbers(name: str, given: Sequence[float], n: int) -> Reals:
-    """Bounds as an array.
-
-    Raises:
-        ValueError: there is not one for each number of an observation.
-    """
-    bounds = np.array(given, float)
-    if bounds.shape != (n,):
-        raise ValueError(f"{name} must have {n} numbers, as an observation has, but is {in_short(given)}")
-    return bounds

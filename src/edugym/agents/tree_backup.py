@@ -1,12 +1,13 @@
 """n-step tree backup: several steps off-policy without importance sampling."""
 
+import math
 from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.last_steps import LastSteps
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration, Greedy, Policy, check_policy
 from edugym.agents.tables import greedy_action, one_step_target
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import MOST_ENTRIES, whole_number
 from edugym.mdp.protocol import Random
 
 
@@ -30,7 +31,7 @@ class TreeBackup(NamedTuple):
     Attributes:
         Q: shape (n_states, n_actions): the action values.
         steps: a ring buffer with the last n transitions.
-        n: how many steps, 1 or more.
+        n: how many steps, from 1 to 2^28.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.
@@ -86,13 +87,15 @@ class TreeBackup(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-            n: how many steps, 1 or more.
+            n: how many steps, from 1 to 2^28.
             **settings: see the class, and `initial_value`.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
-        n = whole_number("n", n, 1)
+        if isinstance(n, float) and n == math.inf:
+            raise ValueError("n must be a whole number, 1 or more, but is inf; the length of an episode is enough")
+        n = whole_number("n", n, 1, MOST_ENTRIES)
         agent = new(cls, environment, {**settings, "n": n}, **{"n": n, "n + 1": n + 1})
         check_policy("target_policy", agent.target_policy)
         return agent

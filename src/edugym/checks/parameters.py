@@ -2,16 +2,23 @@
 
 import inspect
 import math
+import os
 import sys
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
 
 import numpy as np
 
 MOST_STEPS = 2**62
 """A number that machine code can hold, and count on from."""
+MOST_ENTRIES = 2**28
+"""The most rows that a table may be asked to have: two gigabytes of numbers."""
 LONGEST, LONGEST_NUMBER = 200, 40
 """The most letters of a value, and the most digits of a whole number, that a message shows."""
+
+
+Kind = TypeVar("Kind")
 
 
 def a_number(name: str, value: Any) -> float:
@@ -71,9 +78,72 @@ def number_of_steps(name: str, value: Any) -> int:
 
 def one_of(name: str, value: Any, allowed: Sequence[Any]) -> Any:
     """Refuse a `value` that is not one of those `allowed`."""
-    if value not in allowed:
+    if isinstance(value, np.ndarray) or value not in allowed:  # `in` is ambiguous for an array
         raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, but is {in_short(value)}")
     return value
+
+
+def true_or_false(name: str, value: Any) -> bool:
+    """Refuse a `value` that is neither True nor False."""
+    if not isinstance(value, bool | np.bool_):
+        raise ValueError(f"{name} must be True or False, but is {in_short(value)}")
+    return bool(value)
+
+
+def a_text(name: str, value: Any) -> str:
+    """Refuse a `value` that is not a text."""
+    if not isinstance(value, str):
+        raise ValueError(f"{name} must be a text, but is {in_short(value)}")
+    return value
+
+
+def a_path(name: str, value: Any) -> Path:
+    """Refuse a `value` that is not the path of a file."""
+    if not isinstance(value, str | os.PathLike) or not os.fspath(value):
+        raise ValueError(f"{name} must be a path, such as 'file', but is {in_short(value)}")
+    return Path(value)
+
+
+def several(name: str, values: Any, kind: type[Kind], allowed: str) -> list[Kind]:
+    """Refuse what is not several values of one kind, as a list, a tuple or another collection that is no text.
+
+    Args:
+        name: the parameter's name.
+        values: what was given.
+        kind: the class of each value.
+        allowed: what they must be, in words.
+    """
+    given = [*values] if isinstance(values, Iterable) and not isinstance(values, str | type) else None
+    if given is None or not all(isinstance(one, kind) for one in given):
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(values)}")
+    return given
+
+
+def an_array(
+    name: str, values: Any, shape: Sequence[int | str] | None = None
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Refuse `values` that are not an array of real numbers, or a list that stands for one; NaN and infinity are fine.
+
+    Args:
+        name: the parameter's name.
+        values: what was given.
+        shape: the length of each axis; where any will do, what it is called, such as "n_states". None for any shape
+            of one axis or more.
+    """
+    try:
+        array = np.asarray(values)
+        array = np.array(values, float) if array.dtype.kind == "O" else array  # of huge numbers, or with None for NaN
+        wanted = array.shape if shape is None else tuple(shape)
+        fits = 0 < array.ndim == len(wanted) and all(
+            isinstance(n, str) or n == m for n, m in zip(wanted, array.shape, strict=True)
+        )
+    except (ValueError, TypeError, OverflowError):  # of lists of different lengths, of objects, of huge numbers
+        fits = False
+    if not fits or array.dtype.kind not in "biuf":
+        axes = "" if shape is None else f" of shape ({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
+        given = f", of shape {values.shape}" if isinstance(values, np.ndarray) else ""
+        raise ValueError(f"{name} must be an array of numbers{axes}, but is {in_short(values)}{given}")
+    return np.asarray(array, np.float64)
 
 
 def coerced(value: Any) -> Any:
@@ -96,12 +166,17 @@ def coerced(value: Any) -> Any:
         kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # an annotation written as a string
         kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
         if kind in (float, "float") and isinstance(field, int | np.number):
-            fields[name] = float(field)
+            fields[name] = as_float(field)
         elif kind in (int, "int") and isinstance(field, np.integer):
             fields[name] = int(field)
         else:
             fields[name] = coerced(field)
     return type(value)(**fields)
+
+
+def as_float(value: Any) -> Any:
+    """A number as a `float`; a whole number beyond all floats as it is, for a check to refuse it."""
+    return value if isinstance(value, int) and abs(value) > sys.float_info.max else float(value)
 
 
 def in_short(value: Any) -> str:

@@ -1,33 +1,25 @@
-"""Checked arithmetic for students' machine code: it gives what Python gives, or raises an error.
-
-An error is raised where Python raises one, and where Python goes on with larger numbers than 64 bits hold. The
-interpreter then repeats the call (`edugym.compiled.execution`).
+"""Functions of Python, `math` and `np` for students' machine code: they give what Python gives, or raise an error.
 
 `REPLACED`, `CALLED` and `EXTREMES` are ordinary functions that replace `math.exp` and the like by name
-(`edugym.compiled.untyped_checks`). `CHECKED` are operations on whole numbers, powers, and comparisons of whole with
-real numbers; they replace operators once types are known (`edugym.compiled.typed_checks`). Whole numbers are compared
-with real ones only up to 2^53, below which each is a real number exactly.
+(`edugym.compiled.untyped_checks`). Operators are replaced by those in `edugym.compiled.operations`.
 """
 
 import builtins
-import ctypes
-import ctypes.util
 import importlib
 import math
 import operator
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from edugym.compiled.operations import ADD, CHECKED, INT, REAL, SUBTRACT
+
 types: Any = importlib.import_module("numba.core.types")
 extending: Any = importlib.import_module("numba.extending")
-cgutils: Any = importlib.import_module("numba.core.cgutils")
-llvm: Any = importlib.import_module("llvmlite.ir")
-binding: Any = importlib.import_module("llvmlite.binding")
 Function = Callable[..., Any]
-LARGEST_EXACT = 2**53  # up to here every whole number is a real number of 64 bits
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
+_add, _subtract = ADD.function, SUBTRACT.function
 
 
 def _in_domain(function: Function, lowest: float, highest: float) -> Function:
@@ -68,12 +60,6 @@ def _float(x: Any) -> Any:
     return float(x * 1.0)  # Numba has no float(True)
 
 
-def _sum(values: Any, start: Any = 0) -> Any:
-    for value in values:
-        start = start + value
-    return start
-
-
 def _any(values: Any) -> Any:
     found = False
     for value in values:
@@ -86,10 +72,6 @@ def _all(values: Any) -> Any:
     for value in values:
         found = found and bool(value)
     return found
-
-
-def _pow(base: Any, exponent: Any) -> Any:
-    return base**exponent
 
 
 def _median(values: Any) -> Any:
@@ -189,8 +171,9 @@ CALLED: dict[Any, Function] = {
     builtins.int: _to_whole(int),
     builtins.round: _to_whole(round),
     builtins.float: _float,
-    builtins.sum: _sum,
-    builtins.pow: _pow,
+    builtins.sum: lambda values, start=0: _sum(values, start),
+    builtins.abs: lambda x: _abs(x),
+    builtins.divmod: lambda x, y: _divmod(x, y),
 }
 """Replacements of builtins where they are called (`int` may also be the type of an array)."""
 EXTREMES: dict[str, Function] = {
@@ -200,154 +183,60 @@ EXTREMES: dict[str, Function] = {
 """Replacements of methods of arrays where they are called without arguments."""
 
 
-class Operation(NamedTuple):
-    """An operation that replaces an operator.
-
-    Attributes:
-        function: the name by which Numba knows it.
-        kinds: the types that it takes.
-        result: the type that it gives.
-    """
-
-    function: Function
-    kinds: tuple[Any, Any]
-    result: Any
+def _sum(values: Any, start: Any) -> Any:
+    raise NotImplementedError
 
 
-def _operation(kinds: tuple[Any, Any], result: Any, implementation: Function) -> Operation:
-    """A new operation that machine code can call: `implementation(context, builder, signature, values)` writes it."""
+def _choose_sum(values: Any, start: Any) -> Any:
+    """`sum`: of whole numbers with a check, of real ones from the start as a real number."""
+    begin = types.unliteral(getattr(start, "value", start) if isinstance(start, types.Omitted) else start)
+    of_whole = begin in (INT, 0)
 
-    def operation(x: Any, y: Any) -> Any:
-        raise NotImplementedError
+    def whole(values: Any, start: Any) -> Any:
+        total = start
+        for value in values:
+            total = _add(total, int(value))
+        return total
 
-    def typer(context: Any) -> Function:
-        return lambda x, y: result if (x, y) == kinds else None
+    def real(values: Any, start: Any) -> Any:
+        total, empty = start * 1.0, True
+        for value in values:
+            total, empty = total + value, False
+        if empty and of_whole:
+            raise ValueError("the sum of no real numbers is a whole one")
+        return total
 
-    extending.type_callable(operation)(typer)
-    extending.lower_builtin(operation, *kinds)(implementation)
-    return Operation(operation, kinds, result)
-
-
-def _whole_operation(name: str) -> Operation:
-    """Addition, subtraction or multiplication that raises an error where the result has more than 64 bits."""
-
-    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-        both = getattr(builder, name)(*values)
-        with builder.if_then(builder.extract_value(both, 1), likely=False):
-            context.call_conv.return_user_exc(builder, OverflowError, ("more than 64 bits",))
-        return builder.extract_value(both, 0)
-
-    return _operation((types.int64, types.int64), types.int64, implementation)
-
-
-def _operation_in_python(function: Function, kinds: tuple[Any, Any], result: Any) -> Operation:
-    """An operation written in Python."""
-
-    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-        return context.compile_internal(builder, function, signature, values)
-
-    return _operation(kinds, result, implementation)
+    kind = getattr(getattr(values, "iterator_type", None), "yield_type", None)
+    if kind in (INT, types.boolean) and of_whole:
+        return whole
+    return real if kind in (INT, REAL, types.boolean) and begin in (INT, 0, REAL) else None
 
 
-def _whole_power(base: int, exponent: int) -> int:
-    if exponent < 0:
-        raise ValueError("a whole number to a negative power is a fraction")
-    if base == 0 or base == 1:
-        return base if exponent > 0 else 1
-    if base == -1:
-        return 1 - 2 * (exponent & 1)
-    limit = 9223372036854775807 // abs(base)
-    power = 1
-    for _ in range(exponent):
-        if power > limit or power < -limit:
-            raise OverflowError("more than 64 bits")
-        power *= base
-    return power
+def _abs(x: Any) -> Any:
+    raise NotImplementedError
 
 
-def _declare_libm_pow() -> Function:
-    """C's `pow`, which Python calls too; the compiler would make `x * x` and the like of its own."""
-
-    def libm_pow(base: Any, exponent: Any) -> Any:
-        raise NotImplementedError
-
-    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-        kind = llvm.FunctionType(llvm.DoubleType(), [llvm.DoubleType()] * 2)
-        name = "edugym_pow" if found else "pow"
-        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), values)
-
-    try:
-        library: Any = ctypes.CDLL(ctypes.util.find_library("m"))
-        found = ctypes.cast(library.pow, ctypes.c_void_p).value
-    except (OSError, AttributeError):  # another system keeps it elsewhere
-        found = None
-    if found:
-        binding.add_symbol("edugym_pow", found)
-    extending.type_callable(libm_pow)(lambda context: lambda x, y: types.float64)
-    extending.lower_builtin(libm_pow, types.float64, types.float64)(implementation)
-    return libm_pow
+def _choose_abs(x: Any) -> Any:
+    whole = types.unliteral(x) == INT
+    return (lambda x: x if x >= 0 else _subtract(0, x)) if whole else (lambda x: abs(x))
 
 
-_libm_pow = _declare_libm_pow()
+def _divmod(x: Any, y: Any) -> Any:
+    raise NotImplementedError
 
 
-def _power(base: Any, exponent: Any) -> Any:
-    if base == 0.0 and exponent < 0.0:
-        raise ZeroDivisionError("zero to a negative power")
-    if base < 0.0 and exponent != math.floor(exponent) and not math.isinf(exponent):
-        raise ValueError("a power that is a complex number")
-    power = _libm_pow(base, exponent)
-    if math.isinf(power) and not math.isinf(base) and not math.isinf(exponent):
-        raise OverflowError("a power that is too large")
-    return power
+def _choose_divmod(x: Any, y: Any) -> Any:
+    def whole(x: Any, y: Any) -> Any:
+        return quotient(x, y), remainder(x, y)
+
+    quotient = CHECKED[operator.floordiv, INT, INT].function
+    remainder = CHECKED[operator.mod, INT, INT].function
+    if types.unliteral(x) == types.unliteral(y) == INT:
+        return whole
+    return lambda x, y: divmod(x, y)
 
 
-def _quotient(x: int, y: int) -> float:
-    if max(abs(x), abs(y)) > LARGEST_EXACT:
-        raise OverflowError("whole numbers too large for an exact division")
-    return x / y
-
-
-def _left_shift(x: int, y: int) -> int:
-    if y < 0 or y > 62 or (x << y) >> y != x:
-        raise OverflowError("more than 64 bits")
-    return x << y
-
-
-def _right_shift(x: int, y: int) -> int:
-    if y < 0:
-        raise ValueError("negative shift count")
-    return x >> min(y, 63)
-
-
-def _comparison(compare: Function, *, whole_first: bool) -> Operation:
-    """A comparison of a whole and a real number."""
-
-    def compared(x: Any, y: Any) -> Any:
-        whole = x if whole_first else y
-        if whole > LARGEST_EXACT or whole < -LARGEST_EXACT:
-            raise OverflowError("a whole number too large to be compared with a real one")
-        return compare(float(x), float(y))
-
-    kinds = (types.int64, types.float64) if whole_first else (types.float64, types.int64)
-    return _operation_in_python(compared, kinds, types.boolean)
-
-
-INT, REAL = types.int64, types.float64
-POWER = _operation_in_python(_power, (REAL, REAL), REAL)
-CHECKED: dict[tuple[Any, Any, Any], Operation] = {
-    (operator.add, INT, INT): _whole_operation("sadd_with_overflow"),
-    (operator.sub, INT, INT): _whole_operation("ssub_with_overflow"),
-    (operator.mul, INT, INT): _whole_operation("smul_with_overflow"),
-    (operator.pow, INT, INT): _operation_in_python(_whole_power, (INT, INT), INT),
-    (operator.truediv, INT, INT): _operation_in_python(_quotient, (INT, INT), REAL),
-    (operator.lshift, INT, INT): _operation_in_python(_left_shift, (INT, INT), INT),
-    (operator.rshift, INT, INT): _operation_in_python(_right_shift, (INT, INT), INT),
-    **{(operator.pow, *kinds): POWER for kinds in ((REAL, REAL), (REAL, INT), (INT, REAL))},
-    **{
-        (compare, *((INT, REAL) if first else (REAL, INT))): _comparison(compare, whole_first=first)
-        for compare in (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne)
-        for first in (True, False)
-    },
-}
-"""Replacements of operators, by the operator and the types of its operands."""
+extending.overload(_sum, strict=False)(_choose_sum)
+extending.overload(_abs, strict=False)(_choose_abs)
+extending.overload(_divmod, strict=False)(_choose_divmod)
+_sum.__name__, _abs.__name__, _divmod.__name__ = "sum", "abs", "divmod"  # by which messages call them

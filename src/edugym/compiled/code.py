@@ -19,6 +19,8 @@ LIBRARIES = frozenset(
     {"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys", "enum"}
 )
 """Packages whose code does not change while a program runs."""
+MOST_FROZEN = 250_000
+"""The largest arrays, in bytes, that may be constants of a student's machine code."""
 EXTENDED_ARG, LOAD_GLOBAL = dis.opmap["EXTENDED_ARG"], dis.opmap["LOAD_GLOBAL"]
 NAMEDTUPLE_MEMBERS = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """Members that every NamedTuple has."""
@@ -91,6 +93,7 @@ class Code:
             for of, name, value in self.named()
             if is_foreign(of)
             for array in arrays_in(value)
+            if array.nbytes <= MOST_FROZEN
         ]
         self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
         self._member_names = [(base, set(vars(base))) for base in self._bases()]
@@ -118,6 +121,11 @@ class Code:
         """The classes that are not the package's own, or else all of them, for a message."""
         own = [kind.__name__ for kind in self.classes if is_foreign(kind)]
         return ", ".join(own or [kind.__name__ for kind in self.classes])
+
+    def place_of(self, method: str) -> str:
+        """The place of a student's method, in brackets, for a message; nothing if there is none of this name."""
+        found = next((one for one in self.functions if is_foreign(one) and one.__name__ == method), None)
+        return "" if found is None else f" ({place(found.__code__.co_filename, found.__code__.co_firstlineno)})"
 
     def first_change(self) -> str | None:
         """The name of a method, global or array in a student's code that is not what it was, if there is one."""
@@ -163,7 +171,10 @@ class Code:
         yield from ((function, name, value) for (function, name), value in self.globals.items())
         yield from ((kind, name, value) for (kind, name), value in self.members.items())
         for function, cell, value in self.cells:
-            yield function, function.__code__.co_freevars[(function.__closure__ or ()).index(cell)], value
+            place = next(
+                k for k, one in enumerate(function.__closure__ or ()) if one is cell
+            )  # == would compare arrays
+            yield function, function.__code__.co_freevars[place], value
         yield from ((function, f"{module.__name__}.{name}", value) for function, module, name, value in self.attributes)
 
     @cached_property
@@ -226,7 +237,8 @@ class Code:
             self._visit_class(thing)
         elif isinstance(thing, np.ndarray):
             self._has_mutable = True
-            self._add(thing.dtype, thing.shape, thing.tobytes())
+            self._add(thing.dtype, thing.shape)
+            self._hash.update(thing.tobytes())
         elif isinstance(thing, tuple):
             self._add(len(thing))
             self._visit(type(thing))
@@ -352,6 +364,13 @@ def inside(cell: CellType, default: Any = None) -> Any:
         return cell.cell_contents
     except ValueError:
         return default
+
+
+def place(file: str, line: int) -> str:
+    """A line as its author knows it: without the file of a notebook's cell, whose name is made of digits."""
+    name = file.replace("\\", "/").rpartition("/")[2]
+    stem = name.partition(".")[0]
+    return f"line {line}" if stem.isdigit() or name.startswith("<ipython") else f"{name}, line {line}"
 
 
 def is_foreign(thing: Any) -> bool:

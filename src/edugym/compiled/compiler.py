@@ -12,6 +12,7 @@ import hashlib
 import importlib
 import importlib.util
 import logging
+import math
 import os
 import re
 import threading
@@ -28,8 +29,8 @@ import numpy as np
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.error_messages import reason
-from edugym.compiled.namedtuples import building, skip_check_of_scipy, teach
-from edugym.system.interrupts import call_interruptibly
+from edugym.compiled.namedtuples import skip_check_of_scipy, teach
+from edugym.system.interrupts import call_interruptibly, call_within
 
 Function = Callable[..., Any]
 
@@ -47,6 +48,8 @@ _built: dict[_Key, Any] = {}
 _build_seconds = [1.5]  # that the last build took which was not on the disk; at first an estimate
 KEPT = 3
 """The number of builds of a loop that are kept for classes of the same names."""
+MOST_SECONDS = 20.0
+"""When compiling a student's code has taken so much processor time, it is given up."""
 _lock = threading.RLock()
 _setup_error: list[str] = []  # empty until Numba is set up; then what is wrong with this version of it, or ""
 logger = logging.getLogger("edugym")
@@ -172,7 +175,12 @@ def _find_or_build(numba: Any, loop: Function, signature: tuple[Any, ...], code:
     machine code that returns no value of the class serves both classes.
     """
     if _find(loop, signature, code) is None:
-        call_interruptibly(_build_once, numba, loop, signature, code)
+        seconds = MOST_SECONDS if code.foreign else math.inf
+        try:
+            call_within(seconds, _build_once, numba, loop, signature, code)
+        except TimeoutError:
+            made = CompilationError(f"compiling takes longer than {seconds:.0f} s: make its methods shorter")
+            _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
     made = _find(loop, signature, code)
     if isinstance(made, CompilationError):
         raise CompilationError(str(made))
@@ -200,6 +208,8 @@ def _build_once(numba: Any, loop: Function, signature: tuple[Any, ...], code: Co
         try:
             made = _build(numba, loop, signature, code)
         except Exception as error:
+            if isinstance(error, TimeoutError):  # it was given up, and nobody waits
+                return
             made = CompilationError(_reason(error, code))
         _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
         older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
@@ -297,15 +307,13 @@ def _compile(
     users_own = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder) if folder else users_own
-        pipeline = importlib.import_module("edugym.compiled.compiler_pipelines").Loop
+        pipelines = importlib.import_module("edugym.compiled.compiler_pipelines")
         caching = {"cache": folder is not None, "nogil": True, "no_cfunc_wrapper": True}
-        made = numba.njit(pipeline_class=pipeline, **caching, **options)(loop)
+        made = numba.njit(pipeline_class=pipelines.Loop, **caching, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
     functions = {*code.functions, *_replacements()}
-    with building(options, functions), warnings.catch_warnings():
-        warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
-        made.compile(signature)
+    pipelines.compile_until_known(made, signature, options, functions, code.foreign)
     if folder and (folder / SEAL).exists() and not sum(made.stats.cache_hits.values()):
         seal(folder)  # Numba thought that what was there is older than the source, and has written it again
     made.disable_compile()  # left to itself it would compile for other types without these options
@@ -341,7 +349,10 @@ def _check_no_counts(build: Any) -> None:
 
 def _reason(error: Exception, code: Code) -> str:
     """Why it cannot be compiled, in a few words."""
-    return str(error) if isinstance(error, CompilationError | _refused_error()) else reason(error, code)
+    if not isinstance(error, CompilationError | _refused_error()):
+        return reason(error, code)
+    method = getattr(error, "method", None)
+    return f"{error}{code.place_of(method)}" if method else str(error)
 
 
 @cache

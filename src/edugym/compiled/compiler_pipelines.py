@@ -1,15 +1,22 @@
 """Numba's compiler pipelines for a loop and for the functions that it reaches, with added passes."""
 
 import importlib
+import warnings
 from collections.abc import Callable
+from types import FunctionType
 from typing import Any
 
+from edugym.compiled.facts import Incomplete, facts, require_complete
+from edugym.compiled.finite import IMPLEMENTED
+from edugym.compiled.mixed_numbers import follow_only
+from edugym.compiled.namedtuples import building
 from edugym.compiled.typed_checks import check_typed
 from edugym.compiled.untyped_checks import add_polling_only, check_untyped
 
 compiler: Any = importlib.import_module("numba.core.compiler")
 machinery: Any = importlib.import_module("numba.core.compiler_machinery")
 untyped_passes: Any = importlib.import_module("numba.core.untyped_passes")
+errors: Any = importlib.import_module("numba.core.errors")
 typed_passes: Any = importlib.import_module("numba.core.typed_passes")
 
 
@@ -75,6 +82,8 @@ AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
 CHECK_UNTYPED = _pass("edugym_check_untyped", check_untyped)
 ADD_POLLING = _pass("edugym_add_polling", add_polling_only)
 CHECK_TYPED = _pass("edugym_check_typed", check_typed)
+FOLLOW_MIXED = _pass("edugym_follow_mixed", follow_only)
+REQUIRE_COMPLETE = _pass("edugym_require_complete", require_complete)
 
 
 def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
@@ -83,8 +92,9 @@ def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
     def define_pipelines(self: Any) -> list[Any]:
         manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
         manager.add_pass_after(CHECK_UNTYPED if checked else ADD_POLLING, untyped_passes.InlineClosureLikes)
-        if checked:
-            manager.add_pass_after(CHECK_TYPED, typed_passes.NopythonTypeInference)
+        if not part:
+            manager.add_pass_after(REQUIRE_COMPLETE, typed_passes.NopythonTypeInference)
+        manager.add_pass_after(CHECK_TYPED if checked else FOLLOW_MIXED, typed_passes.NopythonTypeInference)
         if part:
             manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
             manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)
@@ -96,3 +106,27 @@ def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
 
 Loop, Part, CheckedPart = _pipeline(part=False), _pipeline(), _pipeline(checked=True)
 """The pipelines for a loop, for the package's own functions that it reaches, and for functions of students."""
+
+
+def compile_until_known(
+    made: Any, signature: tuple[Any, ...], options: dict[str, bool], functions: set[FunctionType], foreign: bool
+) -> None:
+    """Compiles a loop, again and again until all is known of the numbers in it (see `mixed_numbers`).
+
+    Args:
+        made: Numba's dispatcher of the loop.
+        signature: the types of its arguments.
+        options: Numba's.
+        functions: those that it may reach.
+        foreign: whether any of its code is a student's.
+    """
+    facts.clear()
+    facts.is_foreign, complete = foreign, False
+    while not complete:
+        with building(options, functions - IMPLEMENTED), warnings.catch_warnings():
+            warnings.simplefilter("ignore", errors.NumbaWarning)
+            try:
+                made.compile(signature)
+                complete = True
+            except Incomplete:
+                pass

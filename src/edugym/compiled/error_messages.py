@@ -4,12 +4,15 @@ import inspect
 import re
 from pathlib import Path
 
-from edugym.compiled.code import Code
-from edugym.compiled.subset import place
+from edugym.compiled.code import Code, place
 
 MAX_LENGTH = 150
 """How many letters of a message are shown."""
 MESSAGES = (
+    (
+        r"Cannot modify readonly array of type.*",
+        "it writes to an array that is no field, of which machine code has a copy: pass it as a field",
+    ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (
         r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*",
@@ -97,6 +100,8 @@ def reason(error: Exception, code: Code) -> str:
         code: what was compiled.
     """
     if not type(error).__module__.startswith("numba"):  # an internal error of Numba
+        if "no attribute 'args'" in str(error):  # of the signature that it has not found
+            return "it changes an array in place that is no field: pass it as a field"
         return f"Numba cannot compile it ({type(error).__name__})"
     text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
     lines = re.split(r"^(?:During: |File )", text, maxsplit=1, flags=re.MULTILINE)[0].splitlines()

@@ -13,6 +13,8 @@ from functools import cache
 from types import FunctionType
 from typing import Any
 
+import numpy as np
+
 from edugym.compiled.code import NAMEDTUPLE_MEMBERS, is_foreign
 
 # The build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled with
@@ -35,7 +37,7 @@ def building(options: dict[str, Any], functions: set[FunctionType]) -> Iterator[
         _parts.clear()  # the globals that it read may have changed by the next build
 
 
-def _member(kind: Any, name: str) -> Any:
+def member_of(kind: Any, name: str) -> Any:
     """The method, property or constant `name` of a NamedTuple class, or None (fields are Numba's own business)."""
     if name in kind.fields or name in NAMEDTUPLE_MEMBERS:
         return None
@@ -92,43 +94,56 @@ def teach(numba: Any, pipelines: Any) -> None:
         def method(context: Any, builder: Any, signature: Any, values: Any) -> Any:
             if len(values) < len(signature.args):  # Numba leaves out a self without fields
                 values = [context.make_tuple(builder, signature.args[0], ()), *values]
-            return call(context, builder, _member(signature.args[0], name), signature.args, values)
+            return call(context, builder, member_of(signature.args[0], name), signature.args, values)
 
         key = (types.BaseNamedTuple, name)
         extending.lower_builtin(key, types.BaseNamedTuple, types.VarArg(types.Any))(method)
 
     def resolve(template: Any, kind: Any, name: str) -> Any:
         """The type of a member, or None where there is none."""
-        member = _member(kind, name)
+        member = member_of(kind, name)
         if isinstance(member, FunctionType):
             lower_method(name)
 
             def generic(method: Any, kinds: Any, keywords: Any) -> Any:
-                now = _member(kind, name)  # Numba may remember this template for a method that was replaced since
+                now = member_of(kind, name)  # Numba may remember this template for a method that was replaced since
                 return part(now).get_call_type(method.context, (kind, *kinds), keywords).as_method()
 
             members = {"key": (types.BaseNamedTuple, name), "generic": generic}
             return types.BoundFunction(type("Method", (templates.AbstractTemplate,), members), kind)
         if isinstance(member, property):
             return part(function_of(member)).get_call_type(template.context, (kind,), {}).return_type
-        return typeof(member) if isinstance(member, bool | int | float | str | tuple) else None
+        return constant(member) if isinstance(member, bool | int | float | str | tuple) else None
+
+    def constant(member: Any) -> Any:
+        """The type of a constant."""
+        return typeof(member, purpose.constant)
 
     def function_of(member: property) -> Any:
         return member.fget
 
     def read(context: Any, builder: Any, kind: Any, value: Any, name: str) -> Any:
         """The machine code that reads a field, a property or a constant."""
-        member = _member(kind, name)
+        member = member_of(kind, name)
         if member is None:
             return tuples.namedtuple_getattr(context, builder, kind, value, name)
         if isinstance(member, property):
             return call(context, builder, function_of(member), (kind,), (value,))
-        return context.get_constant_generic(builder, typeof(member), member)
+        return context.get_constant_generic(builder, constant(member), member)
 
     def helper(function: FunctionType, context: Any) -> Any:
         """A plain function that a method calls compiles along (Numba alone asks for a decorator on it)."""
         return part(function) if function in _helpers and context.purpose is purpose.constant else None
 
+    known = extending.typeof_impl.dispatch(np.ndarray)
+
+    def array(value: Any, context: Any) -> Any:
+        """The type of an array: one that is no argument is a copy in machine code, and nothing may be written to it."""
+        kind = known(value, context)
+        is_copy = isinstance(kind, types.Array) and context.purpose is purpose.constant
+        return kind.copy(readonly=True) if is_copy else kind
+
+    extending.typeof_impl.register(np.ndarray)(array)
     for kind_of_tuple in (types.NamedTuple, types.NamedUniTuple):
         members = {"key": kind_of_tuple, "generic_resolve": resolve}
         templates.infer_getattr(type("Members", (templates.AttributeTemplate,), members))

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.code import LIBRARIES, Code, arrays_in, inside, is_foreign
+from edugym.compiled.code import LIBRARIES, MOST_FROZEN, Code, arrays_in, inside, is_foreign, place
 from edugym.system.packages import is_ours, package_of
 
 
@@ -32,6 +32,8 @@ def words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
+MOST_PARTS = 300
+"""The longest tuples that may be constants of machine code."""
 DTYPES = frozenset({"int64", "float64", "bool"})
 BUILTINS = words(
     "abs all any bool divmod enumerate float int len list max min pow range round sorted sum tuple zip "
@@ -95,6 +97,7 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
     fields = arrays_in(*(argument for argument, name in zip(arguments, names, strict=True) if name != "carry"))
     problems = [
         _shared_array_problem(code, list(fields)),
+        *map(_frozen_problem, code.named()),
         *map(_class_problem, filter(is_foreign, code.classes)),
         *_constant_problems(code),
         *map(_function_problem, filter(is_foreign, code.functions)),
@@ -182,6 +185,21 @@ def _shared_array_problem(code: Code, fields: list[Any]) -> str | None:
     return None
 
 
+def _frozen_problem(named: tuple[FunctionType | type, str, Any]) -> str | None:
+    """A large array or tuple that is no field: machine code would hold a copy, which takes minutes to compile."""
+    of, name, value = named
+    size, parts = sum(array.nbytes for array in arrays_in(value)), _number_of_parts(value)
+    if not is_foreign(of) or (size <= MOST_FROZEN and parts <= MOST_PARTS):
+        return None
+    large = f"is an array of {size / 1e6:.1f} MB" if size > MOST_FROZEN else f"is a tuple of {parts} numbers"
+    found = f"{name} {large}, of which machine code would hold a copy: pass an array of them as a field"
+    return _with_place(found, of.__code__, None) if isinstance(of, FunctionType) else found
+
+
+def _number_of_parts(value: Any) -> int:
+    return sum(map(_number_of_parts, tuple.__iter__(value))) if isinstance(value, tuple) else 1
+
+
 def _constant_problems(code: Code) -> Iterator[str | None]:
     """The problems with the constants of classes that are used."""
     for (kind, name), member in code.members.items():
@@ -199,7 +217,7 @@ def _function_problem(function: FunctionType) -> str | None:
     for value in function.__defaults__ or ():
         if found := _value_problem(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
             return _with_place(found, function.__code__, function.__code__.co_firstlineno)
-        if isinstance(value, np.ndarray):
+        if next(arrays_in(value), None) is not None:
             return _with_place(f"a default of {function.__name__} is an array", function.__code__, None)
     return _code_problem(function.__code__, function)
 
@@ -337,10 +355,3 @@ FUNCTIONS = frozenset(
 def _with_place(found: str, code: CodeType, line: int | None) -> str:
     """The problem with its place: of a cell the line, of a module the file as well."""
     return f"{found} ({place(code.co_filename, line or code.co_firstlineno)})"
-
-
-def place(file: str, line: int) -> str:
-    """A line as its author knows it: without the file of a notebook's cell, whose name is made of digits."""
-    name = file.replace("\\", "/").rpartition("/")[2]
-    stem = name.partition(".")[0]
-    return f"line {line}" if stem.isdigit() or name.startswith("<ipython") else f"{name}, line {line}"

@@ -10,13 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.arithmetic import CHECKED
-from edugym.compiled.subset import words
-from edugym.compiled.untyped_checks import refuse, statements
+from edugym.compiled.mixed_numbers import follow_mixed
+from edugym.compiled.number_kinds import method_name
+from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
+from edugym.compiled.subset import MATH, NUMPY, words
+from edugym.compiled.untyped_checks import FROZEN, refuse, statements
 
 ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
-typing: Any = importlib.import_module("numba.core.typing")
 ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 ARRAY = words(
@@ -37,6 +38,8 @@ ALLOWED = (
 """Allowed types, besides numbers and what holds other values, which are looked at closer."""
 FILLING = (np.array, np.full, np.full_like)
 """Functions that put what they are given into an array of the type that is asked for."""
+READING = ARRAY - {"fill"}
+"""The members of arrays that write nothing."""
 NOT_WITH_BOOLEANS: set[Any] = {
     operator.add, operator.sub, operator.mul, operator.truediv, operator.floordiv, operator.mod, operator.pow,
     operator.lshift, operator.rshift, operator.invert, operator.neg, operator.pos,
@@ -47,9 +50,12 @@ NOT_WITH_BOOLEANS: set[Any] = {
 def check_typed(state: Any) -> bool:
     """Refuses types and operations, and replaces operators: the pass."""
     kinds = state.typemap
-    for block, statement in statements(state.func_ir):
+    for _, statement in statements(state.func_ir):
         if isinstance(statement, ir.Assign):
             _check_type(kinds[statement.target.name], statement.loc)
+    follow_mixed(state)
+    for block, statement in statements(state.func_ir):
+        if isinstance(statement, ir.Assign):
             _check_boolean(statement.value, kinds, kinds[statement.target.name], statement.loc)
             if isinstance(statement.value, ir.Expr):
                 _check_expression(statement.value, kinds, state.calltypes, statement)
@@ -59,6 +65,8 @@ def check_typed(state: Any) -> bool:
             if isinstance(statement, ir.SetItem):  # the other has a constant for an index
                 _check_index(kinds[statement.index.name], statement.loc)
             target, value = kinds[statement.target.name], kinds[statement.value.name]
+            if isinstance(target, types.List):
+                _require_no_flags([statement.value], target.dtype, kinds, statement.loc)
             if isinstance(target, types.Array):
                 _check_stored(target, value, statement.loc)
             if isinstance(value, types.Array) and _stores_itself(state.func_ir, statement):
@@ -164,6 +172,7 @@ def _check_expression(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> 
     if expr.op == "getitem":
         _check_index(kinds[expr.index.name], loc)
     elif expr.op == "getattr":
+        _check_module(kinds[expr.value.name], expr.attr, loc)
         for kind, members, whose in MEMBERS:
             if isinstance(kinds[expr.value.name], kind) and expr.attr not in members:
                 refuse(f"it uses {whose} {expr.attr}", loc)
@@ -173,11 +182,54 @@ def _check_expression(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> 
         if to_whole and any(_is_real(kinds[part.name]) for part in expr.args):
             refuse("it makes a real number a whole one: use int()", loc)
         _check_filled(expr, function, result, kinds, loc)
+        _check_call(expr, function, result, kinds, calltypes, loc)
+    elif expr.op == "build_list":
+        _require_no_flags(expr.items, result.dtype, kinds, loc)
     elif expr.op == "unary":
-        if expr.fn in NOT_WITH_BOOLEANS and _is_boolean(kinds[expr.value.name]):
+        kind = types.unliteral(kinds[expr.value.name])
+        if expr.fn in NOT_WITH_BOOLEANS and _is_boolean(kind):
             refuse("it computes with True and False as if they were numbers", loc)
+        if expr.fn is operator.neg and kind == types.int64:
+            expr.fn = NEGATIVE.function
+            del calltypes[expr]
+            calltypes[expr] = signature_of(NEGATIVE)
     elif expr.op in ("binop", "inplace_binop"):
         _check_operator(expr, kinds, calltypes, loc)
+
+
+def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
+    """Refuses calls that would cut real numbers, take flags for numbers, or write to what machine code has frozen."""
+    given = [*expr.args, *(variable for _, variable in expr.kws)]
+    signature = calltypes.get(expr)
+    if signature is not None and not expr.kws and len(signature.args) == len(expr.args):
+        for variable, taken in zip(expr.args, signature.args, strict=True):
+            if _is_real(kinds[variable.name]) and isinstance(taken, types.Integer):
+                refuse("it gives a real number where a whole one belongs: use int()", loc)
+    key = getattr(function, "typing_key", None)
+    if key in (max, min):
+        _require_no_flags(expr.args, result, kinds, loc)
+    method = getattr(function, "this", None) if isinstance(function, types.BoundFunction) else None
+    if isinstance(method, types.List) and method_name(key) in ("append", "insert"):
+        _require_no_flags(expr.args[-1:], method.dtype, kinds, loc)
+    if isinstance(method, types.Array) and not method.mutable and method_name(key) not in READING:
+        refuse(FROZEN, loc)
+    shuffles = isinstance(method, types.NumPyRandomGeneratorType) and method_name(key) == "shuffle"
+    if shuffles and any(isinstance(kinds[one.name], types.Array) and not kinds[one.name].mutable for one in given):
+        refuse(FROZEN, loc)
+    if isinstance(method, types.Array) and method_name(key) in ("mean", "std", "var") and not _is_real(method):
+        refuse("it takes the mean of whole numbers: make them real, as in (1.0 * N).mean()", loc)
+    if key in (np.mean, np.std, np.var) and any(_has_whole(kinds[one.name]) for one in given[:1]):
+        refuse("it takes the mean of whole numbers: make them real, as in np.mean(1.0 * N)", loc)
+
+
+def _has_whole(kind: Any) -> bool:
+    return isinstance(kind, types.Array) and not _is_real(kind)
+
+
+def _require_no_flags(variables: Any, into: Any, kinds: Any, loc: Any) -> None:
+    """Refuses flags where numbers are."""
+    if isinstance(into, types.Number) and any(_is_boolean(kinds[one.name]) for one in variables):
+        refuse("it mixes True or False with numbers", loc)
 
 
 def _check_filled(expr: Any, function: Any, result: Any, kinds: Any, loc: Any) -> None:
@@ -219,7 +271,10 @@ def _check_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
         refuse("it computes with True and False as if they were numbers", loc)
     if function in (operator.is_, operator.is_not) and not any(isinstance(kind, types.NoneType) for kind in both):
         refuse("it compares with 'is'", loc)
+    _check_whole_arrays(function, expr.rhs, both, plain, kinds, loc)
     if isinstance(both[0], types.Array) and expr.op == "inplace_binop":
+        if not both[0].mutable:
+            refuse(FROZEN, loc)
         if isinstance(both[1], types.Array | types.BaseTuple | types.List):
             refuse("it changes an array in place by another array: write a loop", loc)
         if not isinstance(plain[0], types.Float) and (
@@ -233,4 +288,25 @@ def _check_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
         else:
             expr.immutable_fn = operation.function
         del calltypes[expr]
-        calltypes[expr] = typing.signature(operation.result, *operation.kinds)
+        calltypes[expr] = signature_of(operation)
+
+
+def _check_whole_arrays(function: Any, exponent: Any, both: Any, plain: Any, kinds: Any, loc: Any) -> None:
+    """Refuses powers and shifts of arrays of whole numbers: some are errors of NumPy's, some it answers with 0."""
+    if not any(isinstance(kind, types.Array) for kind in both) or any(map(_is_real, plain)):
+        return
+    known = kinds[exponent.name]
+    if function is operator.pow and not (isinstance(known, types.IntegerLiteral) and known.literal_value >= 0):
+        refuse("it raises an array of whole numbers to a power that may be negative: make it real, 1.0 * N", loc)
+    if function in (operator.lshift, operator.rshift):
+        refuse("it shifts the bits of an array", loc)
+
+
+def _check_module(kind: Any, name: str, loc: Any) -> None:
+    """Refuses what is taken from a module that has another name in the code, and draws from `np.random`."""
+    if isinstance(kind, types.Module):
+        allowed = {"numpy": NUMPY, "math": MATH}.get(kind.pymod.__name__)
+        if name == "random" or "random" in kind.pymod.__name__.split("."):
+            refuse("it draws from np.random, which no seed of a run reaches: draw from rng", loc)
+        if allowed is not None and name not in allowed:
+            refuse(f"it uses {kind.pymod.__name__}.{name}", loc)

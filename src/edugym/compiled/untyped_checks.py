@@ -7,6 +7,7 @@ Once types are known, `edugym.compiled.typed_checks` goes on.
 
 import importlib
 import math
+import operator
 from collections.abc import Iterator
 from enum import Enum
 from types import ModuleType
@@ -15,9 +16,10 @@ from typing import Any
 import numpy as np
 
 from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
+from edugym.compiled.code import place
 from edugym.compiled.draws import DRAWN
 from edugym.compiled.interrupt_polling import insert_polling
-from edugym.compiled.subset import place, words
+from edugym.compiled.subset import words
 
 ir: Any = importlib.import_module("numba.core.ir")
 analysis: Any = importlib.import_module("numba.core.analysis")
@@ -25,9 +27,16 @@ ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 
 class Refused(Exception):
-    """Code is not in the subset that may be compiled: `str(error)` says what, and where."""
+    """Code is not in the subset that may be compiled: `str(error)` says what, and where.
+
+    Attributes:
+        method: the method of a student's class where the place is; None where the message names the place.
+    """
+
+    method: str | None = None
 
 
+FROZEN = "it writes to an array that is no field, of which machine code has a copy: pass it as a field"
 NEVER_NONE = words("initial transition reward terminal observation act greedy")
 """Methods of MDPs and agents that have to return something."""
 NUMPY_TYPE: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
@@ -54,11 +63,15 @@ def check_untyped(state: Any) -> bool:
     for block, statement in statements(state.func_ir):
         value = getattr(statement, "value", None)
         if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
+            if value.op == "inplace_binop" and _may_be_frozen(state.func_ir, value.lhs):
+                refuse(FROZEN, statement.loc)  # Numba stumbles over it
             if value.op == "make_function":
                 refuse("it has a function, or a lambda, inside a function", statement.loc)
             library = _global(state.func_ir, value.value) if value.op == "getattr" else None
             if library is math or library is np:
                 _replace_function(statement, getattr(library, value.attr, None))
+            elif value.op == "call" and _global(state.func_ir, value.func) is pow and len(value.args) == 2:
+                statement.value = ir.Expr.binop(operator.pow, *value.args, value.loc)  # a keyword is refused by Numba
             elif value.op == "call":
                 _rewrite_arguments(state.func_ir, block, statement)
                 _replace_call(state.func_ir, block, statement)
@@ -136,6 +149,22 @@ def _global(func_ir: Any, variable: Any) -> Any:
         owner = _global(func_ir, definition.value)
         return getattr(owner, definition.attr, None) if isinstance(owner, ModuleType) else None
     return definition.value if isinstance(definition, ir.Global | ir.FreeVar) else None
+
+
+def _may_be_frozen(func_ir: Any, variable: Any) -> bool:
+    """Whether a variable may stand for an array that has a global name, or for a part of it."""
+    seen, open_names = set[str](), [variable.name]
+    while open_names:
+        name = open_names.pop()
+        for definition in () if name in seen else func_ir._definitions[name]:
+            if isinstance(definition, ir.Global | ir.FreeVar) and isinstance(definition.value, np.ndarray):
+                return True
+            if isinstance(definition, ir.Var):
+                open_names.append(definition.name)
+            elif isinstance(definition, ir.Expr) and definition.op in ("getitem", "static_getitem"):
+                open_names.append(definition.value.name)
+        seen.add(name)
+    return False
 
 
 def _replace_function(statement: Any, value: Any) -> None:

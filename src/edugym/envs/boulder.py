@@ -12,7 +12,7 @@ from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
 MOST_LEVELS, MOST_SHOWN = 12, 40
-"""The picture shows at most `MOST_LEVELS` levels of a wall, and at most `MOST_SHOWN` grips at each level."""
+"""The picture shows at most so many levels of a wall (by default), and at most so many grips at each level."""
 HIGHEST, MOST_GRIPS = 1_000_000, 1_000
 
 
@@ -67,6 +67,7 @@ class Boulder(NamedTuple):
       on average; the number of steps is (N^(H+1) - N)/(N - 1).
     - The paper's state space is `Discrete(H)`; here the top is a position too, because the agent
       observes it when the episode ends.
+    - The paper gives no step limit. Here an episode is truncated after 10 H steps, unless `max_steps` says otherwise.
 
     ## Algorithms
     The paper compares three agents: ε-greedy Q-learning; Q-learning that gets a bonus for rarely visited states (a
@@ -149,13 +150,13 @@ class Boulder(NamedTuple):
         """The grip that moves the climber up by one from here, or -1 at the top."""
         return {"right_grip": int(self.grips[state]) if state < self.height else -1}
 
-    def scene(self, state: int) -> Scene:
+    def scene(self, state: int, levels: int = MOST_LEVELS) -> Scene:
         """A wall from the front. The grip that holds is grey; the others are black and cracked.
 
-        If the wall is large, the picture shows only the part around the climber.
+        If the wall is higher than `levels`, the picture shows only the part around the climber.
         """
         height, n_grips, grips = self.height, min(self.n_grips, MOST_SHOWN), self.grips
-        shown = min(height, MOST_LEVELS)
+        shown = min(height, levels)
         first = min(max(0, state - shown // 2), height - shown)  # the lowest level that is in the picture
         held = int(grips[max(state - 1, 0)])
         left = min(max(0, held - n_grips // 2), self.n_grips - n_grips)  # the first grip that is in the picture

@@ -103,6 +103,8 @@ class Tamagotchi(NamedTuple):
     - That all variables start at 100 is our choice. The paper gives the happiness a maximum of 75; it is 73.6.
     - The end at 0 hit points carries no penalty of its own. For a good player an early death loses rewards; for a bad
       one it ends negative rewards.
+    - In the paper an episode terminates after 100 steps. Here it is truncated then, since the agent does not see the
+      number of the step, and the toy lives on. So Q-learning bootstraps from the last observation too.
 
     ## Algorithms
     The paper runs Q-learning with a table, with more and less noise.

@@ -1,11 +1,16 @@
 """Dynamic programming backwards from the last step, for episodes that are cut off."""
 
+import math
 from itertools import islice
 
 from edugym.checks.parameters import whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import best_values
-from edugym.exact.values import Values, check_model, expected_return, sweeps
+from edugym.exact.values import MOST_SWEEPS, Values, check_model, expected_return, sweeps
+from edugym.system.memory import require_memory
+
+OVERHEAD = 64
+"""Besides its numbers, each `Values` takes about as much memory as so many more."""
 
 
 def finite_horizon(model: FiniteModel, horizon: int, discount: float = 1.0, *, epsilon: float = 0.0) -> list[Values]:
@@ -18,7 +23,7 @@ def finite_horizon(model: FiniteModel, horizon: int, discount: float = 1.0, *, e
 
     Args:
         model: the exact model.
-        horizon: the steps of an episode, 1 or more.
+        horizon: the steps of an episode, from 1 to 10 million, as far as memory goes.
         discount: γ, from 0 to 1.
         epsilon: ε, from 0 to 1: the probability of a random action in every state.
 
@@ -29,6 +34,8 @@ def finite_horizon(model: FiniteModel, horizon: int, discount: float = 1.0, *, e
     of the box of section 4.4 of Sutton and Barto, 2nd edition.
     """
     check_model(model, discount)
-    whole_number("horizon", horizon, 1)
+    whole_number("horizon", horizon, 1, MOST_SWEEPS)
+    entries = math.prod(model.successors.shape[:2]) + len(model.states) + OVERHEAD
+    require_memory("the values for every step of the horizon", (horizon + 1, entries), "take a shorter horizon")
     steps = islice(sweeps(model, best_values(epsilon), discount), horizon + 1)
     return [Values(V, Q, expected_return(model, V), model) for V, Q in steps]

@@ -24,6 +24,8 @@ from edugym.mdp.protocol import MDP
 from edugym.mdp.task import task_of
 
 MAX_STATES = 50_000
+MOST_STATES = 100_000_000
+"""To what the limit of states may be raised: so many take an hour, and tens of gigabytes."""
 MAX_WAYS = 20_000
 """How many ways one step may go: thirty coins, say, are thrown in a billion ways."""
 MAX_ENTRIES = 50_000_000
@@ -37,15 +39,15 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
 
     Args:
         mdp: the task. Its states are numbers, or (nested) tuples of numbers.
-        max_states: how many states to look at before giving up, 1 or more. Ways from a state to the next are looked at
-            up to ten times as many (100 000 are always allowed).
+        max_states: how many states to look at before giving up, from 1 to 100 million. Ways from a state to the next
+            are looked at up to ten times as many (100 000 are always allowed).
 
     Raises:
         ValueError: `mdp` is no MDP, or the task is not finite: it has too many states, states that hold arrays, or
             dynamics that draw from a continuous distribution; or real steps do something else than its methods do when
             they are followed.
     """
-    whole_number("max_states", max_states, 1)
+    whole_number("max_states", max_states, 1, MOST_STATES)
     task_of(mdp, "mdp", MDP_ONLY)
     before = global_randomness()
     try:

@@ -7,10 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from edugym.checks.contract import tables_of
+from edugym.checks.parameters import in_short, true_or_false
 from edugym.exact.branching import branches
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import require_model
 from edugym.mdp.protocol import Reals
+from edugym.system.packages import is_own
 
 MAX_WAYS = 10_000
 """How many ways the choice of one action may go."""
@@ -34,21 +37,27 @@ def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
         The probabilities; in terminal states, where nothing is chosen, those of random actions.
 
     Raises:
-        ValueError: `agent` cannot act, chooses an action that is not there, or draws what cannot be followed; or the
-            observations are not whole numbers.
+        ValueError: `agent` cannot act, was made for another task, chooses an action that is not there, or draws what
+            cannot be followed; or the observations are not whole numbers.
     """
+    true_or_false("greedy", greedy)
     choose_name = "greedy" if greedy and hasattr(agent, "greedy") else "act"
     if isinstance(agent, type) or not hasattr(agent, choose_name):
-        raise ValueError(f"agent must be an agent, with a method act(state, rng), but is {agent!r}")
+        raise ValueError(f"agent must be an agent, with a method act(state, rng), but is {in_short(agent)}")
     require_model(model)
     task = model.table_task()
     n_states, n_actions, _ = model.successors.shape
+    _require_tables(agent, (int(task.observation_space.n), n_actions))
     acting = copy.deepcopy(agent)
     changes = False
 
     def choose(observation: int, rng: Any) -> Any:
         actor = copy.deepcopy(agent) if changes else acting
-        return getattr(actor, choose_name)(observation, rng)
+        try:
+            return getattr(actor, choose_name)(observation, rng)
+        except IndexError as error:
+            shape = f"{task.observation_space.n} observations and {n_actions} actions"
+            raise ValueError(f"agent must be one for {shape}, as the model has: for {observation}, {error}") from error
 
     def chosen(observation: int) -> Reals:
         """Shape (A,): the probability of every action, given what is observed."""
@@ -78,6 +87,16 @@ def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
     policy = followed()
     changes = before is None or _contents(acting) != before
     return followed() if changes else policy
+
+
+def _require_tables(agent: Any, shape: tuple[int, int]) -> None:
+    """Refuse an agent of the package that was made for another task."""
+    own = is_own(agent) and getattr(agent, "tabular", True)
+    for name, table in tables_of(agent).items() if own else ():
+        if name in ("Q", "preferences") and table.shape[-2:] != shape:
+            raise ValueError(
+                f"agent must have a table {name} of shape {shape}, as the model has, but its is {table.shape}"
+            )
 
 
 def soft(policy: Reals, epsilon: float) -> Reals:

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from edugym.checks.parameters import in_short
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import Values, check_model, sweep_until_settled
 from edugym.mdp.protocol import Reals
@@ -30,10 +31,10 @@ def policy_evaluation(
         policy: π, by the rows of the model: shape (S, A), the probability of every action in every state, or shape
             (S,), an action for every state.
         discount: γ, from 0 to 1.
-        horizon: with a number, the values of an episode that is cut off after so many steps, as the step limit
-            `mdp.max_steps` does. Without one, episodes last until the task ends.
+        horizon: with a number, the values of an episode that is cut off after so many steps, from 1 to 10 million, as
+            the step limit `mdp.max_steps` does. Without one, episodes last until the task ends.
         tolerance: stop when no value changes by more; greater than 0.
-        max_sweeps: give up after so many sweeps, 1 or more.
+        max_sweeps: give up after so many sweeps, from 1 to 10 million.
 
     Raises:
         ValueError: a parameter is not as above, or the values do not settle: at discount 1, the policy may never end an
@@ -59,8 +60,12 @@ def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
     """
     n_states, n_actions, _ = model.successors.shape
     if hasattr(policy, "act"):
-        raise ValueError("policy must be an array, but is an agent: policy_of(agent, model) gives its policy")
-    given = np.asarray(policy)
+        kind = policy.__name__ if isinstance(policy, type) else type(policy).__name__
+        raise ValueError(f"policy must be an array, but is the agent {kind}: policy_of(agent, model) gives its policy")
+    try:
+        given = np.asarray(policy)
+    except ValueError:  # rows of different lengths
+        given = np.asarray(None)
     if given.shape == (n_states,) and np.issubdtype(given.dtype, np.integer):
         wrong = given[(given < 0) | (given >= n_actions)]
         if len(wrong):
@@ -68,10 +73,11 @@ def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
         actions: Reals = np.eye(n_actions)[given]
         return actions
     if given.shape != (n_states, n_actions) or not np.issubdtype(given.dtype, np.number):
+        shape = f", of shape {given.shape}" if given.shape else ""
         raise ValueError(
             f"policy must be a whole number for each of the {n_states} rows of the model (`model.states`, not "
-            f"observations) or an array of probabilities of shape {(n_states, n_actions)}, but is an array of shape "
-            f"{given.shape} and type {given.dtype}: policy_of(agent, model) gives that of an agent"
+            f"observations) or an array of probabilities of shape {(n_states, n_actions)}, but is {in_short(policy)}"
+            f"{shape}: policy_of(agent, model) gives that of an agent"
         )
     probabilities = given.astype(np.float64)
     bad = ~(probabilities >= 0).all(axis=1) | ~(np.abs(probabilities.sum(axis=1) - 1) < 1e-6)

@@ -5,7 +5,7 @@ import numpy as np
 from edugym.checks.parameters import whole_number
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
-from edugym.exact.values import Values, check_model
+from edugym.exact.values import MOST_SWEEPS, Values, check_model
 from edugym.mdp.protocol import Reals
 
 BETTER = 1e-8
@@ -32,8 +32,8 @@ def policy_iteration(
         model: the exact model.
         discount: γ, from 0 to 1.
         tolerance: policy evaluation stops when no value changes by more; greater than 0.
-        max_sweeps: how many sweeps it may take each time, 1 or more.
-        max_iterations: give up after so many policies, 1 or more.
+        max_sweeps: how many sweeps it may take each time, from 1 to 10 million.
+        max_iterations: give up after so many policies, likewise.
 
     Raises:
         ValueError: a parameter is not as above, or values or policies do not settle.
@@ -42,7 +42,7 @@ def policy_iteration(
     equally good policies, exercise 4.4: here it ends when no action is better).
     """
     check_model(model, discount)
-    whole_number("max_iterations", max_iterations, 1)
+    whole_number("max_iterations", max_iterations, 1, MOST_SWEEPS)
     n_states, n_actions, _ = model.successors.shape
     policy: Reals = np.full((n_states, n_actions), 1 / n_actions)
     for _ in range(max_iterations):

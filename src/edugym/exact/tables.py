@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import an_array, between, in_short, whole_number
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import MDP, Integers, Random, Reals
 from edugym.mdp.tabular import tabular_mdp
@@ -114,7 +114,9 @@ class FiniteModel(NamedTuple):
             return self.rows[plain(tuple(numbers) if isinstance(numbers, list) else numbers)]
         except (KeyError, ValueError):
             n = len(self.states)
-            raise ValueError(f"state must be one of the {n} that can be reached (`states`), but is {state!r}") from None
+            raise ValueError(
+                f"state must be one of the {n} that can be reached (`states`), but is {in_short(state)}"
+            ) from None
 
     def outcomes(self, state: Any, action: int) -> list[Outcome]:
         """All that can happen after `action` in `state`.
@@ -130,8 +132,10 @@ class FiniteModel(NamedTuple):
         """Draw one of the things that can happen after `action` in `state`.
 
         Raises:
-            ValueError: the task has no such state or action.
+            ValueError: the task has no such state or action, or `rng` is no generator of random numbers.
         """
+        if isinstance(rng, type) or not hasattr(rng, "random"):
+            raise ValueError(f"rng must be a generator, such as numpy.random.default_rng(0), but is {in_short(rng)}")
         s, action = self._place(state, action)
         up_to = self.probabilities[s, action].cumsum()
         k = np.searchsorted(up_to, rng.random() * up_to[-1], side="right")
@@ -143,9 +147,12 @@ class FiniteModel(NamedTuple):
         return self.row(state), whole_number("action", action, 0, self.successors.shape[1] - 1)
 
     def action_values(self, V: Reals, discount: float) -> Reals:
-        """Look one step ahead: Q(s, a) = Σ_s' p(s'|s, a) [r(s, a, s') + γ V(s')], shape (S, A)."""
-        Q: Reals = np.einsum("sak,sak->sa", self.probabilities, self.rewards + discount * V[self.successors])
-        return Q
+        """Look one step ahead: Q(s, a) = Σ_s' p(s'|s, a) [r(s, a, s') + γ V(s')], shape (S, A).
+
+        Raises:
+            ValueError: V is not a number for each state, or the discount γ is not from 0 to 1.
+        """
+        return looked_ahead(self, an_array("V", V, (len(self.states),)), between("discount", discount, 0, 1))
 
     def observations(self) -> Integers:
         """Shape (S,): what the agent observes in each state, as the row of a table, such as its Q.
@@ -172,6 +179,12 @@ class FiniteModel(NamedTuple):
         if self.mdp is None:
             raise ValueError("the model must know its task, but was made without `mdp`")
         return tabular_mdp(self.mdp)
+
+
+def looked_ahead(model: FiniteModel, V: Reals, discount: float) -> Reals:
+    """`FiniteModel.action_values` for the sweeps of planning, which have looked at V and discount before."""
+    Q: Reals = np.einsum("sak,sak->sa", model.probabilities, model.rewards + discount * V[model.successors])
+    return Q
 
 
 def plain(state: Any) -> Any:

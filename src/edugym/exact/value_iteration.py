@@ -27,11 +27,11 @@ def value_iteration(
         model: the exact model.
         discount: γ, from 0 to 1.
         epsilon: ε, from 0 to 1.
-        horizon: with a number, the values of an episode that is cut off after so many steps (those of
-            `finite_horizon`); the policy may then depend on the steps that are left. Without one, episodes last until
-            the task ends.
+        horizon: with a number, the values of an episode that is cut off after so many steps, from 1 to 10 million
+            (those of `finite_horizon`); the policy may then depend on the steps that are left. Without one, episodes
+            last until the task ends.
         tolerance: stop when every change is smaller; a finite number greater than 0.
-        max_sweeps: without a horizon, give up after so many sweeps, 1 or more.
+        max_sweeps: without a horizon, give up after so many sweeps, from 1 to 10 million.
 
     Returns:
         The values `V` and `Q`, and `start`, the expected return from the start of an episode. `finite_model(mdp)` makes

@@ -7,12 +7,14 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from edugym.checks.parameters import above, between, in_short, whole_number
-from edugym.exact.tables import FiniteModel
+from edugym.exact.tables import FiniteModel, looked_ahead
 from edugym.mdp.protocol import Reals
 
 StateValues: TypeAlias = Callable[[Reals], Reals]
 """From Q, shape (S, A), to V, shape (S,): what the actions in each state are worth together."""
 
+MOST_SWEEPS = 10_000_000
+"""The most sweeps over all states: of a small task they take some minutes."""
 CLOSE = 1e-9
 """Action values that differ by less are taken as equal (of large values: by this share of them)."""
 
@@ -71,7 +73,7 @@ def sweeps(model: FiniteModel, state_values: StateValues, discount: float) -> It
     V: Reals = np.zeros(len(model.states))
     while True:
         yield V, Q
-        Q = model.action_values(V, discount)
+        Q = looked_ahead(model, V, discount)
         V = state_values(Q)
 
 
@@ -91,10 +93,10 @@ def sweep_until_settled(
     check_model(model, discount)
     above("tolerance", tolerance, 0)
     if tolerance == math.inf:
-        raise ValueError(f"tolerance must be a finite number greater than 0, but is {tolerance!r}")
-    whole_number("max_sweeps", max_sweeps, 1)
+        raise ValueError(f"tolerance must be a finite number greater than 0, but is {in_short(tolerance)}")
+    whole_number("max_sweeps", max_sweeps, 1, MOST_SWEEPS)
     if horizon is not None:
-        whole_number("horizon", horizon, 1)
+        whole_number("horizon", horizon, 1, MOST_SWEEPS)
     before = None
     for sweep, (V, Q) in enumerate(sweeps(model, state_values, discount)):
         settled = before is not None and np.abs(V - before).max() < tolerance  # Δ < θ in the boxes

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from edugym.checks.contract import METHODS
-from edugym.checks.parameters import in_short, whole_number
+from edugym.checks.parameters import a_path, in_short, number_of_steps, true_or_false, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints
@@ -29,6 +29,7 @@ from edugym.training.train import check_stop, train
 
 MOST_JOBS = 1_000
 """The most runs at a time: each is a thread or a process."""
+MOST_REPETITIONS = 1_000_000
 
 Maker = Callable[[Any], Any]
 
@@ -92,7 +93,7 @@ def repeat(
             environment, such as `lambda environment: QLearning.create(environment, discount=0.9)`. Each run gets a
             copy, so that runs share nothing.
         n_steps: the training steps of each run, 1 or more.
-        repetitions: the number of runs of each method, 1 or more.
+        repetitions: the number of runs of each method, from 1 to 1 000 000.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more.
         parameters: those of an environment that is given by name.
         max_steps: the step at which an episode is truncated, as in `train`.
@@ -119,17 +120,18 @@ def repeat(
         gymnasium.error.DependencyNotInstalled: pandas or joblib is missing.
     """
     require("experiments", "joblib", "pandas")
-    whole_number("n_steps", n_steps, 1)
-    whole_number("repetitions", repetitions, 1)
+    number_of_steps("n_steps", n_steps)
+    whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
     whole_number("seed", seed, 0)
     is_number = isinstance(jobs, Integral) and not isinstance(jobs, bool)
     if jobs is not None and not (is_number and (jobs == -1 or 1 <= jobs <= MOST_JOBS)):
         raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {in_short(jobs)}")
+    true_or_false("progress", progress)
     check_stop(stop)
     stop = stop or threading.Event()
     for name, path in (("save_to", save_to), ("checkpoints", checkpoints)):
-        if path is not None and (not isinstance(path, str | os.PathLike) or path == ""):
-            raise ValueError(f"{name} must be a path, but is {in_short(path)}")
+        if path is not None:
+            a_path(name, path)
     if save_to is not None:
         save_to = check_writable(save_to)
     curve = {"max_steps": max_steps, "evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}

@@ -8,7 +8,7 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.checks.interfaces import MDP_ONLY
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import a_number, an_array, in_short, whole_number
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.task import task_of
@@ -95,7 +95,7 @@ class Discretised(NamedTuple):
         lows, highs = _ends("low", low, space.low, n), _ends("high", high, space.high, n)
         if not (lows < highs).all():
             k = int(np.argmin(lows < highs))
-            raise ValueError(f"high must be greater than low, but for number {k} they are {highs[k]} and {lows[k]}")
+            raise ValueError(f"low must be less than high, but for number {k} they are {lows[k]} and {highs[k]}")
         return cls(mdp, numbers, lows, highs, values, np.zeros(n, np.int64))
 
 
@@ -166,17 +166,20 @@ def bins_of(bins: int | Sequence[int], n: int, least: int = 1) -> Integers:
     """
     each = np.ravel(np.full(n, bins, object) if np.ndim(bins) == 0 else np.array(bins, object))
     if len(each) != n:
-        raise ValueError(f"bins must be one number or {n}, one for each, but is {bins!r}")
-    return np.array([whole_number("bins", number, least, 2**31) for number in each])
+        raise ValueError(f"bins must be one number or {n}, one for each, but is {in_short(bins)}")
+    return np.array([whole_number("bins", number, least, 2**31) for number in each], np.int64)
 
 
 def _ends(name: str, given: float | Sequence[float] | None, of_space: Any, n: int) -> Reals:
     """Where the bins of each of n numbers begin or end."""
-    ends = np.ravel(np.asarray(of_space if given is None else given, np.float64))
-    if len(ends) == 1:
-        ends = np.full(n, ends[0])
-    if len(ends) != n:
-        raise ValueError(f"{name} must be one number or {n}, one for each, but is {given!r}")
+    if given is None:
+        ends: Reals = np.ravel(np.asarray(of_space, np.float64))
+        if not np.isfinite(ends).all():
+            raise ValueError(f"{name} must be given for a task that observes numbers without bounds: {name}=...")
+        return ends
+    if isinstance(given, int | float | np.number):
+        return np.full(n, a_number(name, given))
+    ends = an_array(name, given, (n,))
     if not np.isfinite(ends).all():
-        raise ValueError(f"{name} must be given for a task that observes numbers without bounds: {name}=...")
+        raise ValueError(f"{name} must hold finite numbers, but is {in_short(given)}")
     return ends

@@ -6,11 +6,14 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.checks.interfaces import MDP_ONLY
-from edugym.checks.parameters import in_short, whole_number
+from edugym.checks.parameters import in_short, number_of_steps, true_or_false, whole_number
 from edugym.mdp.protocol import Random
 from edugym.mdp.tabular import MOST_ROWS, table_sizes, tabular_mdp
 from edugym.mdp.task import task_of
 from edugym.mdp.wrapper import wrapper
+
+MOST_SHOWN = 100_000
+"""The longest window of which the number of rows can be asked for."""
 
 
 class Stacked(NamedTuple):
@@ -54,7 +57,7 @@ class FrameStack(NamedTuple):
     @property
     def observation_space(self) -> spaces.Discrete:
         """The rows of the table."""
-        return spaces.Discrete(stack_size(self.n_observations, self.k, self.n_actions))
+        return spaces.Discrete(_windows(self.n_observations, self.k, self.n_actions))
 
     def initial(self, rng: Random) -> Stacked:
         """The first observation, k times."""
@@ -106,8 +109,7 @@ class FrameStack(NamedTuple):
         """
         task_of(mdp, "mdp", MDP_ONLY)
         k = whole_number("k", k, 1)
-        if not isinstance(actions, bool):
-            raise ValueError(f"actions must be True or False, but is {in_short(actions)}")
+        true_or_false("actions", actions)
         mdp = tabular_mdp(mdp)
         n_actions, n = 1, math.prod(table_sizes(mdp.observation_space))
         if actions and k > 1:
@@ -122,14 +124,28 @@ class FrameStack(NamedTuple):
             raise ValueError(
                 f"k must be at most {most}, but is {in_short(k)}: for {shown} a longer window has 2^63 rows or more"
             )
-        return cls(mdp, k, n, n_actions, stack_size(n, k - 1, n_actions) if k > 1 else 1)
+        return cls(mdp, k, n, n_actions, _windows(n, k - 1, n_actions) if k > 1 else 1)
 
 
 def stack_size(n_observations: int, k: int, n_actions: int = 1) -> int:
     """How many different windows of k observations there are, with the actions between them: n^k m^(k-1).
 
-    It is computed with Python's whole numbers, so `k`, 1 or more, may be as large as you like.
+    It is computed with Python's whole numbers, so it may be larger than any table.
+
+    Args:
+        n_observations: n, from 1 to 2^62.
+        k: how many observations a window has, from 1 to 100 000.
+        n_actions: m, from 1 to 2^62; 1 where actions are not shown.
+
+    Raises:
+        ValueError: a number is not as above.
     """
+    n, m = number_of_steps("n_observations", n_observations), number_of_steps("n_actions", n_actions)
+    return _windows(n, whole_number("k", k, 1, MOST_SHOWN), m)
+
+
+def _windows(n_observations: int, k: int, n_actions: int) -> int:
+    """`stack_size` of numbers that have been looked at."""
     size: int = n_observations**k * n_actions ** (k - 1)
     return size
 
@@ -139,6 +155,6 @@ def longest_stack(n_observations: int, n_actions: int = 1) -> int | None:
     if n_observations * n_actions == 1:
         return None
     k = 0
-    while stack_size(n_observations, k + 1, n_actions) <= MOST_ROWS:
+    while _windows(n_observations, k + 1, n_actions) <= MOST_ROWS:
         k += 1
     return k

@@ -8,16 +8,10 @@ last. Where a guard stops machine code, the interpreter plays the call again wit
 import math
 from typing import Any, NamedTuple
 
-import numpy as np
-from gymnasium import spaces
-
-from edugym.mdp.protocol import Random, Reals, writes_in_place
+from edugym.mdp.membership import membership, membership_of_actions
+from edugym.mdp.protocol import Random, writes_in_place
 from edugym.mdp.wrapper import wrapper
-from edugym.system.generated import generated_class
-from edugym.system.packages import is_own
-
-FEW = 16
-"""Up to this many numbers an observation may be a tuple of several types."""
+from edugym.system.packages import is_ours, is_own
 
 
 @wrapper
@@ -53,93 +47,43 @@ class FiniteRewardsInPlace(FiniteRewards):
 
 
 @wrapper
-class RowsOfATable(NamedTuple):
-    """An MDP that stops at an observation that is not a row of a table.
-
-    Attributes:
-        mdp: the task, which numbers its observations from 0.
-        n_observations: how many there are.
-    """
-
-    mdp: Any
-    n_observations: int
-
-    def observation(self, state: Any, rng: Random) -> int:
-        """The observation of the task.
-
-        Raises:
-            ValueError: it is not from 0 to `n_observations` - 1.
-        """
-        observation: int = self.mdp.observation(state, rng)
-        if not 0 <= observation < self.n_observations:
-            raise ValueError("an observation is not in the observation space")
-        return observation
-
-
-@wrapper
-class WithinABox(NamedTuple):
-    """An MDP that stops at a vector of observations that is not within its bounds.
+class InSpace(NamedTuple):
+    """An MDP that stops at an observation that is not in its space.
 
     Attributes:
         mdp: the task.
-        bounds: between which its numbers must be.
+        space: what tells whether an observation is in it (see `edugym.mdp.membership`).
     """
 
     mdp: Any
-    bounds: Any
+    space: Any
 
     def observation(self, state: Any, rng: Random) -> Any:
         """The observation of the task.
 
         Raises:
-            ValueError: a number is too small or too large, or NaN.
+            ValueError: it is not in the space.
         """
         observation = self.mdp.observation(state, rng)
-        if not self.bounds.hold(observation):
+        if not self.space.hold(observation):
             raise ValueError("an observation is not in the observation space")
         return observation
 
 
-class Bounds(NamedTuple):
-    """The least and the greatest numbers of a vector.
+class InSpaceInPlace(InSpace):
+    """The same for an MDP that writes its observations into an array."""
 
-    Attributes:
-        low: shape (k,).
-        high: shape (k,).
-    """
+    __slots__ = ()
 
-    low: Reals
-    high: Reals
+    def observe_into(self, state: Any, rng: Random, out: Any) -> None:
+        """Write the observation of the task into `out`.
 
-    def hold(self, vector: Any) -> bool:
-        """Return whether all its numbers are between them; NaN is not."""
-        within = True
-        for i in range(self.low.size):
-            within = within and self.low[i] <= vector[i] <= self.high[i]
-        return within
-
-
-def _bounds(space: spaces.Box) -> Any:
-    """Return the bounds of a space of vectors.
-
-    A few numbers may come as a tuple of several types. Numba can index such a tuple only with constants, as in
-    `vector[0]`, so the comparison is written out as code.
-    """
-    low, high = _widened(space.low, -math.inf), _widened(space.high, math.inf)
-    if low.size > FEW:
-        return Bounds(low, high)
-    between = " and ".join(f"self.low[{i}] <= vector[{i}] <= self.high[{i}]" for i in range(low.size)) or "True"
-    lines = ["    low: object", "    high: object", "    def hold(self, vector):", f"        return {between}"]
-    return generated_class("Bounds", lines, {})(low, high)
-
-
-def _widened(bounds: Any, to: float) -> Reals:
-    """Return the bounds, half a last digit wider: the space rounds a number to its own type before it compares."""
-    with np.errstate(over="ignore", invalid="ignore"):  # at infinite bounds, which stay so
-        beyond = np.nextafter(bounds, bounds.dtype.type(to))
-        wider = bounds.astype(float) + (beyond.astype(float) - bounds) / 2
-    widened: Reals = np.where(np.isfinite(bounds), wider, bounds)
-    return widened
+        Raises:
+            ValueError: it is not in the space.
+        """
+        self.mdp.observe_into(state, rng, out)
+        if not self.space.hold(out):
+            raise ValueError("an observation is not in the observation space")
 
 
 @wrapper
@@ -147,20 +91,20 @@ class ActionsOfASpace(NamedTuple):
     """An MDP that stops at an action that it does not have.
 
     Attributes:
-        mdp: the task, which numbers its actions from 0.
-        n_actions: how many there are.
+        mdp: the task.
+        actions: what tells whether an action is in its space.
     """
 
     mdp: Any
-    n_actions: int
+    actions: Any
 
     def transition(self, state: Any, action: Any, rng: Random) -> Any:
         """The next state of the task.
 
         Raises:
-            ValueError: the action is not from 0 to `n_actions` - 1.
+            ValueError: the action is not in the action space.
         """
-        if not 0 <= action < self.n_actions:
+        if not self.actions.hold(action):
             raise ValueError("an action is not in the action space")
         return self.mdp.transition(state, action, rng)
 
@@ -177,18 +121,24 @@ class ActionsOfASpaceInPlace(ActionsOfASpace):
 
 def guarded(mdp: Any, agent: Any) -> Any:
     """Return an MDP with guards against what a student's MDP, or a student's agent, may do."""
-    in_place, actions, observations = writes_in_place(mdp), mdp.action_space, mdp.observation_space
-    if not is_own(mdp):
-        if isinstance(observations, spaces.Discrete) and observations.start == 0:
-            mdp = RowsOfATable(mdp, int(observations.n))
-        vector = isinstance(observations, spaces.Box) and len(observations.shape) == 1 and not in_place
-        if vector and observations.dtype.kind == "f":
-            mdp = WithinABox(mdp, _bounds(observations))
-        mdp = FiniteRewardsInPlace(mdp) if in_place else FiniteRewards(mdp)
-    if not is_own(agent) and isinstance(actions, spaces.Discrete) and actions.start == 0:
-        mdp = (ActionsOfASpaceInPlace if in_place else ActionsOfASpace)(mdp, int(actions.n))
-    return mdp
+    actions = None if is_own(agent) else membership_of_actions(mdp.action_space)
+    mdp = _guarded_mdp(mdp)
+    if actions is None:
+        return mdp
+    return (ActionsOfASpaceInPlace if writes_in_place(mdp) else ActionsOfASpace)(mdp, actions)
 
 
-GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, FiniteRewards, FiniteRewardsInPlace, RowsOfATable, WithinABox)
+def _guarded_mdp(mdp: Any) -> Any:
+    """The MDP with guards around a student's MDP, also where that is inside the package's wrappers."""
+    if is_own(mdp):
+        return mdp
+    if is_ours(type(mdp)) and not is_own(getattr(mdp, "mdp", None)):
+        return mdp._replace(mdp=_guarded_mdp(mdp.mdp))
+    in_place, observations = writes_in_place(mdp), membership(mdp.observation_space)
+    if observations is not None:
+        mdp = (InSpaceInPlace if in_place else InSpace)(mdp, observations)
+    return (FiniteRewardsInPlace if in_place else FiniteRewards)(mdp)
+
+
+GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, FiniteRewards, FiniteRewardsInPlace, InSpace, InSpaceInPlace)
 """The classes of the guards. They say less than the checks."""

@@ -5,14 +5,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import MOST_ENTRIES, in_short, true_or_false, whole_number
 from edugym.mdp.protocol import Integers
 from edugym.system.memory import require_memory
 
 PRIME = 2**31 - 1
 FACTOR = 742_938_285
 """The multiplier of a good random generator (Fishman and Moore, 1986): keys that differ little get slots far apart."""
-MOST_ROWS = 2**28
 
 
 class HashedTable(NamedTuple):
@@ -97,9 +96,12 @@ class HashedTable(NamedTuple):
             overflow: whether keys that come when the table is full share its last row.
 
         Raises:
-            ValueError: the capacity is not as said.
+            ValueError: a parameter is not as said.
         """
-        capacity = whole_number("capacity", capacity, 1, MOST_ROWS)
+        if not isinstance(key, np.ndarray) or key.dtype not in (np.int64, np.float64):
+            raise ValueError(f"key must be an array of int64 or float64, but is {in_short(key)}")
+        capacity = whole_number("capacity", capacity, 1, MOST_ENTRIES)
+        shares = true_or_false("overflow", overflow)
         require_memory("keys", (capacity, key.size), "take a lower capacity")
         keys = np.zeros((capacity, key.size), key.dtype)
-        return cls(keys, np.zeros(2 * capacity + 1, np.int64), np.zeros(1, np.int64), bool(overflow))
+        return cls(keys, np.zeros(2 * capacity + 1, np.int64), np.zeros(1, np.int64), shares)

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.checks.interfaces import MDP_ONLY
-from edugym.checks.parameters import a_number, at_least, whole_number
+from edugym.checks.parameters import MOST_STEPS, a_number, at_least, whole_number
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Random
 from edugym.mdp.task import task_of
@@ -57,14 +57,14 @@ class NoisyObservation(NamedTuple):
 
         Args:
             mdp: the task.
-            levels: of the noise in the first number, 0 or more.
+            levels: of the noise in the first number, from 0 to 2^62.
             sigma: of the noise in every number, 0 or more.
 
         Raises:
             ValueError: the task observes something else, or a number is not as said.
         """
         low, high = bounds(mdp)
-        levels = whole_number("levels", levels, 0)
+        levels = whole_number("levels", levels, 0, MOST_STEPS)
         at_least("sigma", sigma, 0)
         a_number("sigma", sigma)
         mdp = in_place(mdp)

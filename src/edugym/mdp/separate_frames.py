@@ -61,4 +61,4 @@ class SeparateFrames(NamedTuple):
         stack = FrameStack.create(mdp, k, actions)
         between = [stack.n_actions] if stack.n_actions > 1 else []
         sizes = [stack.n_observations, *(k - 1) * [*between, stack.n_observations]]
-        return cls(stack, np.array(sizes))
+        return cls(stack, np.array(sizes, np.int64))

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
+from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import MDP, Integers, Random, writes_in_place
 from edugym.mdp.wrapper import wrapper
 from edugym.system.memory import in_digits
@@ -93,10 +94,14 @@ class Tabular(NamedTuple):
         """The wrapper for an MDP that observes whole numbers.
 
         Raises:
-            ValueError: it observes something else, or numbers nested in one another, or has 2^63 different
+            ValueError: it is no MDP, observes something else, or numbers nested in one another, or has 2^63 different
                 observations or more.
         """
-        space = mdp.observation_space
+        space = getattr(mdp, "observation_space", None)
+        if not isinstance(space, spaces.Space):
+            raise ValueError(
+                f"mdp must be an MDP, whose observation_space is a Gymnasium space, but is {in_short(mdp)}"
+            )
         if isinstance(space, spaces.Discrete):
             raise ValueError(f"mdp observes one whole number already, an element of {space}: it needs no Tabular")
         sizes = table_sizes(space)
@@ -104,9 +109,9 @@ class Tabular(NamedTuple):
         if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
             raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
         number_of_rows(sizes)
-        lows, seen = np.array(table_lows(space)), np.zeros(len(sizes), np.int64)
+        lows, seen = np.array(table_lows(space), np.int64), np.zeros(len(sizes), np.int64)
         kind = TabularInPlace if writes_in_place(mdp) else cls
-        return kind(mdp, np.array(sizes), lows, seen)
+        return kind(mdp, np.array(sizes, np.int64), lows, seen)
 
 
 class TabularInPlace(Tabular):

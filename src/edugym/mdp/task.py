@@ -9,9 +9,12 @@ from gymnasium import spaces
 
 from edugym.checks.interfaces import HARMLESS, MDP_ONLY, NAMED, SHAPED, require_playable
 from edugym.checks.mdps import CHECKED_STEPS, random_steps
-from edugym.checks.parameters import coerced
+from edugym.checks.parameters import coerced, whole_number
 from edugym.mdp.tabular import table_sizes
 from edugym.system.packages import is_own
+
+MOST_CHECKED = 1_000_000
+"""The most steps that `check_mdp` plays: it keeps every state."""
 
 
 class Task(NamedTuple):
@@ -162,12 +165,13 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
 
     Args:
         mdp: the task.
-        n_steps: how many steps to play.
+        n_steps: how many steps to play, from 0 to 1 000 000.
 
     Returns:
         The states met, in order; an initial one first.
 
     Raises:
-        ValueError: it is not an MDP, or one of its methods returns what it may not.
+        ValueError: it is not an MDP, one of its methods returns what it may not, or the number is not as above.
     """
+    whole_number("n_steps", n_steps, 0, MOST_CHECKED)
     return random_steps(task_of(mdp, "mdp", MDP_ONLY).environment, n_steps)

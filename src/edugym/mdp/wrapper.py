@@ -7,6 +7,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Any, TypeVar
 
+from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Random
 
 Kind = TypeVar("Kind", bound=type)
@@ -68,10 +69,11 @@ def wrapper(kind: Kind) -> Kind:
     inner MDP's state, from which `scene` and `info` are made.
 
     Raises:
-        TypeError: the class has no field `mdp`.
+        TypeError: it is no class, or one without a field `mdp`.
     """
-    if "mdp" not in getattr(kind, "_fields", ()):
-        raise TypeError(f"{kind.__name__} must be a NamedTuple with a field mdp, the MDP that it wraps")
+    if not isinstance(kind, type) or "mdp" not in getattr(kind, "_fields", ()):
+        given = kind.__name__ if isinstance(kind, type) else in_short(kind)
+        raise TypeError(f"kind must be a NamedTuple with a field mdp, the MDP that it wraps, but is {given}")
     for name, method in PASSED_ON.items():
         if not hasattr(kind, name):
             setattr(kind, name, method)

@@ -16,6 +16,7 @@ What cannot be interrupted at all, such as LLVM or the import of a library, runs
 
 import _thread
 import ctypes
+import math
 import os
 import signal
 import sys
@@ -310,6 +311,10 @@ def asked_to_stop(line: int) -> bool:
     return stops
 
 
+GRACE = 2.0
+"""How many seconds a function that is to end is waited for."""
+
+
 def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
     """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
 
@@ -317,6 +322,16 @@ def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwar
 
     Raises:
         Stopped: this thread is to stop.
+    """
+    return call_within(math.inf, function, *args, **kwargs)
+
+
+def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+    """The same with a limit, in seconds of processor time: then the function is ended, once it runs Python again.
+
+    Raises:
+        Stopped: this thread is to stop.
+        TimeoutError: it has taken longer.
     """
     done = threading.Event()
     returned: list[T] = []
@@ -330,11 +345,19 @@ def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwar
         finally:
             done.set()
 
-    threading.Thread(target=call, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
+    name = f"edugym-{getattr(function, '__name__', 'work')}"
+    thread = threading.Thread(target=call, name=name)
+    thread.start()
     current: SignalGuard | None = getattr(_current, "guard", None)
+    began = time.process_time()
     while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
         if current is not None and current.should_stop():
             raise Stopped
+        if time.process_time() - began > seconds:
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(
+                ctypes.c_ulong(thread.ident or 0), ctypes.py_object(TimeoutError)
+            )
+            raise TimeoutError
     if raised:
         raise raised.pop()
     return returned.pop()

@@ -8,13 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks.parameters import in_short, number_of_steps, whole_number
+from edugym.checks.parameters import in_short, number_of_steps, true_or_false, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
 from edugym.system.interrupts import Interrupted, SignalGuard, Stopped
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
 from edugym.training.trainers import Trainer, trainer
+
+MOST_EPISODES = 1_000_000
+"""The most evaluation episodes of one point of a learning curve."""
 
 
 def train(
@@ -49,10 +52,10 @@ def train(
             `max_steps` replaces that limit, except in the three kinds of environments above: there both limits hold,
             and the lower one ends the episode.
         evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
-        evaluation_episodes: the number of episodes that each point averages. The agent plays them with `greedy`. If it
-            has no `greedy`, a copy of it plays with `act`, and so explores. The evaluation episodes have their own
-            random streams, so evaluation does not change training. If there is no step limit, an evaluation episode
-            ends after at most 1000 steps.
+        evaluation_episodes: the number of episodes that each point averages, from 1 to 1 000 000. The agent plays them
+            with `greedy`. If it has no `greedy`, a copy of it plays with `act`, and so explores. The evaluation
+            episodes have their own random streams, so evaluation does not change training. If there is no step limit,
+            an evaluation episode ends after at most 1000 steps.
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
@@ -70,10 +73,11 @@ def train(
     """
     n_steps = number_of_steps("n_steps", n_steps)
     every = max(1, n_steps // 100) if evaluate_every is None else whole_number("evaluate_every", evaluate_every, 1)
-    evaluation_episodes = whole_number("evaluation_episodes", evaluation_episodes, 1)
+    evaluation_episodes = whole_number("evaluation_episodes", evaluation_episodes, 1, MOST_EPISODES)
     seed = whole_number("seed", seed, 0)
     if max_steps is not None:
         max_steps = number_of_steps("max_steps", max_steps)
+    true_or_false("progress", progress)
     check_stop(stop)
     began, done, curve, interrupted = time.perf_counter(), 0, _Curve(), False
     try:

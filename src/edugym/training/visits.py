@@ -5,9 +5,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.checks.contract import actor, contract_of, forget_episode, learner
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.mdp.protocol import Integers, Random
 from edugym.mdp.task import table_size
+from edugym.system.memory import require_memory
+
+MOST_INTERVALS = 1_000_000
 
 
 class VisitRecorder(NamedTuple):
@@ -122,14 +125,16 @@ def record_visits(
         environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
             (n_states, n_actions) of a table for it.
         n_steps: how many steps it will be trained for, 1 or more.
-        n_intervals: into how many equal intervals they are divided, 1 or more.
+        n_intervals: into how many equal intervals they are divided, from 1 to 1 000 000.
 
     Raises:
         ValueError: a parameter is not as above.
     """
-    whole_number("n_steps", n_steps, 1)
-    whole_number("n_intervals", n_intervals, 1)
-    visits = np.zeros((n_intervals, table_size(environment)[0]), np.int64)
+    n_steps = number_of_steps("n_steps", n_steps)
+    n_intervals = whole_number("n_intervals", n_intervals, 1, MOST_INTERVALS)
+    shape = n_intervals, table_size(environment)[0]
+    require_memory("visits", shape, "take fewer n_intervals")
+    visits = np.zeros(shape, np.int64)
     contract = contract_of(agent)
     evaluated = actor(contract) if contract.has_greedy else agent
     recorder = VisitRecorder(agent, learner(contract), evaluated, visits, np.zeros(1, np.int64), n_steps)

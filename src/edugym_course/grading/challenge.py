@@ -13,9 +13,12 @@ import numpy as np
 
 from edugym.adapters.registration import make_mdp
 from edugym.checks.contract import learner
-from edugym.experiments.repeat import repeat
+from edugym.checks.interfaces import MADE
+from edugym.checks.parameters import a_number, a_text, in_short, number_of_steps, one_of, whole_number
+from edugym.experiments.repeat import MOST_REPETITIONS, repeat
 from edugym.experiments.results.statistics import Interval, paired_difference
 from edugym.experiments.results.tables import Results
+from edugym.mdp.task import task_of
 from edugym.training.train import train
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.student_code import student_code
@@ -36,7 +39,7 @@ def seed_from_name(name: str | int) -> int:
         ValueError: the name is empty, or neither a text nor a whole number.
     """
     if isinstance(name, bool | np.bool_) or not isinstance(name, str | int | np.integer):
-        raise ValueError(f'name must be a text such as "Ada", or a whole number, but is {name!r}')
+        raise ValueError(f'name must be a text such as "Ada", or a whole number, but is {in_short(name)}')
     plain = "".join(unicodedata.normalize("NFKC", str(name)).casefold().split())
     if not plain:
         raise ValueError(f"name must have one letter or more, but is {name!r}")
@@ -132,6 +135,22 @@ class Challenge:
     column: str = "return"
     best_label: str = "possible"
 
+    def __post_init__(self) -> None:
+        """Refuse an attribute that is not as above."""
+        makes = isinstance(self.environment, str) or hasattr(self.environment, "transition")
+        if isinstance(self.environment, type) or not (makes or callable(self.environment)):
+            given = in_short(self.environment)
+            raise ValueError(f"environment must be a name, an MDP or a function of layout_seed, but is {given}")
+        for name in ("parameters", "baselines"):
+            if not isinstance(getattr(self, name), Mapping):
+                raise ValueError(f"{name} must be a dictionary, but is {in_short(getattr(self, name))}")
+        number_of_steps("n_steps", self.n_steps)
+        a_number("optimum", self.optimum)
+        a_number("best_average", self.best_average)
+        whole_number("repetitions", self.repetitions, 1, MOST_REPETITIONS)
+        one_of("column", self.column, ["return", "training_return"])
+        a_text("best_label", self.best_label)
+
     def score(self, agent: Any, name: str | int) -> Score:
         """Train an agent, and the baselines, on the tasks that belong to a name.
 
@@ -176,7 +195,11 @@ class Challenge:
         """Return the MDP of one of the tasks."""
         if isinstance(self.environment, str):
             return make_mdp(self.environment, **self.parameters)
-        return self.environment if hasattr(self.environment, "transition") else self.environment(layout_seed)
+        if hasattr(self.environment, "transition"):
+            return self.environment
+        made = self.environment(layout_seed)
+        task_of(made, "the environment that the function makes", MADE)
+        return made
 
     def _points(self, average: float) -> float:
         """Return 0 to 100 points for an average return, or 0 if no episode ended (NaN)."""
@@ -190,7 +213,7 @@ class Challenge:
             hint = f"such as {agent.__name__}.create" if hasattr(agent, "create") else "that makes one"
             raise WrongAnswer(f"your agent should be a function, {hint}, but is the class {agent.__name__}")
         if not callable(agent) and not hasattr(agent, "act"):
-            raise WrongAnswer(f"your agent should be a function that makes an agent, but is {agent!r}")
+            raise WrongAnswer(f"your agent should be a function that makes an agent, but is {in_short(agent)}")
         if hasattr(agent, "act"):
             raise WrongAnswer(
                 "your agent should be a function that makes a new agent, so that no run knows what another has learned,"

@@ -5,9 +5,9 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import in_short, true_or_false, whole_number
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.own_numbers import belongs_to_others
+from edugym_course.grading.own_numbers import belongs_to_others, own_parameters
 from edugym_course.grading.student_code import student_code
 from edugym_course.lab.progress import record_passed
 
@@ -27,8 +27,14 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
     Raises:
         WrongAnswer: the answer is not right. A notebook shows its sentence and no traceback.
         Unsolved: there is no answer yet.
+        ValueError: another argument is not as above.
     """
+    if isinstance(exercise, type) or not callable(exercise):
+        raise ValueError(f"exercise must be a function, such as exercise_1 of a lesson, but is {in_short(exercise)}")
     whole_number("seed", seed, 0)
+    true_or_false("quiet", quiet)
+    for name in numbers.keys() - own_parameters(exercise).keys():
+        raise ValueError(f"{exercise.__name__} has no number {name} of a student's own, but {name} is given")
     with student_code("your code", limit=math.inf):  # calls inside it have limits of their own
         try:
             worth_knowing = exercise(answer, seed, **numbers)

@@ -93,6 +93,8 @@ def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], fl
         "next action": row[now.next_action],
         "old": Q[now.state, now.action],
         "from zero": max(0.0, row.max()),
+        "from -1": max(-1.0, row.max()),
+        "from -10": max(-10.0, row.max()),
         "first": row[0],
         "two": row[:2].max(),
         "index": float(row.argmax()),
@@ -104,9 +106,9 @@ def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], fl
 
 
 def made_up_values(n_states: int, n_actions: int, rng: np.random.Generator) -> Reals:
-    """Return a table of simple values, of which some rows are negative."""
+    """Return a table of simple values, with a row so far below 0 that no maximum should start from a fixed number."""
     Q: Reals = rng.choice(np.arange(-2.0, 2.25, 0.25), (n_states, n_actions))
-    Q[rng.integers(n_states)] -= 3.0
+    Q[rng.integers(n_states)] -= 200.0
     return Q
 
 
@@ -148,6 +150,12 @@ Q_LEARNING = Update(
         },
         "Q(S, A) stands where the maximum of Q(S', a) should": {"backup": "old"},
         "the maximum starts from 0, so a row of negative values counts as 0": {"backup": "from zero"},
+        **{
+            f"the maximum starts from −{start}, and all values may be lower: start from the first one": {
+                "backup": f"from -{start}"
+            }
+            for start in (1, 10)
+        },
         "only the first action of the next state is looked at": {"backup": "first"},
         "only the last action of the next state is looked at": {"backup": "last"},
         "only the first two actions of the next state are looked at, and there may be more": {"backup": "two"},

@@ -15,6 +15,7 @@ from edugym_course.grading.time_limit import LIMIT, time_limit
 
 PACKAGES = tuple(map(str, own_folders()))
 
+FIELD = "write `self.` before a field"
 HINTS = (
     ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
@@ -22,7 +23,7 @@ HINTS = (
     (
         r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
         r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late)' is not defined",
-        "write `self.` before a field",
+        FIELD,
     ),
     ("cannot access local variable", "it gets a value on some paths only"),
     ("'NoneType'", "something is None there: is a `return` missing?"),
@@ -72,7 +73,10 @@ def student_code(what: str, limit: float = LIMIT) -> Iterator[None]:
     except WrongAnswer:
         raise
     except NotImplementedError:
-        raise Unsolved("Not solved yet: write your solution in the cell above, run it, and run this one.") from None
+        raise Unsolved(
+            "Not solved yet: the line `raise NotImplementedError` is still there. Put your solution in its place (if it"
+            " stands above that line, delete the line), run that cell, and run this one."
+        ) from None
     except Exception as error:
         raise WrongAnswer(_sentence(what, error)) from None
 
@@ -82,6 +86,8 @@ def _sentence(what: str, error: Exception) -> str:
     if isinstance(error, KeyError):
         message = f"there is no key {message}"
     hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]
+    if hints and hints[0] == FIELD and not _in_method(error):
+        hints = ["is it a parameter, under another name?"]
     because = f" ({hints[0]})" if hints else ""
     kind = type(error).__name__
     if isinstance(error, RecursionError):
@@ -101,6 +107,12 @@ def _student_line(error: Exception) -> str:
         if not _is_ours(frame.f_code.co_filename)
     ]
     return next(filter(None, reversed(lines)), "")
+
+
+def _in_method(error: Exception) -> bool:
+    """Return whether the error comes from a method of a student's."""
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__) if not _is_ours(frame.f_code.co_filename)]
+    return bool(frames) and "self" in frames[-1].f_code.co_varnames
 
 
 def _last_file(error: Exception) -> str:

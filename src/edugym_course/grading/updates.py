@@ -112,6 +112,8 @@ class Update:
             if nobody_asks_why():  # to find the mistake takes longer than to see that there is one
                 raise WrongAnswer(UNUSUAL)
             why = self._diagnosis(cases, right, found, settings, difference, returned)
+            if _first_difference(found, _run_student(make, cases)[0]) is not None:
+                why = "a second time it gives something else: `learn` needs no random numbers"
             numbers = {name: settings[name] for name in self.numbers}
             raise WrongAnswer(f"{_describe(cases, right, found, difference, names, numbers)}: {why}")
 

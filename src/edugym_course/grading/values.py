@@ -101,6 +101,24 @@ def compare(
     raise WrongAnswer(f"{told}: {why}")
 
 
+def exact(call: str, value: Any, expected: int) -> None:
+    """Check a number that is too large for floats and for NumPy's whole numbers.
+
+    Args:
+        call: what gave the value, for the sentence.
+        value: the student's value, right where numbers are small.
+        expected: the right one.
+
+    Raises:
+        WrongAnswer: it is another number, or rounded.
+    """
+    if value != expected or isinstance(value, float | np.number):
+        raise WrongAnswer(
+            f"{call} should be a whole number with {len(str(expected))} digits, and floats and numbers of NumPy have"
+            " no room for it: keep to Python's whole numbers, with `**` and `//`, without `/`, `2.0` or `math.pow`"
+        )
+
+
 def same(found: float, expected: float) -> bool:
     """Whether two numbers are the same but for rounding."""
     return abs(found - expected) <= allowance(expected)

@@ -6,6 +6,7 @@ from typing import Any
 import ipywidgets
 
 from edugym.adapters.playing.game import Game
+from edugym.checks.parameters import true_or_false
 from edugym.rendering.scene import Scene
 from edugym_course.notebook.widget import NotebookWidget, picture_html, text_html
 
@@ -101,7 +102,6 @@ def play(environment: Any, *, blind: bool = False, seed: int | None = 0, **param
     Raises:
         ValueError: `blind` is not True or False; and as `edugym.adapters.playing.Game`.
     """
-    if not isinstance(blind, bool):
-        raise ValueError(f"blind must be True or False, but is {blind!r}")
+    true_or_false("blind", blind)
     game = environment if isinstance(environment, Game) else Game(environment, seed=seed, **parameters)
     return Buttons(game, blind)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import ipywidgets
 import numpy as np
 
-from edugym.checks.parameters import one_of
+from edugym.checks.parameters import in_short, one_of
 from edugym_course.notebook.widget import NotebookWidget, png_html
 
 if TYPE_CHECKING:
@@ -94,8 +94,11 @@ def sliders(function: Callable[..., Any], /, **controls: Any) -> Sliders:
         The controls with the result. As the last value of a cell they show themselves.
 
     Raises:
-        ValueError: the function has no such parameter, or a control is none of these or does not allow the default.
+        ValueError: it is no function or has no such parameter, or a control is none of these or does not allow the
+            default.
     """
+    if isinstance(function, type) or not callable(function):
+        raise ValueError(f"function must be a function, but is {in_short(function)}")
     parameters = inspect.signature(function).parameters
     widgets = {}
     for name, allowed in controls.items():
@@ -131,7 +134,7 @@ def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
     if not numbers or not allowed[0] < allowed[1] or (len(allowed) == 3 and not allowed[2] > 0):
         raise ValueError(
             f"{name} must be (low, high) or (low, high, step) with low < high and step > 0, a list or range with"
-            f" something in it, True, False, or a widget, but is {allowed!r}"
+            f" something in it, True, False, or a widget, but is {in_short(allowed)}"
         )
     low, high = allowed[:2]
     value = low if default is None else default

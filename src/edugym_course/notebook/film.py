@@ -13,6 +13,8 @@ from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 from edugym_course.notebook.widget import NotebookWidget, picture_html, text_html
 
+FASTEST = 1000
+"""The most frames a second: a player counts milliseconds."""
 STRIP = 4
 """The number of frames that stand side by side where no kernel runs."""
 
@@ -81,15 +83,15 @@ def frames(
             their names.
         seed: the seed of the environment and of the agent.
         max_steps: the most steps to play.
-        frames_per_second: the speed of the film.
+        frames_per_second: the speed of the film, greater than 0 and at most 1000.
         parameters: the parameters of the environment, if its name or id is given.
 
     Returns:
         The episode. As the last value of a cell it shows itself.
 
     Raises:
-        ValueError: as `edugym.adapters.playing.play_episode`, or `frames_per_second` is not above 0.
+        ValueError: as `edugym.adapters.playing.play_episode`, or `frames_per_second` is not as above.
     """
-    above("frames_per_second", frames_per_second, 0)
+    above("frames_per_second", frames_per_second, 0, FASTEST)
     episode = play_episode(environment, actor, seed=seed, max_steps=max_steps, **parameters)
     return Film(episode, frames_per_second)

@@ -4,6 +4,8 @@ import inspect
 import textwrap
 from typing import Any, NamedTuple
 
+from edugym.checks.parameters import a_text, in_short
+
 
 class Listing(NamedTuple):
     """Code from its file. In a notebook it shows itself, highlighted.
@@ -38,10 +40,10 @@ def source(subject: Any, *names: str) -> Listing:
         ValueError: there is no such method, or it has no Python source because it is written in C.
     """
     whole = subject if inspect.isclass(subject) or inspect.isroutine(subject) else type(subject)
-    parts = [inspect.getattr_static(whole, name, None) for name in names] or [whole]
+    parts = [inspect.getattr_static(whole, a_text("names", name), None) for name in names] or [whole]
     for name, part in zip(names, parts, strict=False):
         if part is None:
-            raise ValueError(f"names must be of methods of {whole.__name__}, but {name!r} is none")
+            raise ValueError(f"names must be of methods of subject, {whole.__name__}, but {in_short(name)} is none")
     return Listing(whole.__module__, "\n\n".join(map(_code, parts)))
 
 
@@ -52,4 +54,4 @@ def _code(part: Any) -> str:
     try:
         return textwrap.dedent(inspect.getsource(part)).rstrip()
     except (OSError, TypeError) as error:
-        raise ValueError(f"subject must have Python source, but {part!r} has none here") from error
+        raise ValueError(f"subject must have Python source, but {in_short(part)} has none here") from error

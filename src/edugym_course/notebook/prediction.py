@@ -4,12 +4,11 @@ import html
 import re
 from collections.abc import Sequence
 from fractions import Fraction
-from numbers import Real
 from typing import Any
 
 import ipywidgets
-import numpy as np
 
+from edugym.checks.parameters import a_number, a_text, in_short, one_of, several
 from edugym_course.notebook.widget import NotebookWidget, text_html
 
 NUMBER = re.compile(r"([-+]?[\d.,/]+(?:e[-+]?\d+)?)\s*([^\d]*)")
@@ -59,13 +58,13 @@ class Prediction(NotebookWidget):
             explanation: a sentence on why.
 
         Raises:
-            ValueError: the value is not a number, or not one of the options.
+            ValueError: the value is not a finite number, or not one of the options; or the explanation is no text.
         """
         if self.options is not None:
-            if value not in self.options:
-                raise ValueError(f"value must be one of {', '.join(map(repr, self.options))}, but is {value!r}")
-        elif isinstance(value, bool) or not isinstance(value, Real | np.number):
-            raise ValueError(f"value must be a number, but is {value!r}")
+            one_of("value", value, self.options)
+        else:
+            value = a_number("value", value)
+        a_text("explanation", explanation)
         return Comparison(self.answer, value, self.unit, explanation)
 
     def still(self) -> dict[str, str]:
@@ -120,10 +119,11 @@ def predict(question: str, options: Sequence[str] | None = None, *, unit: str = 
     Raises:
         ValueError: the question is not a text, or the options are not two or more different texts.
     """
-    if not isinstance(question, str) or not question.strip():
+    if not a_text("question", question).strip():
         raise ValueError(f"question must be a text, but is {question!r}")
+    a_text("unit", unit)
     if options is not None:
-        texts = not isinstance(options, str) and all(isinstance(option, str) for option in options)
-        if not texts or len(set(options)) < max(2, len(options)):
-            raise ValueError(f"options must be two or more different texts, but are {options!r}")
+        texts = several("options", options, str, "two or more different texts")
+        if len(set(texts)) < max(2, len(texts)):
+            raise ValueError(f"options must be two or more different texts, but is {in_short(options)}")
     return Prediction(question, None if options is None else tuple(options), unit)

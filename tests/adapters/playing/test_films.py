@@ -59,7 +59,7 @@ def test_actions_make_an_episode() -> None:
     assert steps([0, "left", 1, 1]) == 2
     assert steps(lambda observation: int(observation < 3)) == 9
     assert steps(lambda observation: int(observation < 3), max_steps=5) == 5
-    with pytest.raises(ValueError, match="max_steps must be 1 or more"):
+    with pytest.raises(ValueError, match="max_steps must be from 1 to 100000"):
         steps([0], max_steps=0)
 
 

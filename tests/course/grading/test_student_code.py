@@ -106,8 +106,13 @@ def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
     def g(x: int, y: int) -> None:
         """A function of two parameters."""
 
-    said = run(f"def f():\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
+    said = run(f"def f(self=None):\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
     assert f"({hint}" in said
+
+
+def test_no_self_in_a_plain_function() -> None:
+    """There a name that is a field elsewhere is more likely a parameter."""
+    assert "discount' is not defined (is it a parameter, under another name?)" in run("def f():\n    return discount")
 
 
 def test_every_hint_has_an_error() -> None:

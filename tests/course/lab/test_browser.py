@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import build
-import nbformat
 import pytest
 
 from edugym_course.lab.lessons import student_lessons
@@ -44,8 +43,6 @@ def lab(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     """A running lab, in each theme if screenshots are wanted."""
     folder = tmp_path_factory.mktemp("lab")
     with running_lab(folder, f"JupyterLab {request.param}", "" if SCREENSHOTS else IN_SHORT) as lab:
-        template = build.student_edition(build.read_lesson(build.ROOT / "lessons" / "template.py"), "template")
-        nbformat.write(template, folder / "lessons" / "template.ipynb")
         yield lab
 
 
@@ -67,7 +64,7 @@ def test_the_start_page_leads_to_the_lessons(lab: Lab, driver: Any) -> None:
     until(lambda: driver.execute_script("return !!document.querySelector('.jp-Notebook')"), "the lesson")
 
 
-@pytest.mark.parametrize("lesson", [*LESSONS, "template"])  # the template also has a film
+@pytest.mark.parametrize("lesson", LESSONS)
 def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
     """All cells run, and nothing is wrong but what students have not solved yet; all that moves is moved."""
     page = Page(driver, lab, f"{lesson}.ipynb")

@@ -8,7 +8,7 @@ import pytest
 
 from edugym import QLearning, finite_model, policy_evaluation, value_iteration
 from edugym.envs.study import Study
-from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets
+from edugym_course.lessons.depth import credit, cutting, experiments, figures, methods, off_policy, targets
 from tests.course.lessons.made_up import made_up, measured
 
 
@@ -64,7 +64,7 @@ def test_uncorrected_targets() -> None:
 
 def test_pupils() -> None:
     """Who never had time has not met the exam; after many episodes a pupil passes."""
-    too_short = methods.compare(depths=(1,), n_steps=10, repetitions=2)
+    too_short = methods.compare(depths=(1,), n_steps=10, repetitions=2, count_passes=True)
     assert not methods.met_exam(too_short, "n = 1").any()
     assert math.isnan(methods.shortfall(too_short, "n = 1"))
     study = Study.create(layout_seed=5, action_reward_noise_sigma=0.2)
@@ -73,12 +73,12 @@ def test_pupils() -> None:
 
 
 def study(seed: int) -> tuple[Study, Any, Any]:
-    """Return a layout, an agent that knows the best way through it, and one that never studies."""
+    """Return a layout, an agent that knows the best way through it, and one that never studies and never passed."""
     task = Study.create(layout_seed=seed)
     best = np.nan_to_num(value_iteration(finite_model(task)).table())
     knowing = QLearning.create(task)._replace(Q=best)
     idle = knowing._replace(Q=np.where(np.arange(best.shape[1]) == 0, -1.0, np.zeros(best.shape)))
-    return task, knowing, idle
+    return task, methods.Examinee(knowing, np.array([3])), methods.Examinee(idle, np.array([0]))
 
 
 def test_depth() -> None:
@@ -104,8 +104,7 @@ def test_depth() -> None:
 def test_depth_of_those_who_met_the_exam() -> None:
     """The share that passes in the end less the share that ever did, and what ten actions cost beside five."""
     _, knowing, idle = study(0)
-    Q = np.where(knowing.Q > methods.MET, 0.51, knowing.Q)
-    forgot = idle._replace(Q=np.where(np.arange(Q.shape[1]) == 0, np.where(Q == 0.51, 0.51, -1.0), 0.6))
+    forgot = idle._replace(passes=np.array([1]))
     settings: dict[str, Any] = {"environment.n_actions": 5, "environment.total_days": 10, "layout_seed": [0, 0, 0, 0]}
     makers = {
         methods.ONE_STEP: [knowing] * 4,
@@ -113,7 +112,33 @@ def test_depth_of_those_who_met_the_exam() -> None:
         "n = 5": [knowing, knowing, knowing, idle],
     }
     results = made_up({method: [{10: 0.0}] * 4 for method in makers}, agents=makers, **settings)
-    assert measured(experiments.meeting_claims(results, results)) == [-0.5, -0.25, 0.5, -0.25, -0.75]
+    assert measured(experiments.meeting_claims(results)) == [-0.5, -0.25, 0.5, -0.25]
+    assert methods.passes_in_training(results, methods.MONTE_CARLO).tolist() == [3, 1, 0, 0]
+    claims = experiments.start_claims(dict.fromkeys(experiments.START_VALUES, results))
+    assert measured(claims) == [0.0] * 6 + [1.0] * 3 + [0.5] * 3 + [1.0] * 2
+
+
+@pytest.mark.parametrize(
+    ("when_taken", "expected"),
+    [(False, 4.5), (True, 2.5)],  # the second action looks best after its update, but was not when it was taken
+)
+def test_where_targets_are_cut(when_taken: bool, expected: float) -> None:
+    """Two steps with rewards 1 and 8, α = 1/2: the last value rises from 0 to 4, above 2, which was the largest."""
+    agent = cutting.Cutting.create((3, 2), when_taken=when_taken, learning_rate=0.5)
+    agent.Q[1] = [2.0, 0.0]
+    agent.learn(0, 0, 1.0, 1, terminated=False)
+    agent.learn(1, 1, 8.0, 2, terminated=True)
+    assert agent.Q[1].tolist() == [2.0, 4.0]
+    assert agent.Q[0, 0] == expected
+    assert agent.length[0] == 0
+
+
+def test_values_above_returns() -> None:
+    """Of every run and each rule; what agents have not learned yet is 0, less what their policies get."""
+    above = cutting.value_above_return(0.2, n_steps=500, repetitions=2)
+    assert {label: len(values) for label, values in above.items()} == {cutting.AFTER: 2, cutting.WHEN_TAKEN: 2}
+    claims = experiments.cutting_claims(dict.fromkeys(experiments.CUTTING, above))
+    assert len(claims) == 7
 
 
 def test_the_best_rate_of_each_depth() -> None:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from edugym import make_mdp
-from edugym_course.lessons.exploration import climbs, experiments, figures, fork, methods, stalling
-from tests.course.lessons.made_up import finals, follower, made_up, measured
+from edugym_course.lessons.exploration import climbs, figures, fork, methods, optimism, stalling
+from tests.course.lessons.made_up import follower, made_up, measured
 
 
 def test_visits_by_hand() -> None:
@@ -63,26 +63,21 @@ def test_exploration() -> None:
     assert climbs.return_to_frontier(visits) == pytest.approx(0.5 / 0.95**2)
     assert fork.higher_frontier(visits) == 2
     visits[3, 100] = 1
-    seen = [follower({}, visits=visits), follower({}, visits=visits[:, :100])]
-    two = made_up(
+    late, never = follower({}, visits=visits), follower({}, visits=visits * (np.arange(101) < 100))
+    early = follower({}, visits=np.roll(visits, -1, axis=0))
+    results = made_up(
         {
-            methods.OPTIMISM: [{0: 0.0, 10: 1.0}, {0: 0.0, 10: 0.0}],
-            methods.GO_EXPLORE: [{0: 1.0, 10: 1.0}, {0: 1.0, 10: 1.0}],
+            method: [{0: value, 10: 1.0}, {0: value, 10: value}]
+            for method, value in zip(optimism.OPTIMISTS, (0.5, 1.0, 0.0, 0.0, 0.5, 0.25, 1.0), strict=True)
         },
-        agents={
-            methods.OPTIMISM: [follower({}, visits=np.roll(visits, -1, axis=0)), seen[0]],
-            methods.GO_EXPLORE: [seen[0]] * 2,
-        },
+        agents={methods.OPTIMISM: [early, late], methods.GO_EXPLORE: [late, never]},
     )
-    three = made_up(
-        {methods.OPTIMISM: [{10: 0.0}] * 4, methods.GO_EXPLORE: [{10: 1.0}] * 4},
-        agents={methods.OPTIMISM: [seen[0], *[follower({}, visits=visits * (np.arange(101) < 100))] * 3]},
-    )
-    patient = finals({methods.OPTIMISM: [1.0, 1.0, 0.0, 1.0]})
     quarter = methods.N_STEPS / 4
-    assert measured(experiments.optimism_claims({2: two, 3: three}, patient)) == [
-        0.5, -quarter / 2, -0.75, 0.25, 0.0, 1.0, 0.75,
-    ]  # fmt: skip
+    of_one_wall, by_digit = [0.5, 0.5, -quarter], [-0.1875, 0.375, 0.0]
+    assert optimism.first(results, methods.GO_EXPLORE) == [3 * quarter, 4 * quarter]
+    claims = optimism.optimism_claims(dict.fromkeys(optimism.WALLS, results))
+    assert measured(claims) == [*of_one_wall * 3, 0.5, 0.5, -0.375, -0.375, 1.0, *by_digit * 2]
+    assert {one for claim in claims for one in claim.tested_by} <= {claim.statement for claim in claims}
 
 
 def test_who_knows_the_wall() -> None:
@@ -117,11 +112,13 @@ def test_claims_of_frontiers() -> None:
     visits, right = np.zeros((2, 2, 10), np.int64)
     visits[0, :3], right[0, :2], visits[1, 0], right[1, 0] = [4, 3, 1], [3, 1], 2, 1
     runs = [follower({}, visits=one, right=other) for one, other in zip(visits, right, strict=True)]
-    watched = made_up({method: [{10: 0.0}] * 2}, agents={method: runs})
+    watched = made_up(dict.fromkeys(stalling.CAUSES, [{10: 0.0}] * 2), agents=dict.fromkeys(stalling.CAUSES, runs))
     assert stalling.right_grips(watched, method, 1, 1) == [0.75, 0.5]
     assert stalling.right_grips(watched, method, 2) == [0.25]
-    assert measured(stalling.stalling_claims(watched)) == [0.625, 0.25]
+    claims = stalling.stalling_claims({100: watched})
+    assert measured(claims) == [0.625, 0.25, 0.25, 0.25]
+    assert claims[1].tested_by == (claims[3].statement,)
     visits[:, 1] = 15
-    [line] = stalling.frontier_lines(watched).lines.values()
+    line = stalling.frontier_lines(watched).lines[method]
     assert line[1] == 1 / 30
     assert math.isnan(line[0])

@@ -18,7 +18,6 @@ from edugym.experiments.figures import Curves, Sheet
 from tests.course.lessons.shown import NOTEBOOKS, check_legends, sheets_of_cells, short_report
 
 IN_CELLS = "In the cells"  # the line of the file between the figures of the report and those that only cells show
-FRAMES = Path(__file__).parent / "frames"  # files with the limits of the panels in a lesson's report
 NUMBERS = re.compile(r" \[(\S+), (\S+)\]$")
 
 NO_SENTENCE = re.compile(
@@ -26,7 +25,7 @@ NO_SENTENCE = re.compile(
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
-WRONG_PLURAL = re.compile(rf"(?<![\d.])(?<!\d )1 {COUNTED}s\b|(?<![\d.])([02-9]|\d\d+) {COUNTED}\b")
+WRONG_PLURAL = re.compile(rf"(?<![\d.])(?<!\d )(?<!= )1 {COUNTED}s\b|(?<![\d.])([02-9]|\d\d+) {COUNTED}\b")
 
 
 class Series(NamedTuple):
@@ -157,7 +156,7 @@ def torch_is_there_where_it_is_needed(lesson: str, tmp_path: Path, monkeypatch: 
 def test_figures_of_the_report(lesson: str) -> None:
     """If a change is meant, edit the file, or delete it: this test writes it anew, for you to read `git diff`."""
     path, report, _ = read(lesson)
-    frames_path = FRAMES / f"{lesson}.txt"
+    frames_path = path.with_name("frames.txt")
     (claims, sheets), frames = short_report(lesson), dict[str, list[str]]()
     found = shown_in(sheets, frames)
     if not report or not frames_path.exists():

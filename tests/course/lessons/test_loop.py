@@ -85,3 +85,7 @@ def test_loop() -> None:
     )
     assert measured(experiments.player_claims(results)) == [1.0, 95.0, 0.25]
     assert measured(experiments.reward_claims(results))[-1] == 0.5
+    usual, at_once = (made_up({methods.MYOPIC: [{0: 0.0, 10: 2 * end}] * 4}) for end in (-400, exact.myopic_return()))
+    tested, test = experiments.rounding_claims(usual, at_once)
+    assert measured([tested, test]) == [round(-400 - exact.random_return(), 6), 1.0]
+    assert tested.tested_by == (test.statement,)

@@ -13,7 +13,7 @@ from matplotlib.text import Annotation
 from edugym import DynaQ, PrioritisedSweeping, train, value_iteration
 from edugym.agents.tabular_model import TabularModel
 from edugym.envs.supermarket import Supermarket
-from edugym_course.lessons.model_based import experiments, figures, maps, methods, plans
+from edugym_course.lessons.model_based import experiments, figures, maps, methods, plans, shops
 from tests.course.lessons.made_up import finals, made_up, measured
 
 
@@ -143,7 +143,8 @@ def test_claims() -> None:
     noisy = (methods.SWEEPING, methods.DYNA_10, methods.SLOW_DYNA)
     right = finals(dict(zip(noisy, ([95.0] * 2, [90.0] * 2, [95.0] * 2), strict=True)))
     wrong = finals(dict(zip(noisy, ([-500.0] * 2, [-400.0] * 2, [46.0, 45.0]), strict=True)))
-    assert measured(experiments.noise_claims(right, wrong)) == [-595.0, -490.0, 0.5]
+    much = finals({experiments.MUCH_PLANNING: [-400.0, 45.0]})
+    assert measured(experiments.noise_claims(right, wrong, much)) == [-595.0, -490.0, 0.5, -223.0]
     ends, bumps, walks = plans.Plan(95.0, False), plans.Plan(-500.0, True), plans.Plan(-500.0, False)
     planned = {noise: [ends] * 4 for noise in methods.NOISES} | {
         0.5: [ends, ends, ends, walks],
@@ -161,6 +162,27 @@ def test_claims() -> None:
     assert measured(experiments.end_claims(planners, finals({decaying: [50.0] * 5}))) == [
         1.0, 3.0, 7.0, -595.0 * 3 / 4, -595.0 / 2, -595.0, -46.0, -42.0,
     ]  # fmt: skip
+
+
+def test_other_shops() -> None:
+    """A shop has the usual walls, and three items elsewhere; what is seen and used is in percent of its best."""
+    usual, other = Supermarket.create(), shops.shop(3)
+    assert ((usual.cells == -1) == (other.cells == -1)).all()
+    assert sorted(other.cells[other.cells > 0]) == [1, 2, 4]
+    assert (other.start, other.exit) == (usual.start, usual.exit)
+    assert (shops.shop(3).cells == other.cells).all()
+    assert (shops.shop(4).cells != other.cells).any()
+    assert shops.best_return(3) == value_iteration(shops.model_of(3)).start
+    everything = SimpleNamespace(known=np.ones((800, 4)))
+    half = made_up({"one": [{10: shops.best_return(3) / 2}] * 2}, agents={"one": [everything] * 2})
+    returns, seen = shops.in_shop(half, 3)["one"]
+    assert (returns.tolist(), seen.tolist()) == ([50.0, 50.0], [100.0, 100.0])
+
+
+def test_errors_at_walls() -> None:
+    """Without them no plan walks into a wall for ever."""
+    plans_without = [plans.follow_plan(1.5, seed, errors_at_walls=False) for seed in range(12)]
+    assert not any(plan.bumps for plan in plans_without)
 
 
 def test_items_that_were_found() -> None:

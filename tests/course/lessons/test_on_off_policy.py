@@ -78,14 +78,15 @@ def test_claims() -> None:
         made_up({method: [{0: 0.0, 5: 0.0, 10: end} for end in found] for method, found in of.items()})
         for of in (elsewhere, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
     )
-    assert measured(experiments.condition_claims(runs, runs, runs, runs)) == [
-        -1.0, 0.25, 0.25, -1.0, 0.25, -1.0, 0.25, 0.75,
-    ]  # fmt: skip
+    assert measured(experiments.condition_claims(runs, runs, runs)) == [-1.0, 0.25, -1.0, 0.25, 0.25, 0.75]
+    both = (methods.LEARNING_RATE, experiments.GENTLE)
+    rare = experiments.rare_claims({(size, rate): runs for size in experiments.ROADS for rate in both})
+    assert measured(rare) == [0.25, *[-1.0] * 3, *[0.25] * 3, *[-1.0] * 3]
     ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
     assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
     bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
     zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
-    assert measured(experiments.zone_claims(zone)) == [9.0, -1.0]
+    assert measured(experiments.zone_claims(zone, {"cheap falls": zone})) == [9.0, -1.0, 8.0]
 
 
 def road(epsilon: float, **parameters: Any) -> QLearning:

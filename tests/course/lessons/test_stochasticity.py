@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from edugym.envs.golf import Golf
-from edugym_course.lessons.stochasticity import exact, experiments, figures, methods
+from edugym_course.lessons.stochasticity import drive, exact, experiments, figures, methods, noise
 from tests.course.lessons.made_up import made_up, measured
 from tests.experiments.figures.samples import new_axes
 
@@ -47,7 +47,9 @@ def test_shares_by_hand() -> None:
     places = np.array([0.0, 0.0, 0.5, 0.5]), np.array([0.0, 0.5, 0.0, 0.5])
     assert exact.interpolated(values, *places).tolist() == [0.0, 0.5, 2.0, 2.5]
     results = made_up({methods.NEUTRAL: [{0: 0.0, 10: 3.0, **dict.fromkeys(range(20, 70, 10), 4.0)}] * 2})
-    assert methods.share_learned(results, 10).tolist() == [0.75, 0.75]
+    assert methods.share_learned(results, 10, 4.0).tolist() == [0.75, 0.75]
+    assert drive.near_optimum_at(results, 0.0, 0).tolist() == [0, 0]
+    assert drive.near_optimum_at(results, 0.0, 20).tolist() == [1, 1]
 
 
 def test_games_are_counted() -> None:
@@ -122,9 +124,34 @@ def test_stochasticity() -> None:
     spread = [0.1 - 0.125, 0.5 - 0.125]
     claims = experiments.risk_claims(players)
     assert measured(claims) == pytest.approx([0.75, *lost, *spread, -0.1, 1.0, -0.05, -1.0], abs=1e-6)
-    assert claims[1].reason == "25% of the neutral runs hardly lose any either"
+    assert claims[1].remark == "25% of the neutral runs hardly lose any either"
+    balance = experiments.in_balance(players[methods.SEEKING], players[methods.NEUTRAL])
+    assert balance == "lost balls bring it -0.06, and hits +0.01"  # 1.81 for each of 0.032 balls
     assert measured(experiments.noisy_claims(players)) == [0.25, 0.5, -0.05]
     assert measured(experiments.hidden_claims(players)) == pytest.approx([-0.05, lost[1]], abs=1e-6)
+
+
+def test_only_the_first_swing_is_chosen() -> None:
+    """A rule plays on to the end, so a game has one step; a drive pays 0.87 and a chip 0.79, as with the safe plan."""
+    game: Any = drive.first_swing_only(methods.LEVEL)
+    rng = np.random.default_rng(1)
+    tee = game.initial(rng)
+    for swing, expected in ((1, 0.79), (2, 0.865)):
+        balls = [game.transition(tee, swing, rng) for _ in range(3_000)]
+        assert all(game.terminal(ball) for ball in balls)
+        returns = [game.reward(tee, swing, ball, rng) for ball in balls]
+        assert np.mean(returns) == pytest.approx(expected, abs=0.02)
+
+
+def test_what_is_taken_away() -> None:
+    """Each method of four runs, and how many more of them start with a drive."""
+    starts = {drive.AS_IT_IS: [0, 0, 0, 1], drive.NO_BAD_LUCK: [0, 0, 1, 1], drive.REST_KNOWN: [1, 1, 0, 1]}
+    one = {label: np.array(values, float) for label, values in starts.items()}
+    claims = noise.cause_claims(dict.fromkeys((*noise.CAUSES, noise.NEAR_THE_CROSSING), one))
+    assert measured(claims) == [0.5] * 3 + [0.25] * 3 + [0.75]
+    found = drive.without_causes(n_steps=60, repetitions=2)
+    assert [*found] == [drive.AS_IT_IS, drive.NO_BAD_LUCK, drive.REST_KNOWN, drive.NEITHER]
+    assert all({*runs} <= {0.0, 1.0} and len(runs) == 2 for runs in found.values())
 
 
 def test_figures_of_games() -> None:

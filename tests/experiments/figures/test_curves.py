@@ -85,11 +85,11 @@ def test_curves_show_what_was_asked_for() -> None:
 
 def test_unknown_names_are_refused() -> None:
     """Of methods and of columns."""
-    with pytest.raises(ValueError, match=r"method .*'A', 'B'.*'C'"):
+    with pytest.raises(ValueError, match=r"methods .*'A', 'B'.*'C'"):
         Curves(made_results(), methods=["C"]).draw(new_axes())
     with pytest.raises(ValueError, match=r"column .*'seed'"):
         Curves(made_results(), column="seed").draw(new_axes())
-    with pytest.raises(ValueError, match="smooth must be 1 or more, but is 0"):
+    with pytest.raises(ValueError, match="smooth must be from 1 to 1000000, but is 0"):
         Curves(made_results(), smooth=0).draw(new_axes())
     with pytest.raises(ValueError, match=r"results .*'results.csv'$"):
         Curves("results.csv").draw(new_axes())  # type: ignore[arg-type]

@@ -242,5 +242,5 @@ def test_joined_experiments_of_other_lengths() -> None:
     assert not joined([Results(begun), WHOLE]).complete
     wrong: Any
     for wrong in ([], ["results.csv"], [WHOLE, None]):
-        with pytest.raises(ValueError, match=r"^parts must be one or more Results, but are \["):
+        with pytest.raises(ValueError, match=r"^parts must be one or more Results, but is \["):
             joined(wrong)

@@ -9,9 +9,13 @@ import numpy as np
 
 from edugym.adapters.fitting import tabular
 from edugym.adapters.playing.game import Frame, Game, playable
-from edugym.checks.parameters import whole_number
+from edugym.checks.interfaces import a_class
+from edugym.checks.parameters import in_short, whole_number
 from edugym.mdp.protocol import Random
 from edugym.system.files import check_writable
+
+MOST_FRAMES = 100_000
+"""The most steps of a film: a picture of each is kept."""
 
 
 def play_episode(
@@ -24,13 +28,14 @@ def play_episode(
         actor: an agent, which acts by `greedy(observation, rng)`, or by `act` if it has no `greedy`; a function of the
             observation; or a sequence of actions or of their names.
         seed: the seed of the environment and of the agent.
-        max_steps: the largest number of steps. A greedy policy may never reach the end of an episode.
+        max_steps: the largest number of steps, from 1 to 100 000: a greedy policy may never reach an end.
         parameters: parameters of an environment that is given by its name or id.
 
     Raises:
-        ValueError: as for `Game`; or `max_steps` is not 1 or more; or the observations do not fit the agent's table.
+        ValueError: as for `Game`; or a number is not as above; or the observations do not fit the agent's table.
     """
-    whole_number("max_steps", max_steps, 1)
+    whole_number("max_steps", max_steps, 1, MOST_FRAMES)
+    whole_number("seed", seed, 0)
     env = playable(environment, "rgb_array", parameters)
     choose = _policy(actor, env, np.random.default_rng([seed, 1]))
     game = Game(env, seed=seed)
@@ -43,7 +48,13 @@ def play_episode(
 
 
 def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[Any, int], Any]:
-    """A function that chooses an action from the observation and the number of the step, or None to stop."""
+    """A function that chooses an action from the observation and the number of the step, or None to stop.
+
+    Raises:
+        ValueError: the actor is neither an agent, nor a function, nor a sequence of actions.
+    """
+    if isinstance(actor, type):
+        raise ValueError(f"actor must be an agent, a function or actions, but is {a_class(actor)}")
     if hasattr(actor, "act"):
         choose = getattr(actor, "greedy", actor.act)
         table: Any = tabular(env) if getattr(actor, "tabular", True) else env
@@ -52,6 +63,8 @@ def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[
         return lambda observation, step: choose(table.observation(observation), rng)
     if callable(actor):
         return lambda observation, step: actor(observation)
+    if not isinstance(actor, Iterable) or isinstance(actor, str):
+        raise ValueError(f"actor must be an agent, a function or actions, but is {in_short(actor)}")
     actions = [*actor]
     return lambda observation, step: actions[step] if step < len(actions) else None
 

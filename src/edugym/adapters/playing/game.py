@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeAlias
 import gymnasium
 import numpy as np
 
-from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv, environment_of
 from edugym.adapters.keys import named_actions
 from edugym.adapters.registration import specification
 from edugym.adapters.sharing import read_mdp
@@ -168,7 +168,7 @@ def playable(environment: Any, picture: str, parameters: dict[str, Any]) -> gymn
     if not isinstance(environment, str):
         if parameters:
             raise ValueError(f"parameters must go with the name of an environment, but are {sorted(parameters)}")
-        return environment if isinstance(environment, gymnasium.Env) else MDPEnv(environment)
+        return environment if isinstance(environment, gymnasium.Env) else environment_of(environment)
     if environment.endswith(".py"):
         return MDPEnv(read_mdp(environment, **parameters))
     spec, _ = specification(environment, parameters)

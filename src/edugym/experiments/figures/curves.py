@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from edugym.checks.parameters import in_short, whole_number
+from edugym.checks.parameters import a_number, a_text, an_array, in_short, one_of, several, true_or_false, whole_number
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.style import (
     REFERENCE,
@@ -26,6 +26,7 @@ LABELS = {
     "training_return": "return (while exploring)",
     "episodes": "episodes ended",
 }
+MOST_SMOOTHED = 1_000_000
 SHARE_LABEL = "share of runs with return 1 (greedy)"
 
 
@@ -43,8 +44,8 @@ class Curves(NamedTuple):
         optimum: the best possible value, drawn as a dashed line; None draws none.
         soft_optimum: the best value of a policy that goes on exploring, drawn as a dotted line; None draws none.
         soft_label: what the legend calls it.
-        smooth: the number of points to average, the point itself and those before it; None averages none. Training
-            returns are weighted by their numbers of episodes.
+        smooth: the number of points to average, from 1 to 1 000 000, the point itself and those before it; None
+            averages none. Training returns are weighted by their numbers of episodes.
         y_label: the label of the y axis; None describes the column.
         y_range: both ends of the y axis, to cut off a bad start; None shows everything.
     """
@@ -67,11 +68,7 @@ class Curves(NamedTuple):
         Raises:
             ValueError: an attribute is not as described in the class.
         """
-        if self.smooth is not None:
-            whole_number("smooth", self.smooth, 1)
-        if not isinstance(self.results, Results):
-            what = in_short(self.results)
-            raise ValueError(f"results must be Results, as repeat gives or Results.load reads them, but is {what}")
+        self._check()
         ax = axes_or_new(ax)
         for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
             curves = self.points(method)
@@ -91,6 +88,26 @@ class Curves(NamedTuple):
         if place.alone:
             add_legend(ax)
         return ax
+
+    def _check(self) -> None:
+        """Refuse an attribute that is not as described in the class."""
+        if not isinstance(self.results, Results):
+            what = in_short(self.results)
+            raise ValueError(f"results must be Results, as repeat gives or Results.load reads them, but is {what}")
+        if self.methods is not None:
+            for method in several("methods", self.methods, str, f"labels among {self.results.methods}"):
+                one_of("methods", method, self.results.methods)
+        one_of("column", self.column, list(LABELS))
+        true_or_false("share", self.share)
+        if self.smooth is not None:
+            whole_number("smooth", self.smooth, 1, MOST_SMOOTHED)
+        for name, value in (("optimum", self.optimum), ("soft_optimum", self.soft_optimum)):
+            if value is not None:
+                a_number(name, value)
+        a_text("soft_label", self.soft_label)
+        if self.y_range is not None:
+            for end in an_array("y_range", self.y_range, (2,)):
+                a_number("y_range", end)
 
     def points(self, method: str) -> "pandas.DataFrame":
         """The curves of a method, smoothed: one row a step, one column a repetition."""

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
+from edugym.checks.parameters import an_array, in_short, true_or_false
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, plot_line
 from edugym.mdp.protocol import Reals
@@ -35,14 +36,24 @@ class Lines(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
+        x = an_array("x", self.x, ("n",))
+        true_or_false("log", self.log)
+        lines, theory = (self._checked(name, len(x)) for name in ("lines", "theory"))
         ax = axes_or_new(ax)
-        for i, (method, line) in enumerate(self.lines.items()):
-            plot_line(ax, i, self.x, line, method)
-        for label, line in self.theory.items():
-            ax.plot(self.x, line, label=label, **REFERENCE)
+        for i, (method, line) in enumerate(lines.items()):
+            plot_line(ax, i, x, line, method)
+        for label, line in theory.items():
+            ax.plot(x, line, label=label, **REFERENCE)
         if self.log:
             ax.set_yscale("log")
         dress(ax, self.x_label, self.y_label, self.title)
         if place.alone:
             add_legend(ax)
         return ax
+
+    def _checked(self, name: str, n: int) -> dict[str, Reals]:
+        """`lines` or `theory`, with n values each."""
+        given = getattr(self, name)
+        if not isinstance(given, Mapping):
+            raise ValueError(f"{name} must be a dictionary from labels to values, but is {in_short(given)}")
+        return {label: an_array(f"{name}[{label!r}]", values, (n,)) for label, values in given.items()}

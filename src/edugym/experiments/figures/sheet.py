@@ -1,8 +1,10 @@
 """Figures of several panels."""
 
 from collections.abc import Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, NamedTuple
 
+from edugym.checks.parameters import a_text, in_short, several
 from edugym.experiments.figures.panel import Panel, Place
 from edugym.experiments.figures.style import PANEL_SIZE, to_bytes
 from edugym.system.extras import require
@@ -32,7 +34,15 @@ class Sheet(NamedTuple):
 
         Returns:
             The Matplotlib figure; `save_figure` writes it to files.
+
+        Raises:
+            ValueError: the name is no text, or a panel is none.
         """
+        a_text("name", self.name)
+        rows = "rows of panels, such as [[Curves(results)]]"
+        for panel in chain(*(several("rows", row, object, rows) for row in several("rows", self.rows, object, rows))):
+            if isinstance(panel, type) or not hasattr(panel, "draw"):
+                raise ValueError(f"rows must be {rows}, but one of {in_short(self.rows)} is {in_short(panel)}")
         require("plot", "matplotlib")
         from matplotlib.figure import Figure
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edugym.checks.parameters import in_short
+from edugym.checks.parameters import a_path, a_text, in_short
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym.system.extras import require
@@ -67,9 +67,12 @@ def axes_or_new(ax: "Axes | None") -> "Axes":
     """The axes to draw on: those given, or new ones in a figure of their own.
 
     Raises:
+        ValueError: what is given are no axes.
         gymnasium.error.DependencyNotInstalled: Matplotlib is missing.
     """
     if ax is not None:
+        if isinstance(ax, type) or not hasattr(ax, "plot"):
+            raise ValueError(f"ax must be Matplotlib axes, but is {in_short(ax)}")
         return ax
     require("plot", "matplotlib")
     from matplotlib import pyplot
@@ -96,7 +99,13 @@ def add_legend(ax: "Axes") -> None:
 
 
 def dress(ax: "Axes", x_label: str, y_label: str, title: str) -> None:
-    """Add what all axes have: labels, a title, and a quiet frame on two sides."""
+    """Add what all axes have: labels, a title, and a quiet frame on two sides.
+
+    Raises:
+        ValueError: one of the three is no text.
+    """
+    for name, text in (("x_label", x_label), ("y_label", y_label), ("title", title)):
+        a_text(name, text)
     ax.set_xlabel(x_label, color=INK, fontsize=9)
     ax.set_ylabel(y_label, color=INK, fontsize=9)
     ax.set_title(title, color=INK, fontsize=10)
@@ -124,13 +133,14 @@ def save_figure(figure: "Figure | Axes", path: str | os.PathLike[str]) -> tuple[
         The paths of the two files.
 
     Raises:
-        ValueError: `figure` is neither.
+        ValueError: `figure` is neither, or the path is none.
         OSError: a file cannot be written.
     """
     whole: Any = getattr(figure, "figure", None)
     if not hasattr(whole, "savefig"):
         raise ValueError(f"figure must be a Matplotlib figure, as `draw()` returns it, but is {in_short(figure)}")
-    png, svg = (write_whole(Path(path).with_suffix(f".{kind}"), to_bytes(whole, kind)) for kind in ("png", "svg"))
+    path = a_path("path", path)
+    png, svg = (write_whole(path.with_suffix(f".{kind}"), to_bytes(whole, kind)) for kind in ("png", "svg"))
     return png, svg
 
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from edugym.checks.parameters import an_array, in_short, number_of_steps
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.style import axes_or_new, dress, format_steps
 from edugym.mdp.protocol import Reals
@@ -38,10 +39,11 @@ class VisitMap(NamedTuple):
         """Draw the map on `ax`, by default in a new figure, and return the axes.
 
         Raises:
-            ValueError: `visits` has another shape or negative numbers.
+            ValueError: `visits` has another shape or negative numbers, or `n_steps` is none.
         """
         from matplotlib.colors import LogNorm
 
+        number_of_steps("n_steps", self.n_steps)
         counts = self.counts()
         maps = [panel for panel in place.panels if isinstance(panel, VisitMap)]
         top = max(1.0, *(panel.counts().max() for panel in maps or [self]))
@@ -69,9 +71,9 @@ class VisitMap(NamedTuple):
 
     def counts(self) -> Reals:
         """The visits as an array, after a check."""
-        counts = np.asarray(self.visits, float)
-        if counts.ndim != 2 or not (counts >= 0).all():
+        counts = an_array("visits", self.visits, ("n_intervals", "n_states"))
+        if not (counts >= 0).all():
             raise ValueError(
-                f"visits must have shape (n_intervals, n_states) and no negative numbers, but has {counts.shape}"
+                f"visits must be numbers of 0 or more, shape (n_intervals, n_states), but is {in_short(self.visits)}"
             )
         return counts

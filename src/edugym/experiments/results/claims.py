@@ -15,8 +15,10 @@ the interval is so wide that it contains almost any number.) If the number is ex
 itself.
 """
 
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
+from edugym.checks.parameters import a_number, a_text, several
+from edugym.checks.parameters import in_short as shown
 from edugym.experiments.results.statistics import Interval, in_short
 
 
@@ -26,8 +28,12 @@ class Above(NamedTuple):
     threshold: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether an interval lies above the threshold."""
-        return interval.low > self.threshold
+        """Whether an interval lies above the threshold.
+
+        Raises:
+            ValueError: it is no interval, or the threshold no finite number.
+        """
+        return an_interval("interval", interval).low > a_number("threshold", self.threshold)
 
     def __str__(self) -> str:
         """The condition, in short."""
@@ -40,8 +46,12 @@ class Below(NamedTuple):
     threshold: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether an interval lies below the threshold."""
-        return interval.high < self.threshold
+        """Whether an interval lies below the threshold.
+
+        Raises:
+            ValueError: it is no interval, or the threshold no finite number.
+        """
+        return an_interval("interval", interval).high < a_number("threshold", self.threshold)
 
     def __str__(self) -> str:
         """The condition, in short."""
@@ -55,8 +65,13 @@ class Within(NamedTuple):
     high: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether an interval lies within the bounds."""
-        return self.low <= interval.low and interval.high <= self.high
+        """Whether an interval lies within the bounds.
+
+        Raises:
+            ValueError: it is no interval, or a bound no finite number.
+        """
+        low, high = a_number("low", self.low), a_number("high", self.high)
+        return low <= an_interval("interval", interval).low and interval.high <= high
 
     def __str__(self) -> str:
         """The condition, in short."""
@@ -64,6 +79,13 @@ class Within(NamedTuple):
 
 
 Expectation: TypeAlias = Above | Below | Within
+
+
+def an_interval(name: str, value: Any) -> Interval:
+    """Refuse a `value` that is not an `Interval`."""
+    if not isinstance(value, Interval):
+        raise ValueError(f"{name} must be an Interval, such as mean_interval(values), but is {shown(value)}")
+    return value
 
 
 def beginning(name: str) -> str:
@@ -95,5 +117,16 @@ class Claim(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the data supports the claim. Without data it does not hold."""
+        """Whether the data supports the claim. Without data it does not hold.
+
+        Raises:
+            ValueError: an attribute is not as above.
+        """
+        for name in ("statement", "quantity", "reason", "remark"):
+            a_text(name, getattr(self, name))
+        several("tested_by", self.tested_by, str, "a tuple of texts")
+        an_interval("measured", self.measured)
+        if not isinstance(self.expected, Expectation):
+            given = shown(self.expected)
+            raise ValueError(f"expected must be Above(...), Below(...) or Within(...), but is {given}")
         return self.measured.n > 0 and self.expected.holds(self.measured)

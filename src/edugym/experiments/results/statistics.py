@@ -23,11 +23,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edugym.checks.parameters import between, whole_number
+from edugym.checks.parameters import a_number, an_array, between, true_or_false, whole_number
 from edugym.mdp.protocol import Reals
 from edugym.system.extras import require
 
 CONFIDENCE = 0.95
+MOST_TRIALS = 10**12
 
 
 class Interval(NamedTuple):
@@ -53,7 +54,12 @@ class Interval(NamedTuple):
 
 
 def exactly(value: float) -> Interval:
-    """The interval of a value that is computed and not estimated: a point."""
+    """The interval of a value that is computed and not estimated: a point.
+
+    Raises:
+        ValueError: it is no finite number.
+    """
+    a_number("value", value)
     return Interval(value, value, value, 1)
 
 
@@ -66,17 +72,17 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
     """The mean of independent values, with Student's t interval.
 
     Args:
-        values: shape (n,): one value of each repetition; NaN means no value.
+        values: one value of each repetition, in any shape; NaN means no value.
         confidence: the share of such intervals that contain the true mean, between 0 and 1.
 
     Returns:
         The interval; unbounded for a single value.
 
     Raises:
-        ValueError: the confidence is not between 0 and 1.
+        ValueError: the values are no numbers, or the confidence is not between 0 and 1.
     """
     between("confidence", confidence, 0, 1)
-    known = np.asarray(values, float).ravel()
+    known = an_array("values", values).ravel()
     known = known[~np.isnan(known)]
     if len(known) < 2:
         return Interval(float(known[0]) if len(known) else math.nan, -math.inf, math.inf, len(known))
@@ -93,7 +99,7 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
 
     Args:
         successes: the number of trials that succeeded, from 0 to `n`.
-        n: the number of trials, 0 or more.
+        n: the number of trials, from 0 to a million million.
         confidence: the share of such intervals that contain the true probability, between 0 and 1.
 
     Returns:
@@ -102,7 +108,7 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
     Raises:
         ValueError: a number is out of its range.
     """
-    whole_number("n", n, 0)
+    whole_number("n", n, 0, MOST_TRIALS)
     whole_number("successes", successes, 0, n)
     between("confidence", confidence, 0, 1)
     if n == 0:
@@ -124,10 +130,10 @@ def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interva
     Raises:
         ValueError: a value is neither 0 nor 1.
     """
-    known = np.asarray(values, float).ravel()
+    known = an_array("values", values).ravel()
     known = known[~np.isnan(known)]
     if not np.isin(known, (0.0, 1.0)).all():
-        raise ValueError(f"values of a share must be 0 or 1, but there is {known[~np.isin(known, (0.0, 1.0))][0]!r}")
+        raise ValueError(f"values of a share must be 0 or 1, but there is {known[~np.isin(known, (0.0, 1.0))][0]}")
     return proportion_interval(int(known.sum()), len(known), confidence)
 
 
@@ -140,11 +146,10 @@ def paired_difference(first: ArrayLike, second: ArrayLike, confidence: float = C
         confidence: as in `mean_interval`.
 
     Raises:
-        ValueError: the two have different lengths.
+        ValueError: they are no numbers, or have different lengths.
     """
-    one, other = np.asarray(first, float), np.asarray(second, float)
-    if one.shape != other.shape:
-        raise ValueError(f"second must have the shape of first, {one.shape}, but has {other.shape}")
+    one = an_array("first", first)
+    other = an_array("second", second, one.shape)
     return mean_interval(one - other, confidence)
 
 
@@ -157,7 +162,12 @@ def by_point(values: Reals, *, share: bool = False) -> Reals:
 
     Returns:
         Shape (n_points, 3): estimate, lower and upper end; NaN where there is too little data.
+
+    Raises:
+        ValueError: a parameter is not as above.
     """
+    true_or_false("share", share)
+    values = an_array("values", values, ("n_points", "n_repetitions"))
     interval = share_interval if share else mean_interval
     ends = np.array([interval(row)[:3] for row in values]).reshape(-1, 3)
     return np.where(np.isfinite(ends), ends, np.nan)

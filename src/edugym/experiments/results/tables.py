@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
-from edugym.checks.parameters import in_short, one_of, whole_number
+from edugym.checks.parameters import a_number, a_path, a_text, in_short, one_of, several, whole_number
 from edugym.experiments.results.statistics import Interval, mean_interval, paired_difference, share_interval
 from edugym.mdp.protocol import Reals
 from edugym.system.extras import require
@@ -130,9 +130,10 @@ class Results:
             ValueError: an argument is none of these.
         """
         curves = self._complete_curves(method, column)
+        whole_number("step", step, 0)
         if step not in curves.index and not np.isnan(self.final(method)).all():
             raise ValueError(
-                f"step must be a point of the learning curves, {in_short([*curves.index])}, but is {step!r}"
+                f"step must be a point of the learning curves, {in_short([*curves.index])}, but is {in_short(step)}"
             )
         values: Reals = curves.reindex([step]).to_numpy(float)[0]
         return values
@@ -204,12 +205,22 @@ class Results:
         return mean_interval(self._values(method, column, over))
 
     def share(self, method: str, at_least: float, column: str = "return", over: Period = "end") -> Interval:
-        """The share of complete runs with a value of `at_least` this much; other arguments as in `mean`."""
+        """The share of complete runs with a value of `at_least` this much; other arguments as in `mean`.
+
+        Raises:
+            ValueError: `at_least` is no number, or as in `mean`.
+        """
+        a_number("at_least", at_least)
         values = self._values(method, column, over)
         return share_interval(values[~np.isnan(values)] >= at_least)
 
     def difference(self, method: str, other: str, column: str = "return", over: Period = "end") -> Interval:
-        """The mean of `method` minus `other`, paired by repetition; other arguments as in `mean`."""
+        """The mean of `method` minus `other`, paired by repetition; other arguments as in `mean`.
+
+        Raises:
+            ValueError: as in `mean`.
+        """
+        one_of("other", other, self.methods)
         return paired_difference(self._values(method, column, over), self._values(other, column, over))
 
     def _values(self, method: str, column: str, over: Period) -> Reals:
@@ -218,7 +229,12 @@ class Results:
         return self.final(method, column) if over == "end" else self.average(method, column)
 
     def renamed(self, label: str) -> "Results":
-        """The results of a single method under another label."""
+        """The results of a single method under another label.
+
+        Raises:
+            ValueError: the label is no text.
+        """
+        a_text("label", label)
         agents = [*self.agents.values()]
         return Results(self.table.assign(method=label), {label: agents[0]} if agents else {})
 
@@ -230,9 +246,11 @@ class Results:
         pipe, such as /dev/stdout, the whole table is written as one CSV file.
 
         Raises:
+            ValueError: the path is none.
             OSError: a file cannot be written.
         """
-        if Path(path).exists() and not Path(path).is_file():
+        path = a_path("path", path)
+        if path.exists() and not path.is_file():
             return write_whole(path, _csv(self.table))
         import pandas
 
@@ -264,7 +282,8 @@ class Results:
         require("experiments", "pandas")
         import pandas
 
-        contents = Path(path).read_bytes()
+        path = a_path("path", path)
+        contents = path.read_bytes()
         exact = {column: lambda text: float(text or "nan") for column in ("return", "training_return")}
         try:
             table = pandas.read_csv(
@@ -327,9 +346,9 @@ def joined(parts: Iterable[Results]) -> Results:
     """
     import pandas
 
-    parts = [*parts]
-    if not parts or not all(isinstance(part, Results) for part in parts):
-        raise ValueError(f"parts must be one or more Results, but are {in_short(parts)}")
+    parts = several("parts", parts, Results, "one or more Results")
+    if not parts:
+        raise ValueError("parts must be one or more Results, but is []")
     counts = Counter(label for part in parts for label in part.methods)
     for label in counts:
         if counts[label] > 1:

@@ -130,9 +130,17 @@ sliders(container, width=(0.28, 0.6, 0.02))
 # ## The idea: learn the policy itself
 #
 # Q-learning chooses the action with the largest value. With real actions that is a search at every step, for the
-# largest of infinitely many values. There are two ways out. **Bins** make the actions few. Or the agent learns a
-# **policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, from which it draws its actions. Here all agents learn a
-# policy; bins only change what it chooses from.
+# largest of infinitely many values. There are several ways out:
+#
+# - **Bins** make the actions few.
+# - **Search**: draw some actions, keep those with the largest $Q$, draw more around them, and so on (the cross-entropy
+#   method, as in QT-Opt). Or give $Q$ a form whose largest value is known, such as a parabola (NAF).
+# - A **deterministic policy** $a = \mu(s)$ follows the slope of a learned $Q(s, a)$ uphill (DPG, DDPG, TD3).
+# - A **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$: the agent draws its actions from it, and
+#   learns which of them did well. It needs no slope of $Q$, and no $Q$ at all.
+#
+# This lesson is about the first and the last. All its agents learn a stochastic policy; bins only change what it chooses
+# from.
 #
 # ### The policy gradient, in three lines
 # Take one decision first: the agent draws an action $A$ from $\pi(a \mid \theta)$ and gets the reward $R$, whose mean
@@ -246,8 +254,8 @@ source(release.estimates)
 # *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is the
 # 95 % interval.)
 #
-# The figure shows another estimate of the slope in $\mu$, from 1 000 actions and with $b = 0$. The line in its left
-# panel is the reward. The filled curve is the density of the policy; its height has no scale here.
+# The figure does the same for the slope in $\mu$ with 1 000 actions and $b = 0$. Those are few, so you see how far off
+# such a mean can be. The line in its left panel is the reward. The filled curve is the density of the policy; its height has no scale here.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
@@ -300,29 +308,36 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # $\mu$ towards itself with full force, to the left as often as to the right. What counts is the small difference
 # between them, and it drowns. With $b = J$ only the difference is left.
 #
-# For the early policy the baseline makes hardly a difference; $b = J$ is even a little worse than $b = 0$. $J$ is a
+# For the early policy the baseline makes hardly any difference; $b = J$ is even a little worse than $b = 0$. $J$ is a
 # good baseline and not always the best one. What a baseline never changes is the mean.
 # </details>
 #
 # So what does it do to *learning*? One hundred policies learn $\mu$ and $\sigma$, one action and one update at a time
-# ($\alpha = 0.01$ for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the present one
-# included, which only multiplies step $t$ by $(t - 1)/t$). The code keeps $\mu$ between −6 and 6, and $\sigma$ between
-# 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above?
+# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far). The code keeps
+# $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
+# steps are larger? (The figure has $\alpha = 0.01$.)
 
 # %%
 display(figures.baseline_figure())
-for smallest in (0.02, 0.2):
-    outside = abs(release.climb(baseline=False, smallest=smallest).means) > 1
-    left, end = outside.any(axis=0).sum(), outside[-1].sum()
-    print(f"No baseline, σ at least {smallest}: {left} of 100 means leave the container, {end} are outside in the end")
+for alpha in (0.01, 0.03, 0.1):
+    for baseline, smallest in ((True, 0.02), (False, 0.02), (False, 0.2)):
+        outside = abs(release.climb(rate=alpha, baseline=baseline, smallest=smallest).means) > 1
+        left, end = outside.any(axis=0).sum(), outside[-1].sum()
+        kind = f"α = {alpha:4}, {'a' if baseline else 'no'} baseline, σ at least {smallest}"
+        print(f"{kind:39}: {left:3} of 100 means leave the container, {end:2} are outside in the end")
 
 # %% [markdown]
-# Without a baseline they learn at first. But when $\sigma$ has shrunk to about 0.1, they are thrown out of the
-# container, sooner or later all of them. Many come back and leave again. The scores $(a - \mu) / \sigma^2$ are about
-# $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or above, none leaves.
+# Look at $\alpha = 0.01$ first. Without a baseline they learn at first. But when $\sigma$ has shrunk to about 0.1, they are
+# thrown out of the container, sooner or later all of them. Many come back and leave again. The scores
+# $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
+# above, none leaves.
 #
-# **The picture to remember.** On the left you see one policy that learns. It starts wide and beside the middle. It
-# moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
+# That is so for small steps. With $\alpha = 0.03$ all leave at some time, those with a baseline too. But nearly all of
+# these come back, and most of the others do not. With $\alpha = 0.1$ a baseline keeps nobody inside. So a baseline
+# allows larger steps, and not any step.
+#
+# **The picture to remember** is the next one. In its left panel one policy learns. It starts wide and beside the middle.
+# It moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
 # turns from exploring into placing exactly.
 
 
@@ -349,6 +364,10 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 # wrist, once for an arm with the box and once for one without it. Each grid is a little displaced. A feature is a
 # tile, and it is 1 if the wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their
 # tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid.
+#
+# The code finds the tile of each grid `k`. `shift` displaces the grid, by another share of a tile in each coordinate; so a
+# place near the upper edge may be in one tile more, hence `+ 1`. The number of a tile is put together from its places in
+# all coordinates, as 352 is from its digits: $(3 \cdot 10 + 5) \cdot 10 + 2$.
 
 # %%
 source(TileCoding.see)
@@ -364,9 +383,12 @@ source(TileCoding.see)
 # \theta_k \leftarrow \theta_k + \alpha^\theta\, \delta\, \frac{A_k - \mu_k(S)}{\sigma^2}\, x(S)
 # $$
 #
-# ($\gamma V(S')$ is 0 if $S'$ is terminal. The package divides both rates by the number of grids, `at_once`. It leaves
-# the factor $\gamma^t$ out, as is usual. The arm gets a drawn action beyond ±1 as ±1; the agent learns from what it
-# drew. And its $\sigma$ is fixed; an agent with a learned $\sigma$ comes later.)
+# $\gamma V(S')$ is 0 if $S'$ is terminal. The code differs from these lines in four points:
+#
+# - It divides both rates by the number of grids, `at_once`, since so many features are 1 at a time.
+# - It leaves the factor $\gamma^t$ of REINFORCE out, as is usual.
+# - The arm gets a drawn action beyond ±1 as ±1; the agent learns from what it drew.
+# - Its $\sigma$ is fixed. An agent with a learned $\sigma$ comes later.
 
 # %%
 source(GaussianActorCritic.learn)
@@ -524,7 +546,7 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The interval contains 0: ten runs do not show whether real numbers are slower than 5 bins or sooner.
+# **Measured.** The interval contains 0: ten runs do not show which of the two learns faster, real numbers or 5 bins.
 # (A run that never reaches 3 counts with all its steps.) Three bins are sooner than 5 and than 9, and these intervals
 # exclude 0. Against real numbers the interval just contains 0. So "fewer actions are learned sooner" is shown for 3
 # bins against more bins here, and for nothing else.
@@ -741,7 +763,7 @@ display(figures.climb_race(my_scores))
 # $G_t = R_{t+1} + \gamma G_{t+1}$ with $G_n = 0$. Then, for each step $t$ in order (the check accepts the reverse order
 # too; the race shows the difference):
 #
-# - $\delta = G_t - V(S_t)$, with the $V$ from before its change;
+# - $\delta = G_t - V(S_t)$, with $V(S_t)$ as it is when the turn of step $t$ comes (the steps before it have changed $V$);
 # - move $V(S_t)$ by $\alpha^w \delta$;
 # - move every preference of the state by $\alpha^\theta \gamma^t \delta\, (1\{a = A_t\} - \pi(a \mid S_t))$.
 #
@@ -866,20 +888,22 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   the agent with 3 bins.
 # - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. We
 #   checked it for $\mu$ and for $\ln \sigma$ by finite differences.
-# - A baseline does not change that mean. It kept narrow Gaussian policies in the container. On Trashbot with bins and
-#   on the lake REINFORCE learned without one as well.
+# - A baseline does not change that mean. With small steps it kept narrow Gaussian policies in the container; with
+#   $\alpha = 0.1$ it did not. On Trashbot with bins and on the lake REINFORCE learned without one as well.
 # - A Gaussian has one peak. Where a better action lies behind worse ones, bins can find it, and a narrow Gaussian
 #   does not.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* With continuous actions no agent can try them all. Either
-# we choose a few, and then the best of these few is the most that we can get; more bins mostly cost learning time,
-# and with $m$ joints there are $n^m$ actions. Or we learn the policy itself: draw an action from $\pi(a \mid s,
+# *Learn it by heart, or better, say it in your own words.* With continuous actions no agent can try them all. We can
+# choose a few, and then the best of these few is the most that we can get; more bins mostly cost learning time,
+# and with $m$ joints there are $n^m$ actions. We can search for the best action of a learned $Q$ at every step, or let a
+# deterministic policy climb it. Or we learn a stochastic policy itself: draw an action from $\pi(a \mid s,
 # \theta)$, and move $\theta$ along $(G - b)\, \nabla \ln \pi$, towards actions that did better than expected. For a
 # Gaussian this moves the mean towards good actions, and makes the policy narrow when good ones are near. It places
 # exactly, but it has one peak and sees only what is near it.
 #
 # ### Limits
+# Two of the four ways out, the search for the largest $Q$ and the deterministic policy, were named and not tried.
 # Trashbot has two joints; the growth of $n^m$ was computed and not felt. Bins need not be crossed: PPO has one softmax
 # for each joint, which takes $nm$ outputs instead of $n^m$. Our Gaussian actor-critic kept its $\sigma$ fixed. It was
 # tuned by trials of a few settings, as the table was, so the fast experiment ranks these agents and not all agents. And
@@ -893,6 +917,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   gradient, REINFORCE, baselines, actor-critic), 13.7 (policies for continuous actions).
 # - Williams (1992), *Simple statistical gradient-following algorithms for connectionist reinforcement learning*:
 #   REINFORCE.
+# - Silver, Lever, Heess, Degris, Wierstra and Riedmiller (2014), *Deterministic policy gradient algorithms*; Lillicrap et
+#   al. (2016), *Continuous control with deep reinforcement learning*: DDPG.
+# - Gu, Lillicrap, Sutskever and Levine (2016), *Continuous deep Q-learning with model-based acceleration*: NAF;
+#   Kalashnikov et al. (2018), *QT-Opt*: the search for the largest $Q$ by the cross-entropy method.
 # - Schulman, Wolski, Dhariwal, Radford and Klimov (2017), *Proximal policy optimization algorithms*.
 # - Greensmith, Bartlett and Baxter (2004), *Variance reduction techniques for gradient estimates in reinforcement
 #   learning*: the best baseline.

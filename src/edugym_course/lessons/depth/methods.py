@@ -4,18 +4,18 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from edugym.agents.n_step_sarsa import NStepSARSA
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.study import STUDY, Study
+from edugym.envs.study import Study
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.training.train import train
 from edugym_course.lessons.depth.targets import DAYS, DISCOUNT, EPSILON
 
@@ -31,10 +31,8 @@ DEPTHS = (1, math.inf, 5, 3)
 BY_DEPTH = (1, 3, 5, math.inf)
 """The same in their order, as the figures of the lesson show them."""
 SIGMAS = (0.0, 0.2, 1.0)
-MET = 0.5
-"""If a value of studying is above this, the run has passed the exam: the first pass adds about 1 (α = 0.1)."""
 PASSING = 5.0
-"""A policy that passes the exam returns more than this, and one that fails returns less than 0."""
+"""A policy that passes the exam returns more than this, and one that fails less than 0; so with the exam's reward."""
 
 Maker = Callable[..., Any]
 NONE: Mapping[str, Maker] = MappingProxyType({})
@@ -46,6 +44,50 @@ def label(n: float) -> str:
 
 
 ONE_STEP, MONTE_CARLO = label(1), label(math.inf)
+
+
+class Examinee(NamedTuple):
+    """An agent, and how often it has passed the exam in training, whether or not it has learned from that.
+
+    Attributes:
+        agent: the agent.
+        passes: shape (1,): how many rewards were that of the exam. (Their noise must be small.)
+    """
+
+    agent: Any
+    passes: Integers
+
+    def learn(
+        self,
+        state: int,
+        action: int,
+        reward: float,
+        next_state: int,
+        next_action: int,
+        terminated: bool,
+        truncated: bool,
+    ) -> None:
+        """Count a pass, and let the agent learn."""
+        if reward > PASSING:
+            self.passes[0] += 1
+        self.agent.learn(state, action, reward, next_state, next_action, terminated, truncated)
+
+    def act(self, state: int, rng: Random) -> int:
+        """What the agent does."""
+        return int(self.agent.act(state, rng))
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """What the agent takes for the best action."""
+        return int(self.agent.greedy(state, rng))
+
+
+def counted(make: Maker) -> Maker:
+    """Return a function that makes agents whose passes are counted, from one that makes agents."""
+    return partial(_make_counted, make)
+
+
+def _make_counted(make: Maker, environment: Any) -> Examinee:
+    return Examinee(make(environment), np.zeros(1, np.int64))
 
 
 def maker(
@@ -82,6 +124,7 @@ def compare(
     initial_value: float = 0.0,
     own: Mapping[str, Maker] = NONE,
     points: int = 16,
+    count_passes: bool = False,
     **how: Any,
 ) -> Results:
     """Train n-step SARSA with several n: one panel of the figure.
@@ -98,6 +141,7 @@ def compare(
         initial_value: the value of everything that was not tried yet.
         own: by label, functions that make other agents for an environment, such as a reader's own.
         points: the number of points of the learning curve.
+        count_passes: whether to count how often n-step SARSA passes the exam in training, for `met_exam`.
         **how: more arguments of `edugym.experiments.repeat`, such as `repetitions`, `seed` and `jobs`.
     """
     make = partial(
@@ -108,7 +152,7 @@ def compare(
         total_days=total_days,
         initial_value=initial_value,
     )
-    methods = {label(n): make(n) for n in depths}
+    methods = {label(n): counted(make(n)) if count_passes else make(n) for n in depths}
     parameters = {"action_reward_noise_sigma": sigma, "n_actions": n_actions, "total_days": total_days}
     every = max(n_steps // points, total_days)
     return repeat(
@@ -169,16 +213,18 @@ def shortfall(results: Results, method: str) -> float:
     return float((optimum - returns)[passing].mean()) if passing.any() else math.nan
 
 
-def met_exam(results: Results, method: str) -> Reals:
-    """Return for every complete run whether it ever passed the exam in training: 1, 0 or NaN.
-
-    Only the exam makes a value of studying large, and nothing makes it small again. (The noise of rewards must be
-    small, and the values must not start above 0.)
-    """
-    met = np.full(len(results.final(method)), np.nan)
+def passes_in_training(results: Results, method: str) -> Reals:
+    """Return for every complete run how often it passed the exam in training, where that was counted; else NaN."""
+    passes = np.full(len(results.final(method)), np.nan)
     for repetition, agent in results.complete_agents(method).items():
-        met[repetition] = agent.Q[:, STUDY].max() > MET
-    return met
+        passes[repetition] = agent.passes[0]
+    return passes
+
+
+def met_exam(results: Results, method: str) -> Reals:
+    """Return for every complete run whether it ever passed the exam in training: 1, 0 or NaN."""
+    passes = passes_in_training(results, method)
+    return np.where(np.isnan(passes), np.nan, passes > 0)
 
 
 def best_returns(tasks: Mapping[int, Study], *epsilons: float) -> list[float]:

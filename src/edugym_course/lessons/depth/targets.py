@@ -89,7 +89,7 @@ def target_claims() -> list[Claim]:
             "share of reward noise, σ = 0.05, computed",
             exactly(noise_share(0.05)),
             Below(0.01),
-            f"an exploring step can cost the exam, 10; at σ = 1 noise is {noise_share(1.0):.0%}",
+            remark=f"an exploring step can cost the exam, 10; at σ = 1 noise is {noise_share(1.0):.0%}",
         ),
         Claim(
             "Once the values are learned, the one-step target varies much less than the Monte Carlo target",
@@ -102,7 +102,7 @@ def target_claims() -> list[Claim]:
             "mean of the one-step target less that of the return, computed",
             exactly(one.mean - whole.mean),
             Within(-1e-6, 1e-6),
-            "at the fixed point every n has the same mean",
+            remark="at the fixed point every n has the same mean",
         ),
         Claim(
             "Before anything is learned, the one-step target misses nearly the whole return",

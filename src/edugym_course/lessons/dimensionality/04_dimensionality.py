@@ -95,7 +95,8 @@ source(QLearning.learn)
 # %% [markdown]
 # A *dense* table has a row for every observation that could be written down. With 50 pixels that are 0 or 1 there are
 # $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$. A *network*, which we will come to, has a
-# number of weights that grows with the number of pixels (here there are 3 459), not with the number of boards.
+# number of weights that grows with the number of pixels, not with the number of boards. (That of this lesson, with 64
+# hidden units, has 3 459.)
 
 # %%
 positions, grid, image = (sizes.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
@@ -105,8 +106,8 @@ print(f"image:     a number of rows with {len(str(image))} digits")
 figures.size_sheet()
 
 # %% [markdown]
-# The y axis shows powers of ten, and it is logarithmic: $10^2$ on it means $10^{100}$. The line of the network counts
-# weights, all others rows. The two lowest lines lie close together:
+# The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
+# line of the network counts weights, all others rows. The two lowest lines lie close together:
 # "boards that occur" are the different boards that can be seen while the ball falls. There are exactly as many as
 # states that can occur, 195: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be
 # reached, and in 25 the ball is already down.)
@@ -125,7 +126,7 @@ figures.size_sheet()
 #
 # The weights are learned like this. Call the target $y = R + \gamma \max_a \hat q(S', a, w)$ ($R$ alone if $S'$ is
 # terminal). We want the squared error $\frac{1}{2} \left[ y - \hat q(S, A, w) \right]^2$ to become smaller. Its
-# derivative by a weight $w_{iA}$ of the action taken is $-\left[ y - \hat q(S, A, w) \right] x_i(S)$ if we take $y$ for
+# derivative with respect to a weight $w_{iA}$ of the action taken is $-\left[ y - \hat q(S, A, w) \right] x_i(S)$ if we take $y$ for
 # a constant; for other actions it is 0. So a step of size $\alpha$ down the slope is
 #
 # $$
@@ -133,9 +134,9 @@ figures.size_sheet()
 # $$
 #
 # But $y$ is no constant: it depends on $w$ as well, through the value of $S'$. That part of the derivative is left out.
-# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Here `at_once` is 1. `features`
-# lists the features that are not 0, of the state whose value was computed last. In `learn` that is first $S'$, then
-# $S$, so `follow_gradient` uses those of $S$.)
+# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Mind the order in
+# `learn`: whoever computes a value leaves the features of that state in `features`. The target needs the value of $S'$,
+# so it comes first; then comes that of $S$, and `follow_gradient` finds the features of $S$ there. `at_once` is 1 here.)
 
 # %%
 source(LinearQLearning.learn)
@@ -340,8 +341,11 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # $$
 #
 # The episode ended, so the target is $y = R = 1$. Action 0 was taken, so the error is $\delta = 0.5 - 1 = -0.5$, and
-# its size is below 1: the derivative of the loss by $Q(s, 0)$ is $-0.5$. By $Q(s, 1)$ it is 0, since the loss does not
-# contain it.
+# its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is 0,
+# since the loss does not contain it.
+#
+# (In the next cell the agent computes this gradient, and Adam takes a step with it, in the first layer and then in the
+# second one. Its counters, such as `updates`, are arrays with one number, so that machine code can change them.)
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?
 
@@ -442,10 +446,11 @@ unseen.measured(len(generalises))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run
-# of ten. Its sum has no term for ball and paddle together, so it cannot represent the true values. Weights exist that
-# catch every ball, from all five columns: try to find them. But Q-learning looks for correct values, not for a good
-# policy. No run found such weights.)
+# no better on new columns than a table. (Linear in the pixels does not even learn the training columns here, but for one
+# run of ten. That is due to its large steps: with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its sum has no term
+# for ball and paddle together, so it cannot represent the true values. Weights exist that catch every ball, from all five
+# columns: try to find them. But Q-learning looks for correct values, not for a good policy. In 60 runs with each of four
+# learning rates none found such weights.)
 # </details>
 #
 # ### The picture that explains it

@@ -99,7 +99,7 @@ def network_claims(networks: Results) -> list[Claim]:
             "greedy return at the end",
             mean_interval(networks.final(label)),
             Above(0.9),
-            "results of ten seeds, stored with the package",
+            remark="results of ten seeds, stored with the package",
         )
         for label in METHODS
     ]

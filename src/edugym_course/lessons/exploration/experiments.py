@@ -4,24 +4,22 @@ Q-learning with three ways to explore climbs walls of height 10, 30 and 100 for 
 learning rate 0.5; ε = 0.1 for ε-greedy and for the novelty reward, which is 1/√n(s') for entering s' for the n-th time;
 20 random steps from each goal for Go-Explore; two grips at every height; episodes of at most 10 times the height; 30
 repetitions, each with its own layout, which is the same for every method; one greedy evaluation episode for each point.
-"Optimism" is greedy Q-learning with all values at 1 and learning rate 1.
+"Optimism" is greedy Q-learning with all values at 1 and learning rate 1. Reasons are tested on walls of height 100, 60
+and 30, too.
 
 A run *solves* the wall when its last greedy episode reaches the top. A method solves the wall when the share of runs
 that solve it is above one half with 95 % confidence; it does not solve the wall when the share is below one half.
 """
 
 from collections.abc import Mapping
-from functools import partial
 from types import MappingProxyType
 from typing import Any
 
-from edugym.agents.strategies import EpsilonGreedy
 from edugym.experiments.figures import Sheet
 from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.experiments.results.statistics import Interval, mean_interval, paired_difference, share_interval
 from edugym.experiments.results.tables import Results
 from edugym_course.lessons.exploration.climbs import (
-    first_at_top,
     frontier,
     greedy_leads_to_frontier,
     no_slip,
@@ -39,14 +37,13 @@ from edugym_course.lessons.exploration.methods import (
     METHODS,
     N_STEPS,
     NOVELTY,
-    OPTIMISM,
-    OPTIMIST,
     REPETITIONS,
     compare,
     paper_methods,
     visits_of,
 )
-from edugym_course.lessons.exploration.stalling import frontier_lines, stalling_claims, watch_frontier
+from edugym_course.lessons.exploration.optimism import WALLS, compare_optimists, optimism_claims
+from edugym_course.lessons.exploration.stalling import CAUSES, HOPE, frontier_lines, stalling_claims, watch_frontier
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
 
@@ -55,19 +52,28 @@ RANDOM_SEARCH = ((2, 4), (2, 8), (3, 5))
 SOLVED_BY = MappingProxyType({EPSILON_GREEDY: (10,), NOVELTY: (10, 30), GO_EXPLORE: (10, 30, 100)})
 """The heights that each method solves, according to the paper."""
 
-WHY = MappingProxyType(
+FAR_HEIGHTS = (10, 15)
+"""Heights of the walls that are climbed with a discount of 0.99."""
+CAUSE_HEIGHTS = (60, 30)
+"""Heights of further walls on which reasons are tested."""
+REMARKS = MappingProxyType(
     {
-        (EPSILON_GREEDY, 30): "without a reward all values are equal, so it searches at random: 2.1e9 steps on average",
-        (EPSILON_GREEDY, 100): "random search would take 2.5e30 steps",
+        (EPSILON_GREEDY, 30): "a random search for the top takes 2.1e9 steps on average",
+        (EPSILON_GREEDY, 100): "a random search for the top takes 2.5e30 steps on average",
         (NOVELTY, 100): "the paper says that it found the top and could not learn the way; here it never gets near",
     }
 )
 
 
-def without_epsilon(height: int, **how: Any) -> Results:
+def without_epsilon(height: int, initial_value: float = 0.0, **how: Any) -> Results:
     """Train with the novelty reward and ε = 0, to see what the random steps contribute; arguments as in `compare`."""
-    greedy = partial(METHODS[NOVELTY], exploration=EpsilonGreedy(0.0))
+    greedy = paper_methods(epsilon=0.0, initial_value=initial_value)[NOVELTY]
     return compare(height, methods={NOVELTY: greedy}, **how)
+
+
+def far_sighted(height: int, bonus: float, **how: Any) -> Results:
+    """Train with the novelty reward and a discount of 0.99; arguments as in `compare`."""
+    return compare(height, methods={NOVELTY: paper_methods(bonus=bonus, discount=0.99)[NOVELTY]}, **how)
 
 
 def measure(how: SharedArguments) -> tuple[Any, ...]:
@@ -77,30 +83,29 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     searches = {wall: watch_random_search(*wall, **how()) for wall in RANDOM_SEARCH}
     climbs = watch_climbs(highest, **how())
     optimism = {
-        n_grips: compare(
-            highest,
-            methods={OPTIMISM: OPTIMIST, GO_EXPLORE: METHODS[GO_EXPLORE]},
-            n_grips=n_grips,
-            **how(f"grips_{n_grips}"),
-        )
-        for n_grips in (2, 3)
+        (height, n_grips): compare_optimists(height, n_grips, **how(f"optimism_{height}_{n_grips}"))
+        for height, n_grips in WALLS
     }
-    patient = compare(highest, methods={OPTIMISM: OPTIMIST}, n_grips=3, n_steps=2 * N_STEPS, **how("patient"))
-    far_sighted = compare(HEIGHTS[0], methods={NOVELTY: paper_methods(discount=0.99)[NOVELTY]}, **how("far_sighted"))
+    far = {(height, bonus): far_sighted(height, bonus, **how()) for height in FAR_HEIGHTS for bonus in (1.0, 0.1)}
     forks = compare_on_fork(methods={NOVELTY: METHODS[NOVELTY]}, **how("fork"))
-    without = without_epsilon(highest, **how())
-    return by_height, searches, climbs, without, far_sighted, watch_frontier(**how()), optimism, patient, forks
+    greedy = {
+        (height, value): without_epsilon(height, value, **how())
+        for height in (highest, *CAUSE_HEIGHTS)
+        for value in (0.0, HOPE)
+    }
+    watched = {highest: watch_frontier(methods={**METHODS, **CAUSES}, **how())}
+    watched |= {height: watch_frontier(height, methods=CAUSES, **how()) for height in CAUSE_HEIGHTS}
+    return by_height, searches, climbs, greedy, far, watched, optimism, forks
 
 
 def judge(
     by_height: Mapping[int, Results],
     searches: Mapping[tuple[int, int], Interval],
     climbs: Interval,
-    without: Results,
-    far_sighted: Results,
-    watched: Results,
-    optimism: Mapping[int, Results],
-    patient: Results,
+    greedy: Mapping[tuple[int, float], Results],
+    far: Mapping[tuple[int, float], Results],
+    watched: Mapping[int, Results],
+    optimism: Mapping[tuple[int, int], Results],
     forks: Results,
 ) -> Report:
     """Return claims and figures."""
@@ -108,13 +113,14 @@ def judge(
         *solving_claims(by_height),
         speed_claim(by_height[HEIGHTS[0]]),
         *(random_search_claim(*wall, steps) for wall, steps in searches.items()),
-        *explaining_claims(by_height[HEIGHTS[-1]], climbs, without),
+        *explaining_claims(by_height[HEIGHTS[-1]], climbs),
+        *slip_claims(greedy),
         *stalling_claims(watched),
-        *far_sighted_claims(far_sighted),
-        *optimism_claims(optimism, patient),
+        *far_sighted_claims(far),
+        *optimism_claims(optimism),
         *fork_claims(forks, by_height[HEIGHTS[-1]]),
     ]
-    return Report(claims, figures(by_height, watched, forks))
+    return Report(claims, figures(by_height, watched[HEIGHTS[-1]], forks))
 
 
 report = reporting(measure, judge, REPETITIONS)
@@ -129,7 +135,7 @@ def solving_claims(by_height: Mapping[int, Results]) -> list[Claim]:
             "share of runs that end at the top",
             results.share(method, at_least=1.0),
             Above(0.5) if height in solved else Below(0.5),
-            WHY.get((method, height), ""),
+            remark=REMARKS.get((method, height), ""),
         )
         for height, results in by_height.items()
         for method, solved in SOLVED_BY.items()
@@ -148,17 +154,16 @@ def speed_claim(low: Results, steps: int = 2_000) -> Claim:
         f"After {steps} steps more runs of novelty than of ε-greedy solve height {HEIGHTS[0]}",
         f"share of runs: novelty {novelty.mean():.0%} less ε-greedy {random.mean():.0%}",
         paired_difference(novelty, random),
-        Above(0.0),
+        Above(0.2),
     )
 
 
-def explaining_claims(highest: Results, climbs: Interval, without: Results) -> list[Claim]:
+def explaining_claims(highest: Results, climbs: Interval) -> list[Claim]:
     """Return the claims on why the novelty reward fails on the highest walls.
 
     Args:
         highest: the results on these walls.
         climbs: the share of climbs to the top of a climber who knows the wall.
-        without: the results with ε = 0.
     """
     height = HEIGHTS[-1]
     return [
@@ -167,117 +172,98 @@ def explaining_claims(highest: Results, climbs: Interval, without: Results) -> l
             "highest state ever visited",
             mean_interval([frontier(visits) for visits in visits_of(highest, NOVELTY)]),
             Within(30, 50),
-            "the higher the frontier, the fewer climbs get there",
+            "the higher the frontier, the fewer climbs get there, and there it needs a slip to find the right grip",
+            tuple(no_need_of_slips(height) for height in (height, *CAUSE_HEIGHTS)),
         ),
         Claim(
             f"Knowing the wall, ε-greedy gets up {height} in 0.95^{height} = {no_slip(height):.1%} of climbs",
             "share of climbs",
             climbs,
             near(no_slip(height)),
-            "derailment: a single random step to the wrong grip ends the climb",
+            remark="this is derailment: a single random step to the wrong grip ends the climb",
         ),
         Claim(
             "Slips end novelty's climbs back to its frontier: 0.95^frontier of them get there, hardly fewer",
             "share of climbs that get back / 0.95^frontier",
             mean_interval([return_to_frontier(visits) for visits in visits_of(highest, NOVELTY)]),
             Within(0.8, 1.1),
-            "the frontier of the first half of training, and the climbs of the second",
+            remark="the frontier of the first half of training, and the climbs of the second",
         ),
         Claim(
             "After training, novelty's greedy policy still leads to its frontier",
             "share of runs",
             share_interval(greedy_leads_to_frontier(highest, NOVELTY, height)),
             Above(0.5),
-            "the paper names detachment, giving up one of several frontiers; a wall has only one and cannot show it",
-        ),
-        Claim(
-            "At the frontier novelty relies on ε: without random steps it stays near the ground",
-            "highest state ever visited, ε = 0",
-            mean_interval([frontier(visits) for visits in visits_of(without, NOVELTY)]),
-            Below(10),
-            "an untried grip is worth 0, and a wrong one already more, since a fall earns bonuses too",
+            remark="the paper names detachment, giving up one of several frontiers; a wall has only one",
         ),
     ]
 
 
-def far_sighted_claims(far_sighted: Results) -> list[Claim]:
-    """Return the claims on the novelty reward with a discount of 0.99."""
-    below_top = [run.agent.Q[HEIGHTS[0] - 1].max() for run in far_sighted.complete_agents(NOVELTY).values()]
+def no_need_of_slips(height: int) -> str:
+    """Return the claim that the reason why it needs slips is a first value of 0."""
+    return f"With values that start at {HOPE:g} novelty gets to the top without random steps: height {height}"
+
+
+def slip_claims(greedy: Mapping[tuple[int, float], Results]) -> list[Claim]:
+    """Return the claims on the novelty reward with ε = 0, by the height of the walls and the first value."""
+    heights = sorted({height for height, _ in greedy}, reverse=True)
     return [
-        Claim(
-            f"With discount 0.99 the novelty reward does not even solve height {HEIGHTS[0]}",
-            "share of runs that end at the top",
-            far_sighted.share(NOVELTY, at_least=1.0),
-            Below(0.5),
-            "the bonuses end at the top, and those of a long future add up to more than the reward",
+        *(
+            Claim(
+                f"At the frontier novelty relies on ε: without random steps it stays near the ground, height {height}",
+                "highest state ever visited, ε = 0",
+                mean_interval([frontier(visits) for visits in visits_of(greedy[height, 0.0], NOVELTY)]),
+                Below(3),
+                "an untried grip is worth 0, and a wrong one leads to the ground, which is worth more",
+                tuple(map(no_need_of_slips, heights)),
+            )
+            for height in heights
         ),
-        Claim(
-            "With discount 0.99 staying on the wall promises more bonuses than the reward for the top, which is 1",
-            "highest value of an action one step below the top",
-            mean_interval(below_top),
-            Above(1.0),
-        ),
-    ]
-
-
-def optimism_claims(optimism: Mapping[int, Results], patient: Results) -> list[Claim]:
-    """Return the claims on optimism beside Go-Explore on the highest walls.
-
-    Args:
-        optimism: the results with two and with three grips.
-        patient: the results of optimism with three grips and twice the steps.
-    """
-    height = HEIGHTS[-1]
-    two, three = optimism[2], optimism[3]
-    first = {label: [first_at_top(visits, N_STEPS) for visits in visits_of(two, label)] for label in two.methods}
-    return [
-        Claim(
-            f"Optimism solves height {height} as well, without returning first and without a bonus",
-            "share of runs that end at the top",
-            two.share(OPTIMISM, at_least=1.0),
-            Above(0.5),
-            "what it has not tried looks best, so that it tries every grip: it explores systematically",
-        ),
-        Claim(
-            "Optimism first gets to the top sooner than Go-Explore",
-            "training steps, optimism less Go-Explore",
-            paired_difference(first[OPTIMISM], first[GO_EXPLORE]),
-            Below(0.0),
-        ),
-        Claim(
-            "Averaged over training, optimism returns less than Go-Explore",
-            "return averaged over training, optimism less Go-Explore",
-            two.difference(OPTIMISM, GO_EXPLORE, over="training"),
-            Below(0.0),
-            "optimistic values shrink by γ at each try, and until they are all below γ^99 the greedy policy wavers",
-        ),
-        Claim(
-            f"With three grips optimism gets to the top of height {height} in {N_STEPS} steps",
-            "share of runs that were at the top",
-            share_interval([bool(visits[:, -1].any()) for visits in visits_of(three, OPTIMISM)]),
-            Above(0.5),
-        ),
-        Claim(
-            f"With three grips optimism does not solve height {height} in {N_STEPS} steps",
-            "share of runs that end at the top",
-            three.share(OPTIMISM, at_least=1.0),
-            Below(0.5),
-            "there are twice as many optimistic values of wrong grips as with two grips",
-        ),
-        Claim(
-            f"With three grips Go-Explore solves height {height}",
-            "share of runs that end at the top",
-            three.share(GO_EXPLORE, at_least=1.0),
-            Above(0.5),
-        ),
-        Claim(
-            f"With three grips optimism solves height {height} in {2 * N_STEPS} steps",
-            "share of runs that end at the top",
-            patient.share(OPTIMISM, at_least=1.0),
-            Above(0.5),
-            "it is slower, not stuck",
+        *(
+            Claim(
+                no_need_of_slips(height),
+                "highest state ever visited / height, ε = 0",
+                mean_interval([frontier(visits) / height for visits in visits_of(greedy[height, HOPE], NOVELTY)]),
+                Above(0.95),
+            )
+            for height in heights
         ),
     ]
+
+
+def small_bonus(height: int) -> str:
+    """Return the claim that the reason is the size of the bonus."""
+    return f"With discount 0.99 and a first bonus of 0.1 it solves height {height}"
+
+
+def far_sighted_claims(far: Mapping[tuple[int, float], Results]) -> list[Claim]:
+    """Return the claims on the novelty reward with a discount of 0.99, by the height and the first bonus."""
+    claims = []
+    for height in FAR_HEIGHTS:
+        agents = far[height, 1.0].complete_agents(NOVELTY).values()
+        claims += [
+            Claim(
+                f"With discount 0.99 the novelty reward does not even solve height {height}",
+                "share of runs that end at the top",
+                far[height, 1.0].share(NOVELTY, at_least=1.0),
+                Below(0.2),
+                "the bonuses end at the top, and those of a long future add up to more than the reward",
+                tuple(map(small_bonus, FAR_HEIGHTS)),
+            ),
+            Claim(
+                f"With discount 0.99 staying on a wall of {height} promises twice the reward for the top, which is 1",
+                "highest value of an action one step below the top",
+                mean_interval([agent.agent.Q[height - 1].max() for agent in agents]),
+                Above(2.0),
+            ),
+            Claim(
+                small_bonus(height),
+                "share of runs that end at the top",
+                far[height, 0.1].share(NOVELTY, at_least=1.0),
+                Above(0.7),
+            ),
+        ]
+    return claims
 
 
 def random_search_claim(n_grips: int, height: int, measured: Interval) -> Claim:

@@ -34,7 +34,11 @@ Maker = Callable[..., Any]
 
 
 def paper_methods(
-    epsilon: float = EPSILON, bonus: float = BONUS, discount: float = DISCOUNT, learning_rate: float = LEARNING_RATE
+    epsilon: float = EPSILON,
+    bonus: float = BONUS,
+    discount: float = DISCOUNT,
+    learning_rate: float = LEARNING_RATE,
+    initial_value: float = 0.0,
 ) -> dict[str, Maker]:
     """Return the three methods of the paper, by label: functions that make an agent for an environment.
 
@@ -43,9 +47,10 @@ def paper_methods(
         bonus: β, the first bonus of the novelty reward.
         discount: γ of all three.
         learning_rate: α of all three.
+        initial_value: the value of every action at first, of ε-greedy and of the novelty reward.
     """
     learning: dict[str, Any] = {"learning_rate": learning_rate, "discount": discount}
-    slips: dict[str, Any] = {**learning, "exploration": EpsilonGreedy(epsilon)}
+    slips: dict[str, Any] = {**learning, "exploration": EpsilonGreedy(epsilon), "initial_value": initial_value}
     return {
         EPSILON_GREEDY: partial(QLearning.create, **slips),
         NOVELTY: partial(CountBased.create, bonus=bonus, **slips),
@@ -54,10 +59,22 @@ def paper_methods(
 
 
 METHODS: Mapping[str, Maker] = MappingProxyType(paper_methods())
-OPTIMIST: Maker = partial(
-    QLearning.create, learning_rate=1.0, discount=DISCOUNT, exploration=EpsilonGreedy(0.0), initial_value=1.0
-)
-"""Greedy Q-learning with all values at 1: what it has not tried looks best."""
+
+
+def optimist(
+    environment: Any, learning_rate: float = 1.0, discount: float = DISCOUNT, initial_value: float = 1.0
+) -> QLearning:
+    """Return greedy Q-learning with all values at 1: what it has not tried looks best."""
+    return QLearning.create(
+        environment,
+        learning_rate=learning_rate,
+        discount=discount,
+        exploration=EpsilonGreedy(0.0),
+        initial_value=initial_value,
+    )
+
+
+OPTIMIST: Maker = optimist
 
 
 def compare(

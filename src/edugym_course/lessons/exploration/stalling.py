@@ -1,7 +1,8 @@
 """Why the novelty reward stalls: the grip that an agent takes each time it stands at its frontier."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import partial
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,12 +10,14 @@ import numpy as np
 from edugym.checks.contract import forget_episode, learner
 from edugym.experiments.figures import Lines
 from edugym.experiments.repeat import repeat
-from edugym.experiments.results.claims import Claim, Within
+from edugym.experiments.results.claims import Above, Claim, Within
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Random
-from edugym_course.lessons.exploration.methods import METHODS, N_STEPS, NOVELTY, SLIP, Maker
+from edugym_course.lessons.exploration.methods import METHODS, N_STEPS, NOVELTY, SLIP, Maker, paper_methods
 
+HOPE = 10.0
+"""A first value above all that the bonuses of these walls add up to."""
 SHOWN = 10
 """The visits of a frontier that are told apart; later ones count as the last."""
 
@@ -99,23 +102,65 @@ def right_grips(results: Results, method: str, first: int, last: int = SHOWN) ->
     return [run.right[visits].sum() / run.visits[visits].sum() for run in runs if run.visits[visits].any()]
 
 
-def stalling_claims(watched: Results) -> list[Claim]:
-    """Return the claims on the grips that the novelty agent takes at its frontier."""
-    first, further = (mean_interval(right_grips(watched, NOVELTY, *which)) for which in ((1, 1), (2, SHOWN)))
+def without_ground_bonus(environment: Any) -> Any:
+    """Return a novelty agent whose bonus for entering the ground is one in a million, from the first time on."""
+    agent = METHODS[NOVELTY](environment)
+    agent.visits[0] = 10**12
+    return agent
+
+
+NO_GROUND, HOPEFUL = "no bonus for the ground", f"values from {HOPE:g}"
+CAUSES: Mapping[str, Maker] = MappingProxyType(
+    {
+        NOVELTY: METHODS[NOVELTY],
+        NO_GROUND: without_ground_bonus,
+        HOPEFUL: paper_methods(initial_value=HOPE)[NOVELTY],
+    }
+)
+"""The novelty agent, and the same without what might be the reason why it takes the wrong grip."""
+
+
+def hopeful(height: int) -> str:
+    """Return the claim that the reason is a first value of 0."""
+    return f"With values that start at {HOPE:g}, it takes the right grip on nearly all later visits: height {height}"
+
+
+def stalling_claims(watched: Mapping[int, Results]) -> list[Claim]:
+    """Return the claims on the grips that the novelty agent takes at its frontier, by the height of the wall."""
+    return [claim for height, results in watched.items() for claim in _stalling_at(height, results, watched)]
+
+
+def _stalling_at(height: int, results: Results, heights: Iterable[int]) -> list[Claim]:
+    tested = tuple(hopeful(height) for height in heights)
+    as_a_slip = Within(0.7 * SLIP, 1.5 * SLIP)
     return [
         Claim(
-            "On its first visit of a frontier the novelty agent takes the right one of two grips half of the time",
+            f"On its first visit of a frontier the novelty agent takes the right one of two grips half of the time:"
+            f" height {height}",
             "share of first visits",
-            first,
+            mean_interval(right_grips(results, NOVELTY, 1, 1)),
             Within(0.4, 0.6),
-            "both grips are worth 0",
         ),
         Claim(
-            f"On later visits it takes the right grip only as often as it slips, ε/2 = {SLIP:g}",
+            f"On later visits it takes the right grip only as often as it slips, ε/2 = {SLIP:g}: height {height}",
             "share of later visits",
-            further,
-            Within(0.5 * SLIP, 1.5 * SLIP),
-            "the fall earned a bonus, so the wrong grip looks better than the one that it has not tried",
+            mean_interval(right_grips(results, NOVELTY, 2)),
+            as_a_slip,
+            "the untried grip is worth 0, and the wrong one leads to the ground, which is worth more",
+            tested,
+        ),
+        Claim(
+            f"Without a bonus for the ground it takes the right grip as rarely: height {height}",
+            "share of later visits",
+            mean_interval(right_grips(results, NO_GROUND, 2)),
+            as_a_slip,
+            remark="so the bonus that the fall itself earns is not the reason",
+        ),
+        Claim(
+            hopeful(height),
+            "share of later visits",
+            mean_interval(right_grips(results, HOPEFUL, 2)),
+            Above(0.8),
         ),
     ]
 

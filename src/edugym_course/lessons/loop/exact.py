@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from edugym.agents.tables import ROUNDING
 from edugym.envs.supermarket import Supermarket
 from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
@@ -112,7 +113,7 @@ def right_choices(Q: Any, discount: float, tried: bool | None = None) -> float:
     right = optimal(discount).Q
     is_best = right >= right.max(axis=1, keepdims=True) - 1e-9
     learned = np.asarray(Q)[list(model().states)]
-    chosen = learned == learned.max(axis=1, keepdims=True)
+    chosen = np.isclose(learned, learned.max(axis=1, keepdims=True), rtol=ROUNDING, atol=0.0)  # as `greedy_action` does
     shares = (chosen * is_best).sum(axis=1) / chosen.sum(axis=1)
     counts = np.full(len(shares), True) if tried is None else learned.any(axis=1) == tried
     return float(shares[counts & ~model().terminal].mean())

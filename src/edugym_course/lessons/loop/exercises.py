@@ -45,7 +45,7 @@ def exercise_1(answer: Any, seed: int, after: After = 0) -> str:
     """Check the return of a list of rewards, with what comes after the last of them."""
     require_function("discounted_return", answer, "rewards and discount")
     rng = np.random.default_rng(seed)
-    cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25)]
+    cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25), ([3.0, 0.0, -4.0, 0.0, 2.0], 0.5)]
     for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5)):
         cases.append((rng.choice([-4.0, -2.0, 1.0, 2.0, 3.0, 4.0, 8.0], length).tolist(), discount))
     compare_all(
@@ -137,6 +137,7 @@ def exercise_2(answer: Any, seed: int, margin: Margin = 0) -> str:
         ([1.0, 3.0, 2.0, 0.0], 0.3),
         ([1.0, 3.0, 2.0], 0.0),
         ([-1.0, -5.0, -3.0, -0.5], 0.0),
+        ([-400.0, -300.0, -500.0], 0.0),
         ([5.0, 0.0, -2.0], 0.0),
         ([2.0, 4.0, 4.0, 1.0], 0.0),
         ([0.0, 0.0, 0.0, 0.0], 0.0),
@@ -194,11 +195,12 @@ def _probabilities(values: Any, epsilon: float, margin: float) -> list[float]:
 def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, list[float]]:
     """Return the probabilities that the usual mistakes give."""
     n, best = len(values), values >= values.max() - margin
+    actions = np.arange(n)
     uniform, greedy = np.full(n, 1 / n), best / best.sum()
     first, last = np.eye(n)[int(values.argmax())], np.eye(n)[n - 1 - int(values[::-1].argmax())]
     worst = (values == values.min()) / (values == values.min()).sum()
     others = ~best / (~best).sum() if (~best).any() else uniform
-    but_last = np.arange(n) < n - 1
+    but_last, but_first, among = actions < n - 1, actions > 0, actions < best.sum()
     mixed = {
         "ties should be broken at random, and it takes the first of equals": (first, uniform),
         "ties should be broken at random, and it takes the last of equals": (last, uniform),
@@ -210,7 +212,15 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
             greedy,
             but_last / (n - 1),
         ),
+        "the random action is never action 0: `rng.integers(n)` is from 0 to n − 1 already": (
+            greedy,
+            but_first / (n - 1),
+        ),
         "its random action is always action 0": (greedy, np.eye(n)[0]),
+        "`rng.integers(len(best))` says *which* of the best is taken: the action is `best[...]`": (
+            among / among.sum(),
+            uniform,
+        ),
     }
     found = {
         sentence: ((1 - epsilon) * usual + epsilon * exploring).tolist()
@@ -219,6 +229,8 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     found["ε and 1 − ε have changed places: it explores with probability 1 − ε"] = (
         epsilon * greedy + (1 - epsilon) * uniform
     ).tolist()
+    if epsilon != 0.1:
+        found["it explores with ε = 0.1, whatever `epsilon` is"] = (0.9 * greedy + 0.1 * uniform).tolist()
     return found
 
 

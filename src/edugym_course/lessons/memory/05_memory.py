@@ -43,7 +43,8 @@ for _ in range(5):  # to the last place of corridor 3; `info` is for us, no agen
 env.scene()
 
 # %% [markdown]
-# ("Door 3 of 3" counts places: it is the third place of a corridor with three.)
+# (The title counts places: "door 3 of 3" is the third place of a corridor with three. The doors at each place are
+# 0, 1 and 2.)
 #
 # In this lesson the agent does not see the state $s$. It sees an *observation* $o$, which tells only a part of it.
 #
@@ -111,7 +112,7 @@ play("MemoryCorridor", blind=True)
 # of observations are also called frame stacks, since on a screen an observation is a frame. An episode starts with $k$
 # copies of the first observation, and with action 0 between them.) In the code `n_recent` is the number of rows that
 # there would be without the oldest observation (and the action after it), so `row % n_recent` drops it. `inner` is the
-# state of the corridor. `n_actions` is 1 if actions are not shown.
+# state of the corridor. (For a window without actions `n_actions` is 1, and each action is written as 0.)
 
 # %%
 source(FrameStack, "transition", "observation")
@@ -135,8 +136,9 @@ source(best_value)
 
 # %% [markdown]
 # Watch what Q-learning has learned with a window of 2 observations, without actions. This is one greedy episode after
-# 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row *after*
-# the door: 4 · the older + the newer. So 15 is (no mark, no mark). At which row does it err?
+# 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row of the
+# window that the agent sees *after* it has opened the door. That is 4 times the older observation plus the newer one; so
+# row 15 is (3, 3), no mark and no mark. At which row does it err?
 
 # %%
 two = players.learn(2, n_steps=50_000, repetitions=1)
@@ -152,8 +154,8 @@ frames(FrameStack.create(make_mdp("MemoryCorridor"), 2), two.agents["k = 2"][0],
 # ### Notes
 # A window keeps everything for a short while. The opposite is to keep a little for ever. This player is made by hand.
 # It writes down each marked door, and opens the doors in its notes. It learns nothing: whoever wrote it knew what
-# matters. (It counts the places, and so it knows where the mark is. Here `length` is $L - 1$, and `state` is the
-# observation.)
+# matters. (It counts the places, and so it knows where the mark is. Two names mean something else here than above:
+# `state` is the observation, and `length` is the last place of the corridor, $L - 1$.)
 
 # %%
 source(players.Rememberer, "act", "learn")
@@ -190,8 +192,9 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # | evaluation | 40 greedy episodes every 4 000 steps; their mean return |
 # | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
 #
-# The dotted lines show the best play that we could find for each window, by a computation on all sequences of doors. It
-# may look at the window alone, and it may guess. (The optimum with full memory, 1 000, is far above the panels.)
+# The dotted lines show the best play that we could find for each window. It may look at the window alone, and it may
+# guess. (A computer plays all sequences of doors at once. For each window it picks the door that adds most to the mean
+# return, given what it does in all others, and repeats that until nothing gets better.) (The optimum with full memory, 1 000, is far above the panels.)
 #
 # **Predict.** With $k = 4$ the agent sees the last four observations, but not its actions. It chose its actions itself.
 # Does it help to show them to it?
@@ -323,11 +326,15 @@ figures.twin_figure(4, 4, actions=True)
 # corridor. Two marks would tell it: the last two are as many steps apart as the previous corridor is long, and the
 # present one is one place longer.
 #
-# Say that corridor $L$ is the longest one that must be played without an error. There a single mark is enough, provided
-# that the agent sees two marks in every *shorter* corridor: then seeing only one means that it is in corridor $L$. The
-# worst moment of the shorter ones is the last unmarked place of corridor $L - 1$, where the second last mark lies
-# $2L - 4$ steps back. (The lower picture is this moment for $L = 4$: one more entry, four steps back, would show the
-# mark of step 0.) With the present observation that makes $2L - 3$:
+# Say that corridor $L$ is the longest one that must be played without an error.
+#
+# - In every *shorter* corridor the agent must see two marks, to know its length. That is hardest at the last unmarked
+#   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture is this moment for
+#   $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
+#   $2L - 3$.
+# - In corridor $L$ itself one mark is enough. As two are seen in all shorter ones, one alone means corridor $L$.
+#
+# So the window must be this long:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -335,9 +342,11 @@ figures.twin_figure(4, 4, actions=True)
 #
 # The window grows linearly instead of quadratically. But each action in the window multiplies the rows by 3. Up to
 # corridor 5 the table with actions is even the larger one; from corridor 6 on it is the smaller one, and soon both are
-# too large (a row has a value for each of 3 actions, and a value has 8 bytes):
+# too large. (A row has a value for each of 3 actions, and a value has 8 bytes. The paper's example is a window of 25
+# observations: it needs "over a petabyte".)
 
 # %%
+print(f"a window of 25 observations alone: {3 * 8 * stack_size(4, 25):.1e} bytes, 27 petabytes (27 million gigabytes)")
 for length in range(3, 9):
     k_alone, k_both = windows.window_law(length), windows.action_law(length)
     alone_bytes, both_bytes = 3 * 8 * stack_size(4, k_alone), 3 * 8 * stack_size(4, k_both, 3)
@@ -389,10 +398,13 @@ early.measured(
 # learn "open the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table,
 # trained on batches of remembered steps (lesson 4 is about networks). The window comes to it as separate numbers, each
 # of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
-# the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one entry. (In
-# this code `memory` is the store of old steps for training, not what the agent remembers of the corridor.
-# `slope_of_loss` gets Q(S, A) less the target, the TD error with the other sign, and cuts it to the range −1 to 1, since
-# `error_clip` is 1. So a step *down* the gradient moves Q(S, A) towards the target.)
+# the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one entry. (The
+# paper takes the DQN of Stable-Baselines3. This is the package's own, with settings of its own, so its curves are not
+# those of the paper.)
+#
+# Three names in the code: `memory` is the store of old steps for training, not what the agent remembers of the corridor.
+# `target` is the target, and `self.target` the older network. `slope_of_loss` gets $Q(S, A)$ less the target, cut to the
+# range −1 to 1, so a step *down* that slope moves $Q(S, A)$ towards the target.
 
 # %%
 source(DQN.add_gradient)

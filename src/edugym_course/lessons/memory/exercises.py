@@ -15,7 +15,7 @@ from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare, given, number
+from edugym_course.grading.values import compare, exact, given, number
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
 from edugym_course.lessons.memory.windows import action_law, window_law
@@ -35,6 +35,11 @@ def exercise_1(answer: Any, seed: int) -> str:
         right = (doors + 1) ** window_law(length)
         mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
         compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+    doors, length = 2, 9
+    call = f"table_rows({doors}, {length})"
+    with student_code(call):
+        found = answer(doors, length)
+    exact(call, found, (doors + 1) ** window_law(length))
     return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
 
 

@@ -64,14 +64,14 @@ def network_claims(networks: Results) -> list[Claim]:
             "greedy return of DQN",
             networks.mean(many),
             Within(10.0, 11.5),
-            "7 = 4 (4 - 1) / 2 + 1; the network learns it within 100 000 steps",
+            remark="7 = 4 (4 - 1) / 2 + 1; the network learns it within 100 000 steps",
         ),
         Claim(
             "With the actions in the same window the network gets through corridor 5 and further",
             "greedy return of DQN",
             networks.mean(acting),
             Above(15.0),
-            "7 = 2 * 5 - 3 is enough for corridor 5; a table would have 12 million rows",
+            remark="7 = 2 * 5 - 3 is enough for corridor 5; a table would have 12 million rows",
         ),
         Claim(
             "Seven frames are worth more than four",

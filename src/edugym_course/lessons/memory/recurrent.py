@@ -66,6 +66,6 @@ def recurrent_claims(recurrent: Results) -> list[Claim]:
             "greedy return",
             recurrent.mean(RECURRENT),
             Above(10.0),
-            "results of ten seeds, stored with the package",
+            remark="results of ten seeds, stored with the package",
         )
     ]

@@ -8,6 +8,9 @@ The given model has wrong rewards where `noise` is above 0: each repetition has 
 errors, the same for every method; 24 repetitions, and 100 layouts for plans that nobody learns from. With a given model
 discount is 0.95.
 
+In 12 other shops the walls, the entrance and the exit are the same, and the items are in other places, drawn at random;
+20 repetitions in each. There returns are in percent of what the best plan returns.
+
 "Final" is the return of the last greedy evaluation episode. A policy that never gets to the exit returns -300 or less.
 The best way returns 95.
 
@@ -16,13 +19,22 @@ differs from machine to machine.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
+import numpy as np
+
+from edugym.agents.dyna_q import DynaQ
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
 from edugym.experiments.results.claims import Above, Below, Claim, Within, beginning
-from edugym.experiments.results.statistics import Interval, paired_difference, proportion_interval, share_interval
+from edugym.experiments.results.statistics import (
+    Interval,
+    mean_interval,
+    paired_difference,
+    proportion_interval,
+    share_interval,
+)
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.model_based.figures import figures
@@ -53,8 +65,17 @@ from edugym_course.lessons.model_based.methods import (
     with_right_model,
 )
 from edugym_course.lessons.model_based.plans import Plan, follow_plan, used_and_seen
+from edugym_course.lessons.model_based.shops import SHOPS, Elsewhere, compare_shops
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
+
+AT_WALLS = ((1.5, 0.95), (1.5, 0.9), (2.0, 0.9))
+"""Noise and discount of plans without the errors at the walls."""
+MUCH_PLANNING = "Dyna-200, α = 0.1"
+TOO_MUCH = "With learning rate 0.1 and 200 imagined steps for each real one the wrong model wins more often"
+"""The claim that it is the many real steps that save Dyna-10 with the small rate from a wrong model."""
+KNOWS_MORE = f"In the other shops {DECAYING} gets to know more than {DYNA_10}, and ends higher"
+"""The claim that exploration is what the planners lack, wherever the items are."""
 
 
 def warm_up() -> None:
@@ -84,11 +105,15 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     fewer: dict[str, Any] = {"repetitions": max(2 * how.repetitions // 5, 2)}  # the effects of errors are large
     right = compare(with_right_model(GIVEN), **how("noise_0", **fewer))
     wrong = compare(GIVEN, noise=WRONG, **how(f"noise_{WRONG:g}", **fewer))
+    dyna_200 = {MUCH_PLANNING: partial(make, DynaQ, given=True, planning_steps=200, learning_rate=0.1)}
+    much = compare(dyna_200, noise=WRONG, **how("much_planning", **fewer))
     whole = {SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=math.inf)}
     at_once = compare(with_right_model(whole), n_steps=1, **how(**fewer))
     layouts = sorted(int(seed) for seed in remedied.table["layout_seed"].unique())  # as there are most of them
     plans = {noise: [follow_plan(noise, seed) for seed in layouts] for noise in NOISES}
-    return learned, remedied, right, wrong, at_once, plans
+    few: dict[str, Any] = {"repetitions": max(how.repetitions // 3, 2)}  # in each shop
+    shops = compare_shops({**LEARNED, DECAYING: REMEDIES[DECAYING]}, **how(**few))
+    return learned, remedied, right, wrong, much, at_once, plans, shops
 
 
 def judge(
@@ -96,17 +121,21 @@ def judge(
     remedied: Results,
     right: Results,
     wrong: Results,
+    much: Results,
     at_once: Results,
     plans: Mapping[float, list[Plan]],
+    elsewhere: Mapping[str, Elsewhere],
 ) -> Report:
     """Return claims and figures."""
     claims = [
         *speed_claims(learned),
         *end_claims(learned, remedied),
         *remedy_claims(learned, remedied),
+        *shop_claims(elsewhere),
         *given_claims(right, at_once),
         *plan_claims(plans),
-        *noise_claims(right, wrong),
+        *wall_claims(range(len(plans[WRONG]))),
+        *noise_claims(right, wrong, much),
     ]
     return Report(claims, figures(learned, remedied, right, wrong, plans))
 
@@ -122,11 +151,16 @@ def speed_claims(learned: Results) -> list[Claim]:
             f"{beginning(method)} learns in fewer steps than Q-learning",
             f"greedy return, mean over the first {EARLY} steps, less that of Q-learning",
             paired_difference(early(learned, method), early(learned, Q_LEARNING)),
-            Above(0.0),
-            "one real step is followed by many updates from memory" if method == DYNA_10 else "",
+            Above(200.0),
+            remark="one real step is followed by many updates from memory; Q-learning is Dyna without these updates",
         )
         for method in (DYNA_10, DYNA_50, SWEEPING)
     ]
+
+
+def helps(method: str) -> str:
+    """Return the claim that a remedy mends what Dyna-10 lacks."""
+    return f"More exploration helps: {method} ends above {DYNA_10} with ε = {EPSILON:g}"
 
 
 def end_claims(learned: Results, remedied: Results) -> list[Claim]:
@@ -135,11 +169,13 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
     return [
         *(
             Claim(
-                f"{beginning(method)} ends below Q-learning, which does not plan",
+                f"With the items in their usual places {method} ends below Q-learning, which does not plan",
                 "final return less that of Q-learning",
                 difference(learned, method, learned, Q_LEARNING),
                 Below(0.0),
-                "its model has not seen the whole shop; the paper shows the quick start only",
+                "its model has not seen the whole shop",
+                (helps(DECAYING), KNOWS_MORE),
+                "with the items in other places it may end above; the paper shows the quick start only",
             )
             for method in (DYNA_10, DYNA_50, SWEEPING)
         ),
@@ -148,8 +184,9 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
                 f"What {method} has seen allows a lower return than what Q-learning has seen",
                 "return of the best plan by what was seen, less that of Q-learning",
                 paired_difference(seen[method], seen[Q_LEARNING]),
-                Below(0.0),
-                "an agent that plans well exploits early, and gets to know less",
+                Below(-3.0),
+                "an agent that plans well exploits early, and gets to know less unless it explores on purpose",
+                (helps(DECAYING), KNOWS_MORE),
             )
             for method in (DYNA_10, DYNA_50, SWEEPING)
         ),
@@ -160,6 +197,7 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
                 difference(learned, method, remedied, DECAYING),
                 Below(0.0),
                 "planning invents no knowledge",
+                (uses_all(method),),
             )
             for more, method in (("Five times as much", DYNA_50), ("Better", SWEEPING))
         ),
@@ -171,10 +209,7 @@ def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
     return [
         *(
             Claim(
-                f"More exploration helps: {method} ends above {DYNA_10} with ε = {EPSILON:g}",
-                "final return, difference",
-                difference(remedied, method, remedied, DYNA_10),
-                Above(0.0),
+                helps(method), "final return, difference", difference(remedied, method, remedied, DYNA_10), Above(0.0)
             )
             for method in (DECAYING, MORE_RANDOM)
         ),
@@ -197,6 +232,73 @@ def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
     ]
 
 
+def uses_all(method: str) -> str:
+    """Return the claim that a planner makes the most of what it has seen."""
+    return f"In the other shops too {method} makes the most of what it has seen"
+
+
+def shop_claims(elsewhere: Mapping[str, Elsewhere]) -> list[Claim]:
+    """Return the claims on shops with the items in other places: what is general, and what is not."""
+    returns = {method: found.returns.mean(axis=1) for method, found in elsewhere.items()}
+    seen = {method: found.seen.mean(axis=1) for method, found in elsewhere.items()}
+    lead = returns[Q_LEARNING] - returns[DYNA_10]
+    percent = "percent of what the best plan returns"
+    return [
+        Claim(
+            "Whether Q-learning or Dyna-10 ends higher depends on where the items are",
+            f"share of {len(SHOPS)} shops in which Q-learning does, by the means of the runs",
+            share_interval(lead > 0.0),
+            Within(0.2, 0.95),
+        ),
+        Claim(
+            "On average over the shops neither Q-learning nor Dyna-10 is far ahead at the end",
+            f"Q-learning less Dyna-10, {percent}",
+            mean_interval(lead),
+            Within(-20.0, 20.0),
+        ),
+        *(
+            Claim(
+                f"In nearly every other shop {method} gets to know less than Q-learning",
+                "share of shops, by the means of the best plans by what was seen",
+                share_interval(seen[method] < seen[Q_LEARNING]),
+                Above(0.5),
+                "an agent that plans well exploits early",
+                (KNOWS_MORE,),
+            )
+            for method in (DYNA_10, DYNA_50, SWEEPING)
+        ),
+        *(
+            Claim(
+                uses_all(method),
+                f"return of the best plan by what it has seen, less its own, {percent}",
+                mean_interval(elsewhere[method].seen - elsewhere[method].returns),
+                Within(-1.0, 1.0),
+            )
+            for method in (DYNA_10, DYNA_50, SWEEPING)
+        ),
+        Claim(
+            "In the other shops Q-learning knows more than it uses",
+            f"return of the best plan by what it has seen, less its own, {percent}",
+            mean_interval(seen[Q_LEARNING] - returns[Q_LEARNING]),
+            Above(3.0),
+            "without planning it needs many visits to make a value of what it has seen",
+            tuple(uses_all(method) for method in (DYNA_10, DYNA_50, SWEEPING)),
+        ),
+        Claim(
+            KNOWS_MORE,
+            f"the lesser gain of the two, mean of a shop, {percent}",
+            mean_interval(np.minimum(seen[DECAYING] - seen[DYNA_10], returns[DECAYING] - returns[DYNA_10])),
+            Above(3.0),
+        ),
+        Claim(
+            "R-max is at the best plan in the other shops too",
+            f"final return, {percent}",
+            mean_interval(returns[R_MAX]),
+            Above(99.0),
+        ),
+    ]
+
+
 def given_claims(right: Results, at_once: Results) -> list[Claim]:
     """Return the claims on planning with the right model."""
     return [
@@ -205,16 +307,21 @@ def given_claims(right: Results, at_once: Results) -> list[Claim]:
             "share of runs with return 95 after one step",
             at_once.share(SWEEPING, OPTIMUM),
             Above(0.8),
-            "dynamic programming: nothing is left to explore",
+            remark="dynamic programming: nothing is left to explore",
         ),
         Claim(
             "Samples of a generative model are enough: Dyna-10 with the right model given ends with 95",
             "share of runs that end with 95",
             right.share(DYNA_10, OPTIMUM),
             Above(0.8),
-            f"it draws {N_STEPS * 10} samples in all; sweeping over the descriptive model is done at once",
+            remark=f"it draws {N_STEPS * 10} samples in all; sweeping over the descriptive model is done at once",
         ),
     ]
+
+
+def saved(noise: float, discount: float) -> str:
+    """Return the claim that it is the errors at the walls that lose most plans."""
+    return f"Without the errors at the walls most lost plans get to the exit (noise {noise:g}, discount {discount:g})"
 
 
 def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
@@ -232,12 +339,25 @@ def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
             share_interval([plan.bumps for plan in lost[WRONG]]),
             Above(0.5),
             "with an error above 1 the wall seems to pay for each bump, so that bumping without end is worth most",
+            tuple(saved(*setting) for setting in AT_WALLS),
         ),
     ]
 
 
-def noise_claims(right: Results, wrong: Results) -> list[Claim]:
+def wall_claims(layouts: Sequence[int]) -> list[Claim]:
+    """Return the claims on plans without the errors at the walls, in layouts with these seeds."""
+    claims = []
+    for noise, discount in AT_WALLS:
+        fail = [seed for seed in layouts if not follow_plan(noise, seed, discount).ends]
+        ends = [follow_plan(noise, seed, discount, errors_at_walls=False).ends for seed in fail]
+        quantity = "share of the plans that never end with these errors"
+        claims.append(Claim(saved(noise, discount), quantity, share_interval(ends), Above(0.5)))
+    return claims
+
+
+def noise_claims(right: Results, wrong: Results, much: Results) -> list[Claim]:
     """Return the claims on agents that learn with a wrong model."""
+    slow_rate = f"With learning rate 0.1 Dyna-10 gets over noise {WRONG:g} in most runs: it loses less than 50"
     return [
         *(
             Claim(
@@ -246,17 +366,25 @@ def noise_claims(right: Results, wrong: Results) -> list[Claim]:
                 difference(wrong, method, right, method),
                 Below(-100.0),
                 reason,
+                tested_by,
             )
-            for method, reason in (
-                (SWEEPING, "all that it learns comes from the model"),
-                (DYNA_10, "with learning rate 1 each imagined reward overwrites what was lived"),
+            for method, reason, tested_by in (
+                (SWEEPING, "all that it learns comes from the model", ()),
+                (DYNA_10, "with learning rate 1 each imagined reward overwrites what was lived", (slow_rate,)),
             )
         ),
         Claim(
-            f"With learning rate 0.1 Dyna-10 gets over noise {WRONG:g} in most runs: it loses less than 50",
+            slow_rate,
             "share of runs",
             share_interval(wrong.final(SLOW_DYNA) - right.final(SLOW_DYNA) > -50.0),
             Above(0.7),
             "where it walks, real steps are more frequent than imagined ones, and they win",
+            (TOO_MUCH,),
+        ),
+        Claim(
+            TOO_MUCH,
+            "final return, Dyna-200 less Dyna-10",
+            difference(much, MUCH_PLANNING, wrong, SLOW_DYNA),
+            Below(-50.0),
         ),
     ]

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.envs.supermarket import Supermarket
+from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
@@ -34,13 +35,14 @@ class Plan(NamedTuple):
         return self.total > LOST
 
 
-def follow(chosen: Integers) -> Plan:
+def follow(chosen: Integers, model: FiniteModel | None = None) -> Plan:
     """Follow a policy in the supermarket.
 
     Args:
         chosen: the action in each state, by the rows of the exact model.
+        model: the exact model; by default that of the usual shop.
     """
-    model = exact_model()
+    model = model or exact_model()
     s, total, path, max_steps = int(model.initial.argmax()), 0.0, list[int](), Supermarket.create().max_steps
     while s not in path and not model.terminal[s]:
         path.append(s)
@@ -51,10 +53,23 @@ def follow(chosen: Integers) -> Plan:
     return Plan(total if model.terminal[s] else -float(max_steps), bumps, places)
 
 
-def follow_plan(noise: float, layout_seed: int, discount: float = PLANNING_DISCOUNT) -> Plan:
-    """Plan by value iteration with the model of a noise and layout, and follow the plan in the supermarket itself."""
-    task = Supermarket.create(noise, layout_seed=layout_seed)
-    return follow(value_iteration(task.distorted(exact_model()), discount, tolerance=1e-6).Q.argmax(axis=1))
+def follow_plan(
+    noise: float, layout_seed: int, discount: float = PLANNING_DISCOUNT, *, errors_at_walls: bool = True
+) -> Plan:
+    """Plan by value iteration with a wrong model, and follow the plan in the supermarket itself.
+
+    Args:
+        noise: the standard deviation of the errors in the rewards of the model.
+        layout_seed: the seed that draws them.
+        discount: γ.
+        errors_at_walls: whether the rewards of bumps into a wall have errors too, as all others have.
+    """
+    exact = exact_model()
+    model = Supermarket.create(noise, layout_seed=layout_seed).distorted(exact)
+    if not errors_at_walls:
+        bumps = exact.successors == np.arange(len(exact.states))[:, np.newaxis, np.newaxis]
+        model = model._replace(rewards=np.where(bumps, exact.rewards, model.rewards))
+    return follow(value_iteration(model, discount, tolerance=1e-6).Q.argmax(axis=1))
 
 
 def follow_plans(layouts: Sequence[int], discount: float = PLANNING_DISCOUNT) -> dict[float, list[Plan]]:
@@ -91,12 +106,13 @@ def tried(agent: Any) -> Any:
     return agent.Q != 0.0
 
 
-def best_by_what_was_seen(agent: Any, discount: float = DISCOUNT) -> float:
+def best_by_what_was_seen(agent: Any, discount: float = DISCOUNT, model: FiniteModel | None = None) -> float:
     """Return the return of the best plan that uses nothing but the actions that a run has tried.
 
-    The supermarket has no chance in it, so that one try tells all about an action.
+    The supermarket has no chance in it, so that one try tells all about an action. `model` is that of its shop, by
+    default the usual one.
     """
-    model = exact_model()
+    model = model or exact_model()
     known = tried(agent)[list(model.states)]
     V: Reals = np.zeros(len(model.states))
     for _ in range(len(V)):
@@ -104,7 +120,7 @@ def best_by_what_was_seen(agent: Any, discount: float = DISCOUNT) -> float:
         V, before = np.where(model.terminal, 0.0, Q.max(axis=1)), V
         if np.array_equal(V, before):
             break
-    return follow(Q.argmax(axis=1)).total
+    return follow(Q.argmax(axis=1), model).total
 
 
 def used_and_seen(results: Results) -> dict[str, tuple[Reals, Reals]]:

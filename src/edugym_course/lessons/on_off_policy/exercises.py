@@ -151,7 +151,7 @@ def two_policies_update(
     def value(Q: Any, now: Transition) -> float:
         row = Q[{"left": now.state}.get(mean, now.next_state)]
         p = {"behaviour": epsilon, "inverted": 1 - target_epsilon}.get(mean, target_epsilon)
-        others = np.delete(row, row.argmax())
+        others, gamma = np.delete(row, row.argmax()), one_step["discount"]
         return float(
             {
                 "nothing": 0.0,
@@ -169,6 +169,11 @@ def two_policies_update(
                 "sampled": (1 - p) * row.max() + p * row[now.next_action],
                 "index": (1 - p) * row.argmax() + p * row.mean(),
                 "old": (1 - p) * row.max() + p * Q[now.state, now.action],
+                "mean undiscounted": (1 - p) * row.max() + p * row.mean() / gamma,
+                "max undiscounted": (1 - p) * row.max() / gamma + p * row.mean(),
+                "best twice": (1 - p + p / len(row)) * row.max() + p * row.mean(),
+                "divided twice": (1 - p) * row.max() + p * row.mean() / len(row),
+                "states": (1 - p) * row.max() + p * row.sum() / len(Q),
             }.get(mean, (1 - p) * row.max() + p * row.mean())
         )
 
@@ -196,6 +201,11 @@ MEAN_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the minimum stands where the mean over the actions should": {"mean": "min"},
     "the mean is taken over the whole table instead of the row of the next state": {"mean": "whole table"},
     "Q(S', A') stands where the mean over the actions should; no action has to be drawn": {"mean": "sampled"},
+    "the mean is not discounted: γ belongs to the whole bracket": {"mean": "mean undiscounted"},
+    "the maximum is not discounted: γ belongs to the whole bracket": {"mean": "max undiscounted"},
+    "the best action counts too often: the mean over all actions has it already, with ε_π/n": {"mean": "best twice"},
+    "the mean is divided by n once more": {"mean": "divided twice"},
+    "it divides by the number of states; n is the number of actions, self.Q.shape[1]": {"mean": "states"},
     "argmax gives the *number* of the best action; its value is needed, max": {"mean": "index"},
     "Q(S, A) stands where the mean of Q(S', a) should": {"mean": "old"},
     "the values are those of the state that was left, Q(S, a), instead of Q(S', a)": {"mean": "left"},
@@ -223,11 +233,11 @@ def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of an agent that acts with one ε and learns the values of another."""
     require_class("TwoPolicies", answer)
     rng = np.random.default_rng(seed)
-    for n_states, n_actions in ((6, 3), (5, 2), (7, 4)):
+    for n_states, n_actions, epsilon in ((6, 3, 0.15), (5, 2, 0.9), (7, 4, 0.25)):  # below ε_π, and above it
         settings = {
             "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
-            "epsilon": float(rng.choice([0.15, 0.25])),
+            "epsilon": epsilon,
             "target_epsilon": float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(agent_with_table, "TwoPolicies", answer, (n_states, n_actions), settings)

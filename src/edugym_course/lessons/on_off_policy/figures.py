@@ -70,7 +70,16 @@ class Paths(NamedTuple):
         if self.numbers:
             for (row, column), number in np.ndenumerate(self.danger):
                 if not np.isnan(number):
-                    ax.text(column - 0.44, row + 0.24, f"{number:.0f}", ha="left", va="center", fontsize=7, color=INK)
+                    ax.text(
+                        column - 0.44,
+                        row + 0.24,
+                        f"{number:.0f}",
+                        ha="left",
+                        va="center",
+                        fontsize=7,
+                        color=INK,
+                        zorder=4,
+                    )
         for i, (label, path) in zip(self.strokes, self.paths.items(), strict=False):
             shift = 0.11 * (i - (len(self.paths) - 1) / 2)  # so that no path hides another
             x, y = np.array(path, float).T + shift

@@ -21,7 +21,7 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 from gymnasium.utils.env_checker import check_env
 
-from edugym import FiniteModel, MDPEnv, check_mdp, finite_model, policy_evaluation, read_mdp, share
+from edugym import FiniteModel, MDPEnv, QLearning, check_mdp, finite_model, policy_evaluation, read_mdp, share
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.own_problem import exact, experiments, figures, methods, races
 from edugym_course.lessons.own_problem.bedroom import bedroom
@@ -54,7 +54,8 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 #
 # That is everything. In code it is an immutable value, a `NamedTuple`, with one short method for each of these parts,
 # and two more for the beginning and the end. `rng` draws the random numbers, and an agent sees what `observation`
-# returns.
+# returns. (The two spaces say which actions and observations there are. `property` makes a method of them that is read
+# like a value: `morning.action_space`.)
 
 
 # %%
@@ -288,8 +289,8 @@ oversleeps.measured(100 * night.late)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 14 %, one morning in seven. "I *must* be up" was the wish, but the reward says that being late costs 10
-# and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3: that costs $0.3 \cdot (10 - 1)
-# = 2.7$ on average, and a ring would cost 4. The policy is right and the reward is not what was meant. You can change
+# and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3. Then she dozes on, which is
+# worth 1, and is late, which costs 10: that is $0.3 \cdot (10 - 1) = 2.7$ on average. A ring would cost 4. The policy is right and the reward is not what was meant. You can change
 # it with the sliders below.
 # </details>
 
@@ -334,7 +335,7 @@ for method, returns in worth.items():
 # All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
 # mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest: after about 4 000 steps it is
 # within 1 of the optimum. The other three need most of the 10 000. For each method but Dyna, 14 to 17 of the 20 runs
-# end with a policy worth 9.78 or more, of 10.32; the others pull the mean down. The novelty reward is no help here: its
+# end within 0.6 of the optimum, 10.32; the others pull the mean down. The novelty reward is no help here: its
 # line is close to that of Q-learning. One reason may be that exploring is easy in this problem. (On the left the points
 # are means of played episodes, which luck may lift above the optimum; on the right the policies are evaluated exactly.)
 
@@ -367,8 +368,9 @@ sliders(figures.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bon
 # ## See inside: what a careless reward teaches
 #
 # ### A runner who gives up
-# The runner of lesson 2 must arrive exactly at the last cell before a cliff. The step that arrives there has the reward
-# $+1$. A step in which the runner falls or stalls has the reward $R$, here a fixed number. Every other step has $-1$.
+# The runner of lesson 2 must arrive exactly at the last cell before a cliff. It stands still at first. Each action changes
+# its speed by $-1$, 0 or $+1$, and then it runs as many cells as its speed says. The step that arrives there has the
+# reward $+1$. A step in which the runner falls or stalls has the reward $R$, here a fixed number. Every other step has $-1$.
 # To *stall* is to brake when standing still, and it ends the episode. The shortest run has four steps and returns $-1 -
 # 1 - 1 + 1 = -2$.
 #
@@ -492,12 +494,49 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-3.3$
-# against 6.7. One reason may be what the potential tells the agent first: it is paid at once for waking her, at any
-# hour, and the bill comes later. After 12 800 steps both are near the optimum (9.9 and 9.8). With $\varphi = v_*$
-# Q-learning is close to the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help
-# learning or slow it down. It should be a guess of $v_*(s)$ (Ng et al.), and "awake is worth 10 at any hour" is a bad
-# one. With the two careless rewards more training does not bring the agent to what was meant.
+# against 6.7. After 12 800 steps both are near the optimum (9.9 and 9.8). With $\varphi = v_*$ Q-learning is close to
+# the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help learning or slow it
+# down. With the two careless rewards more training does not bring the agent to what was meant.
 # </details>
+
+# %% [markdown]
+# ### A potential is an initial value
+# Why does this potential slow learning down, and $v_*$ not? Write $Q'$ for the table of Q-learning with the potential.
+# Its error is
+#
+# $$
+# R + \gamma\, \varphi(S') - \varphi(S) + \gamma \max_a Q'(S', a) - Q'(S, A)
+# = R + \gamma \max_a \left[ Q'(S', a) + \varphi(S') \right] - \left[ Q'(S, A) + \varphi(S) \right]
+# $$
+#
+# That is the error of Q-learning *without* shaping, with a table $Q = Q' + \varphi$. So both move by the same amounts:
+# to learn with a potential is to learn without one from a table that *starts* at $\varphi(s)$ (Wiewiora, 2003). Let
+# two agents learn from the same steps, and compare their tables:
+
+# %%
+phi = exact.awake_potential(8)  # by time and depth: 10 where she is awake
+shaped_agent, started_agent = (QLearning.create((27, 3), learning_rate=0.1, discount=1.0) for _ in range(2))
+started_agent.Q[:] = phi.reshape(27, 1)
+rng = np.random.default_rng(0)
+state = morning.initial(rng)
+for _ in range(12_800):
+    row = 3 * state[0] + state[1]
+    action = started_agent.act(row, rng)
+    after = morning.transition(state, action, rng)
+    next_row, over = 3 * after[0] + after[1], morning.terminal(after)
+    reward = morning.reward(state, action, after, rng)
+    shaped_agent.learn(row, action, reward + phi[after] - phi[state], next_row, over)
+    started_agent.learn(row, action, reward, next_row, over)
+    state = morning.initial(rng) if over else after
+print("the same tables, but for φ:", np.allclose(shaped_agent.Q + phi.reshape(27, 1), started_agent.Q))
+
+# %% [markdown]
+# So the potential of 10 is an old friend from lesson 1: optimistic initial values. Every action in every state in which
+# she is awake looks as if it were worth 10, until it has been tried often enough; with $\alpha = 0.1$ that takes long.
+# Is this all? Then a table that starts at $-\varphi$ should cancel it. It does: with the potential *and* such a table
+# Q-learning learns exactly as without either, in nights of 8 and of 12 steps, and with a potential of 20 too
+# (`edugym reproduce own_problem`). $v_*$ is the best initial value that there is, and "awake is worth 10 at any hour" is
+# far too optimistic.
 
 # %% [markdown]
 # ## Predict, then check
@@ -874,7 +913,7 @@ play(my_problem)
 
 # %%
 path = share(my_problem, "my_problem.py")
-print(path.read_text(encoding="utf-8"))
+print(*path.read_text(encoding="utf-8").splitlines()[:8], "...", sep="\n")
 
 # %% [markdown]
 # A friend who has EduGym and the file can play it in a terminal, `edugym play my_problem.py`, or in a notebook,
@@ -902,8 +941,8 @@ play("my_problem.py")
 # - Even a sensible reward taught something that was not meant: to oversleep one morning in seven.
 # - Careless rewards taught the clock to wake her at dawn, and to wake her again and again. The runner with $R = -1$
 #   gives up at once. Each of these policies is the optimum of the reward that was given.
-# - A potential pays and takes back, so it changes no best policy. Here $v_*$ itself helped a lot, and a bad guess of it
-#   slowed learning down.
+# - A potential pays and takes back, so it changes no best policy. To Q-learning it is the same as a table that starts at
+#   it. Here $v_*$ itself helped a lot, and a bad guess of it slowed learning down.
 # - What a variable in the state is worth can be measured by leaving it out.
 #
 # ### In one paragraph
@@ -911,7 +950,8 @@ play("my_problem.py")
 # and a reward. The state must include everything about the past that makes a difference for the future. The reward is
 # not a description of what I want but the only thing that is paid, and the best policy is best for what is paid. So I
 # solve a small version exactly, look at what the best policy *does*, and count what I care about, before I train
-# anything. If I want to help an agent with hints, I give them as a potential, which is paid back.
+# anything. If I want to help an agent with hints, I give them as a potential, which is paid back, or start its table
+# there, which is the same.
 #
 # ### Limits
 # All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by
@@ -924,6 +964,7 @@ play("my_problem.py")
 #   (designing reward signals).
 # - Ng, Harada and Russell (1999), *Policy invariance under reward transformations: theory and application to reward
 #   shaping*.
+# - Wiewiora (2003), *Potential-based shaping and Q-value initialization are equivalent*.
 # - Randløv and Alstrøm (1998), *Learning to drive a bicycle using reinforcement learning and shaping*: a bonus for
 #   progress that taught it to ride in circles.
 # - Amodei, Olah, Steinhardt, Christiano, Schulman and Mané (2016), *Concrete problems in AI safety*: reward hacking.

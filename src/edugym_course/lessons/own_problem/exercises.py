@@ -20,6 +20,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, digits, given, number, same
+from edugym_course.lessons.own_problem.bicycle import Bicycle, is_like
 from edugym_course.lessons.own_problem.exact import random_return, solve
 from edugym_course.lessons.own_problem.figures import names_of
 from edugym_course.lessons.own_problem.morning import RING, Morning
@@ -352,9 +353,9 @@ def _require_small(mdp: Any) -> None:
 def exercise_4(answer: Any, seed: int) -> str:
     """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best."""
     given("my_problem", answer)
-    if type(answer).__name__ == "Template":
+    if type(answer).__name__ == "Template" or is_like(type(answer), Bicycle):
         raise WrongAnswer("that is the problem with which the cell began: write one of your own, under its own name")
-    if isinstance(answer, Morning) or type(answer).__name__ == "Morning":
+    if isinstance(answer, Morning) or type(answer).__name__ == "Morning" or is_like(type(answer), Morning):
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
     with student_code("my_problem"), _told_as_wrong():
         task_of(answer, "my_problem", MDP_ONLY)

@@ -69,8 +69,26 @@ def true_returns(results: Results, method: str, judge: Any) -> Reals:
     return np.array([worth(model, policy_of(agent, model, greedy=True), limit) for agent in agents])
 
 
+def started_at(phi: Reals, environment: Any) -> QLearning:
+    """Return Q-learning whose action values start at φ(s) in place of 0, with the settings of the lesson.
+
+    Args:
+        phi: the number at which the values of a state start, by time and depth.
+        environment: the morning.
+    """
+    agent: QLearning = methods_with()["Q-learning"](environment)
+    agent.Q[:] = phi.reshape(-1, 1)
+    return agent
+
+
 def as_meant(
-    tasks: Mapping[str, Any], judge: Any, budgets: Sequence[int], *, repetitions: int = REPETITIONS, **how: Any
+    tasks: Mapping[str, Any],
+    judge: Any,
+    budgets: Sequence[int],
+    *,
+    make: Maker | None = None,
+    repetitions: int = REPETITIONS,
+    **how: Any,
 ) -> dict[str, Reals]:
     """Return what Q-learning's policies are worth by the reward of `judge`, when it learned from those of `tasks`.
 
@@ -78,13 +96,14 @@ def as_meant(
         tasks: by label, MDPs that differ from `judge` in the reward alone.
         judge: the MDP with the reward that counts.
         budgets: the training steps after which to look, in ascending order.
+        make: makes the agent for an environment; by default Q-learning with the settings of the lesson.
         repetitions: the runs of each.
         **how: more arguments of `repeat`, such as `seed`.
 
     Returns:
         By label, shape (n_budgets, n_repetitions).
     """
-    method = {"Q-learning": methods_with()["Q-learning"]}
+    method = {"Q-learning": make or methods_with()["Q-learning"]}
     how = {"evaluate_every": budgets[-1], "repetitions": repetitions, **how}
     return {
         label: np.array([true_returns(repeat(task, method, budget, **how), "Q-learning", judge) for budget in budgets])

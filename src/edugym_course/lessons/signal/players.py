@@ -5,6 +5,7 @@ from typing import Annotated, Any, NamedTuple
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.wrapper import wrapper
 
 
 class Voter(NamedTuple):
@@ -57,6 +58,18 @@ class RoundRobin(NamedTuple):
     def create(cls, environment: Any) -> "RoundRobin":
         """Create a player that has done nothing yet."""
         return new(cls, None, {})
+
+
+@wrapper
+class Meanings(NamedTuple):
+    """A toy whose synonyms look the same to the agent: of a word it is told which need it names."""
+
+    mdp: Any  # the toy
+
+    def observation(self, state: Any, rng: Random) -> Any:
+        """The hit points, and the need that the word names."""
+        hp, word = self.mdp.observation(state, rng)
+        return hp, word % 4
 
 
 class Coin(NamedTuple):

@@ -22,7 +22,7 @@ import numpy as np
 from edugym import EpsilonGreedy, QLearning, RiskSensitiveQLearning, table_size
 from edugym.agents.tables import best_value, one_step_target
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons.stochasticity import exact, figures, methods
+from edugym_course.lessons.stochasticity import drive, exact, figures, methods
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -224,13 +224,17 @@ highest.measured(seen)
 # neutral player did not pay here. (In the left curves the two lines lie on each other. While exploring, the seeking
 # player is a little ahead.)
 #
-# The last lines say more about the two outer players. The *order* of the swings matters. Seeking runs that drive first
-# earn 0.86. But half of the seeking runs chip first and drive then, from closer to the far edge. They lose more than
-# twice as many balls, and earn 0.78. That keeps the seeking player at 0.82. Of the averse runs, 8 of 30 have learned to
-# start with a putt, which wastes a hit: 0.70. The others earn 0.78, and a player who follows a rule and never drives
-# earns 0.79 (exercise 2). Played without a mistake, the fast plan earns 0.87. So safety itself costs about 0.07 here.
-# But only 11 of the 30 neutral runs play the fast plan; most play the safe one. So the neutral mean is 0.82 and not
-# 0.87, and the two differ by 0.06 only.
+# The last lines say more about each player.
+#
+# *Seeking.* The order of the swings matters. Runs that drive first earn 0.86. But half of the runs chip first and
+# drive then, from closer to the far edge. They lose more than twice as many balls, and earn 0.78.
+#
+# *Averse.* Of its runs, 8 of 30 have learned to start with a putt, which wastes a hit: 0.70. The others earn 0.78, and
+# a player who follows a rule and never drives earns 0.79 (exercise 2).
+#
+# *Neutral.* Played without a mistake, the fast plan earns 0.87. But only 11 of the 30 neutral runs play it; most play
+# the safe plan. So the neutral mean is 0.82, only 0.06 more than that of the averse player. What keeps the others from
+# the drive is the question of "What noise does to learning".
 # </details>
 
 # %% [markdown]
@@ -328,8 +332,9 @@ change.measured(lines.change)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.0187, so the estimate was close. Both lines are exact, for a player who sees where the ball lies and
-# plays as well as possible after the first swing. Below the crossing the risk of the drive pays on average; above it,
+# **Measured.** 0.0187, so the estimate was close. Both lines are computed, for a player who sees where the ball lies and
+# plays as well as possible after the first swing. (The ball can lie anywhere. The computation knows places an eighth of
+# a cell apart, and its errors are below 0.001.) Below the crossing the risk of the drive pays on average; above it,
 # it does not. At 0.015 the drive is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then*
 # a drive also takes two hits. With a little noise the drive is worth more than 0.9, since some drives land on the green
 # at once.)
@@ -337,9 +342,9 @@ change.measured(lines.change)
 
 # %% [markdown]
 # ### The attitude moves the crossing
-# The same computation can be done with the weighted errors of risk-sensitive Q-learning: each value is then the number
-# from which the weighted error is 0 on average. The figure shows how much more the drive is worth than the chip. Above 0
-# a player should drive.
+# The same computation can be done for risk-sensitive Q-learning. The value of a swing is then not the mean of what
+# follows, but the number at which good and bad surprises balance after they are weighted. The figure shows how much more
+# the drive is worth than the chip. Above 0 a player should drive.
 
 # %%
 attitudes = figures.crossing_by_attitude()
@@ -350,7 +355,7 @@ between = {
     methods.SEEKING: (0.04, 0.06),
 }
 for label, (low, high) in between.items():
-    last = exact.crossing(low, high, cell=0.25, risk=methods.RISKS[label])
+    last = exact.crossing(low, high, cell=0.25, risk=methods.RISKS[label])  # places a quarter of a cell apart
     print(f"{label:15}: drives up to about level {last:.3f}")
 
 # %% [markdown]
@@ -416,7 +421,22 @@ noisy.measured(seen)
 
 # %% [markdown]
 # ### What noise does to learning
-# **Predict.** The neutral player earned about 0.82, and the optimum is 0.868. What keeps it from the optimum?
+# The paper says that noise slows learning. The return after some steps does not show it: the first 1 000 steps bring
+# most of the way to the optimum, with noise and without. So we ask how many runs are *near* the optimum, within 0.01.
+
+# %%
+for level in (0.0, 0.015):
+    for n_steps in (1_000, 30_000, 300_000):
+        runs = methods.learn(level=level, risks=methods.NEUTRAL_ONLY, n_steps=n_steps)
+        print(
+            f"level {level:5g}, after {n_steps:6} steps: {drive.near_optimum(runs, level).mean():4.0%} of 30 runs are near"
+        )
+
+# %% [markdown]
+# So it does: with noise fewer runs are near the optimum after 300 000 steps than without noise after 1 000.
+#
+# **Predict.** After 300 000 steps the neutral player earns about 0.82, and the optimum is 0.868. What keeps it from the
+# optimum?
 
 # %%
 obstacle = predict(
@@ -424,7 +444,7 @@ obstacle = predict(
     [
         "it sees the cell of the ball only, not the exact place",
         "it believes that a drive is worth less than it is",
-        "it avoids lost balls, as they hurt more than hits",
+        "it fears a lost ball more than it costs",
     ],
 )
 obstacle
@@ -437,12 +457,6 @@ for label in methods.RISKS:
     print(f"{label:15}: believes on the tee: chip {believed[label][1]:.3f}, drive {believed[label][2]:.3f}")
 print(f"{'exact, averse':15}: drive {exact.from_the_tee(0.015, 0.25, risk=-2.0)['drive']:.3f}")
 print(f"{'exact, neutral':15}: chip {worth['chip']:.3f}, drive {worth['drive']:.3f}")
-still = methods.learn(level=0.0, risks={"neutral": 0.0}, n_steps=30_000, repetitions=10)
-print(f"without noise, after 30 000 steps: mean return {still.final('neutral').mean():.3f}, optimum 0.900")
-patient = methods.play(methods.patient())[methods.NEUTRAL]
-for label, one in (("as in the experiment", played[methods.NEUTRAL]), ("patient", patient)):
-    drivers = methods.share_of_drivers(one)
-    print(f"neutral, {label:20}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk of a drive")
 too_low = worth["drive"] - believed[methods.NEUTRAL][2]
 unseen = worth["drive"] - by_rule[0]
 obstacle.measured(
@@ -457,35 +471,72 @@ obstacle.measured(
 # **Measured.** It believes that a drive is worth less than it is: about 0.75 instead of 0.87. A player that follows a
 # simple rule sees the cell only, and gets 0.865, nearly the optimum, so that is not the obstacle. Nor does it
 # fear lost balls more than it should: with $\beta = 0$ all errors weigh 1, and a lost ball counts for what it costs.
-#
-# Why is the value too low? Noise does two things.
-#
-# It *spreads experience*. After a chip from the tee the ball lies in one of 6 cells, and after a drive in one of more
-# than 50 (they were counted at the start, below the three pictures of a thousand balls). Each of those is visited
-# rarely, and its values started at 0, far below what they are worth. Without noise the same agent is at the optimum
-# after 30 000 steps, a tenth of the training.
-#
-# And it brings *bad luck*. Exactly, the drive is ahead by 0.07 only. A lost ball moves its value by $\alpha \cdot 1.9
-# \approx 0.04$, so after two of them, close to each other, the chip looks better. From then on the drive is tried in 3
-# % of the games, when the agent explores. It recovers slowly, and at the end about half of the runs do not take the
-# risk. (We say that a run takes it if it loses more than 1 ball in 100. These are 14 runs: the 11 that start with a
-# drive, and 3 that drive later.) The averse player is farther off still: it believes 0.33, where 0.83 would be right
-# for it. Probably that has the same reasons, and a lost ball weighs nearly twice as much with it.
-#
-# The test of this explanation is in the last lines. The *patient* player is as neutral as the other. Its values start
-# at 1, so that what was not tried looks good, its learning rate is 0.005 instead of 0.02, so that one ball moves it
-# less, and it trains ten times as long (10 repetitions). All of its runs take the risk, and it is at the optimum.
-#
-# Does it take all three? We tried the other combinations. With one of the three changes, or with longer training and
-# one of the other two, about two thirds of the runs take the risk. With good first values and smaller steps all of them
-# do. But their mean is 0.82: they are not done learning. So the price of noise is all three: good first values, smaller
-# steps, and more of them.
 # </details>
+
+# %% [markdown]
+# Why is the value too low? Two explanations come to mind.
+#
+# - *Bad luck.* Exactly, the drive is ahead by 0.07 only. A lost ball moves its value by $\alpha \cdot 1.9 \approx 0.04$,
+#   so after two of them, close to each other, the chip looks better. From then on the drive is tried in 3 % of the
+#   games, when the agent explores.
+# - *The rest of the game.* After a chip from the tee the ball lies in one of 6 cells, and after a drive in one of more
+#   than 50 (they were counted at the start). Each of those is visited rarely, and its values started at 0, far below
+#   what they are worth. So a drive leads to cells that look bad.
+#
+# Both sound right. To find out, we take each of them away. Against bad luck the steps are a quarter as large,
+# $\alpha = 0.005$. For the rest of the game the agent chooses the *first swing only*, and then a rule chips and putts.
+#
+# **Predict.** As it is, about a third of the runs start with a drive. Which change brings more runs to the drive?
+
+# %%
+cause = predict(
+    "More runs start with a drive ...",
+    ["with smaller steps, so with less bad luck", "with the rest of the game known", "both changes bring as many"],
+)
+cause
+
+# %%
+starts = {label: runs.mean() for label, runs in drive.without_causes().items()}
+for label, share in starts.items():
+    print(f"{label:26}: {share:.0%} of 30 runs start with a drive")
+more = starts[drive.REST_KNOWN] - starts[drive.NO_BAD_LUCK]
+larger = "with the rest of the game known" if more > 0 else "with smaller steps, so with less bad luck"
+cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** With the rest of the game known, by far. So here bad luck with drives is the smaller reason, although it
+# is the one that comes to mind first. With both changes all runs drive. (That is not so everywhere. At level 0.0165 the
+# drive is ahead by 0.05 only. There bad luck alone is enough: also with the rest of the game known, only 28 % of 60 runs
+# drive.)
+#
+# The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. Probably that has the same
+# reasons, and a lost ball weighs nearly twice as much with it.
+# </details>
+
+# %% [markdown]
+# What can an agent do about it that has nobody to play the rest of the game? It can let its values start at 1, so that
+# what was not tried looks good, take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
+# player *patient*. And we say that a run *takes the risk* if it loses more than 1 ball in 100, so if it drives sooner or
+# later in most games. Here the patient player has 10 repetitions.
+
+# %%
+patient = methods.play(methods.patient())[methods.NEUTRAL]
+for label, one in (("as in the experiment", played[methods.NEUTRAL]), ("patient", patient)):
+    drivers = methods.share_of_drivers(one)
+    print(f"neutral, {label:20}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk")
+
+# %% [markdown]
+# All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the other
+# combinations. With one of the three, or with longer training and one of the other two, about two thirds of the runs
+# take the risk. With good first values and smaller steps all of them do. But their mean is 0.82: they are not done
+# learning. So the price of noise is all three: good first values, smaller steps, and more of them.
 
 # %% [markdown]
 # ### "Risk-seeking pays"?
 # In the paper's game (Moerland et al., 2023) the agent does not see its hits: the same row of the table serves for the
-# first hit and the ninth.
+# first hit and the ninth. (We take 100 repetitions here, since a few runs are far from the others.)
 #
 # **Predict.** Hide the hits. Is the mean return of the seeking player higher than that of the neutral one?
 
@@ -498,12 +549,28 @@ pays
 
 # %%
 two = {label: methods.RISKS[label] for label in (methods.NEUTRAL, methods.SEEKING)}
-hidden_runs = methods.learn(observe_hits=False, risks=two)
-hidden = methods.play(hidden_runs, observe_hits=False)
+hidden = methods.play(methods.learn(observe_hits=False, risks=two, repetitions=100), observe_hits=False)
+lead = methods.lead(hidden[methods.SEEKING], over=hidden[methods.NEUTRAL])
+print(
+    f"mean return, seeking less neutral, hits hidden: {lead.estimate:+.3f} (95 %: {lead.low:+.3f} to {lead.high:+.3f})"
+)
+more = "more than the neutral one" if lead.estimate > 0 else "less than the neutral one"
+pays.measured("the same, within 0.01" if abs(lead.estimate) < 0.01 else more)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** More: about 0.05.
+# </details>
+
+# %% [markdown]
+# So does risk-seeking pay? Before we believe it, we compare the two where the hits are seen, at a level at which the
+# drive is *not* the best swing, and against a neutral player who knows that it is: the patient one (3 000 000 steps, 10
+# repetitions).
+
+# %%
 noisier = methods.play(methods.learn(level=0.02, risks=two), level=0.02)
-long_runs = methods.learn(n_steps=3_000_000, repetitions=10, risks=two)
-long = methods.play(long_runs)
-leads = {}
+long = methods.play(methods.learn(n_steps=3_000_000, repetitions=10, risks=two))
 for condition, players in {
     "hits hidden": hidden,
     "hits seen": played,
@@ -511,41 +578,20 @@ for condition, players in {
     "hits seen, ten times as long": long,
     "the same, against the patient": {**long, methods.NEUTRAL: patient},
 }.items():
-    leads[condition] = methods.lead(players[methods.SEEKING], over=players[methods.NEUTRAL])
-print("mean return of the seeking player, less that of the neutral one (95 % interval):")
-for condition, lead in leads.items():
-    print(f"{condition:29}: {lead.estimate:+.3f} ({lead.low:+.3f} to {lead.high:+.3f})")
-first = {
-    "hits hidden": methods.by_first_swing(hidden_runs, hidden, observe_hits=False),
-    "hits seen": methods.by_first_swing(results, played),
-    "ten times as long": methods.by_first_swing(long_runs, long),
-}
-for condition, players in (("hits hidden", hidden), ("hits seen", played), ("ten times as long", long)):
-    neutral, seeking = (players[label] for label in two)
-    chips, *_ = first[condition][methods.SEEKING].get("chip", (0,))
-    print(f"{condition:17}: neutral {neutral.mean.mean():.3f}, seeking {seeking.mean.mean():.3f};", end=" ")
-    print(f"{methods.share_of_drivers(neutral):.0%} of the neutral runs take the risk;", end=" ")
-    print(f"{chips} of {len(seeking.mean)} seeking runs chip first")
-gain = leads["hits hidden"].estimate
-more = "more than the neutral one" if gain > 0 else "less than the neutral one"
-pays.measured("the same, within 0.01" if abs(gain) < 0.01 else more)
+    lead = methods.lead(players[methods.SEEKING], over=players[methods.NEUTRAL])
+    drivers = methods.share_of_drivers(players[methods.NEUTRAL])
+    print(f"{condition:29}: seeking less neutral {lead.estimate:+.3f} ({lead.low:+.3f} to {lead.high:+.3f}),", end=" ")
+    print(f"{drivers:4.0%} of the neutral runs take the risk")
 
 # %% [markdown]
-# <details><summary>What was measured</summary>
-#
-# **Measured.** More: about 0.02. So does risk-seeking pay? Look at the other lines. Where the hits are seen, the two are
-# level. At level 0.02, beyond the crossing, the seeking player earns much less. After ten times the training (10
-# repetitions) it is ahead again. And that lead is gone against the patient player, who is as neutral as the other.
-#
-# At level 0.015 there is one reason: the drive *is* the best swing on average, and many neutral learners are scared
-# away from it by bad luck. With the hits hidden only 23 % of the neutral runs take the risk, against 47 %. (A likely
-# reason: one row of the table stands for good games and bad ones.) So the neutral player is worse there: 0.795 instead
-# of 0.816. The seeking player stays near 0.81: $\beta = 2$ is a push towards the drive. (In both games about half of
-# its runs still chip first; after ten times the training none does.)
+# - At level 0.015 the drive *is* the best swing on average, and many neutral learners avoid it, most of all where the hits
+#   are hidden. (Probably since one row of the table stands for good games and bad ones.) With $\beta = 2$ an agent is
+#   pushed towards the drive.
+# - Against the patient player, who is neutral and drives, the lead is gone.
+# - At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
 #
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
-# another fault. At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
-# </details>
+# another fault.
 
 # %% [markdown]
 # ### Is risk the variance?
@@ -647,7 +693,7 @@ from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1,
 # ### Exercise 1: change a parameter
 # Allow 5 hits instead of 10. Then each hit more costs 0.2 instead of 0.1: the fast plan returns 0.8, and the safe plan
 # 0.6. Up to which level is the drive from the tee worth at least as much as the chip now? Set `level` to that number,
-# to 0.0001. Before you compute: what does the estimate by hand say? (`from statistics import NormalDist`;
+# rounded to four decimals. Before you compute: what does the estimate by hand say? (`from statistics import NormalDist`;
 # `-NormalDist().inv_cdf(p / 2)` gives the number of standard deviations.)
 #
 # <details><summary>Hint</summary><code>exact.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
@@ -721,7 +767,8 @@ for name in ("drive from 5 to 20 cells, chip beyond 2.8", "no drive, chip beyond
 # before each game and play the one or the other. (Two of the rules with drives are nearly the same: they differ by less
 # than the error of the simulation.) The last two lines print two rules that are far off: one still drives when the flag
 # is 5 cells away, the other putts when it could chip. (The first of them lies outside the panel, to the right.) One
-# player on the frontier lies below the panel: who only putts loses every game after 10 hits, and so has a spread of 0.
+# player on the frontier lies below the panel: the one that only putts. It loses every game, as 10 putts are not enough,
+# and so it has a spread of 0.
 # A small spread alone is not safety.
 #
 # The averse player of the experiment is close to the safe end, but below it, as 8 of its 30 runs start with a putt. The
@@ -854,10 +901,11 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - A drive is worth its risk, on average, up to level 0.0187. That follows from one hit that it saves and the balls that
 #   it loses. The attitude to risk moves this level.
 # - Beyond it the best player on average is careful too, so there aversion saves no balls.
-# - Noise spreads experience over many states, and brings bad luck that scares a learner away from what is good. Good first
-#   values, smaller steps and more of them, all three together, mended both.
-# - Risk-seeking paid only where bad luck had made the neutral player too careful. Against a patient one it gained nothing,
-#   and where the risk was not worth it, it cost.
+# - Noise made learning slow. It spreads experience over many cells, whose first values were too low, and it brings bad
+#   luck. Here the first was the larger obstacle: with the rest of the game known most runs drove. Good first values,
+#   smaller steps and more of them, all three together, mended both.
+# - Risk-seeking paid only where the neutral player had learned to be too careful. Against a patient one it gained
+#   nothing, and where the risk was not worth it, it cost.
 # - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake.
 #
 # ### In one paragraph

@@ -57,7 +57,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     )
     return (
         "Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: "
-        "0.0220. The dearer a hit, the more risk it is worth."
+        "0.0220. The more a hit costs, the more risk is worth taking."
     )
 
 
@@ -119,6 +119,11 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
             if not (any(m > mean for m, _ in players.values()) and any(s < spread for _, s in players.values()))
         }
     ),
+    "it compares rounded numbers; compare them as they are": (
+        lambda players: _unbeaten(
+            players, lambda a, b: _beats((round(a[0], 2), round(a[1], 2)), (round(b[0], 2), round(b[1], 2)))
+        )
+    ),
     "these are the players for whom mean minus spread is largest; that is only one taste": (
         lambda players: {n for n, (m, s) in players.items() if m - s == max(a - b for a, b in players.values())}
     ),
@@ -145,9 +150,9 @@ def made_up_players(seed: int) -> list[dict[str, Pair]]:
     few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
     cases = []
     for pairs in (FRONTIER_CASE, ((22, 1), *FRONTIER_CASE), few):
-        scale = float(rng.choice([0.05, 0.1, 0.2]))
+        scale = float(rng.choice([0.003, 0.004]))  # so small that two digits do not tell them apart
         order = rng.permutation(len(pairs))
-        players = [(round(pairs[k][0] * scale, 2), round(pairs[k][1] * scale, 2)) for k in order]
+        players = [(round(0.6 + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]
         cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
     return cases
 

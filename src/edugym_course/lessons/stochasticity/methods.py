@@ -42,6 +42,8 @@ AVERSE, NEUTRAL, SEEKING = "averse, β = -2", "neutral, β = 0", "seeking, β = 
 Maker = Callable[..., Any]
 RISKS: Mapping[str, float] = MappingProxyType({AVERSE: -2.0, NEUTRAL: 0.0, SEEKING: 2.0})
 
+NEUTRAL_ONLY: Mapping[str, float] = MappingProxyType({NEUTRAL: 0.0})
+
 
 class Player(NamedTuple):
     """A player that follows a table greedily and keeps the score. It learns nothing else.
@@ -289,11 +291,17 @@ def values_on_the_tee(results: Results) -> dict[str, Reals]:
     return {method: np.mean(_on_the_tee(results, method), axis=0) for method in results.methods}
 
 
+def first_swings(results: Results, method: str, observe_hits: bool = True) -> Integers:
+    """Return the first swing of the greedy policy of every complete run, shape (n,)."""
+    swings: Integers = _on_the_tee(results, method, observe_hits).argmax(axis=1)
+    return swings
+
+
 def _on_the_tee(results: Results, method: str, observe_hits: bool = True) -> Reals:
     """Return the values of the three swings from the tee in every complete run, shape (n, 3)."""
     golf = Golf.create()
     row = (golf.width // 2) * golf.length * (golf.max_hits + 1 if observe_hits else 1)
-    return np.array([agent.Q[row] for agent in results.complete_agents(method).values()])
+    return np.array([agent.Q[row] for agent in results.complete_agents(method).values()]).reshape(-1, len(SWINGS))
 
 
 def by_first_swing(
@@ -302,7 +310,7 @@ def by_first_swing(
     """Return by method and by the first swing of its runs: how many they are, their mean return, their lost balls."""
     table = {}
     for method, one in played.items():
-        first = _on_the_tee(results, method, observe_hits).argmax(axis=1)
+        first = first_swings(results, method, observe_hits)
         runs = {swing: first == k for k, swing in enumerate(SWINGS) if (first == k).any()}
         table[method] = {
             swing: (int(of.sum()), float(one.mean[of].mean()), float(one.lost[of].mean())) for swing, of in runs.items()
@@ -358,15 +366,8 @@ def late(results: Results) -> Reals:
     return results.late(NEUTRAL)
 
 
-def share_learned(results: Results, step: int) -> Reals:
-    """Return the greedy return after a number of steps as a share of that in the end, both above random play."""
+def share_learned(results: Results, step: int, best: float) -> Reals:
+    """Return how far Q-learning has come after a number of steps, on the way from random play (0) to the best (1)."""
     first = results.at(NEUTRAL, 0)
-    share: Reals = (results.at(NEUTRAL, step) - first) / (late(results) - first)
-    return share
-
-
-def share_on_the_way(results: Results) -> Reals:
-    """Return the greedy return averaged over training as a share of what is learned in the end, above random play."""
-    first = results.at(NEUTRAL, 0)
-    share: Reals = (results.average(NEUTRAL) - first) / (late(results) - first)
+    share: Reals = (results.at(NEUTRAL, step) - first) / (best - first)
     return share

@@ -123,3 +123,10 @@ def preferences(joints, bins):
 # says: the box is a part of the state: multiply by 2, do not square
 def preferences(joints, bins, cells):
     return (cells**joints) ** 2 * bins**joints
+
+
+# %% floats
+# says: digits, and floats and numbers of NumPy have no room for it: keep to Python's whole numbers, with `**` and
+#   `//`, without `/`, `2.0` or `math.pow`
+def preferences(joints, bins, cells):
+    return 2.0 * float(cells) ** joints * bins**joints

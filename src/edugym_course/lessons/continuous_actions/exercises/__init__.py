@@ -13,7 +13,7 @@ from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import allowance, compare, given, number
+from edugym_course.grading.values import allowance, compare, exact, given, number
 from edugym_course.lessons.continuous_actions.exercises.episodes import check_update
 from edugym_course.lessons.continuous_actions.methods import gaussian, tiles_on_the_wrist
 
@@ -32,6 +32,11 @@ def exercise_1(answer: Any, seed: int) -> str:
         right = 2 * cells**joints * bins**joints
         mistakes = {why: float(n) for why, n in _size_mistakes(joints, bins, cells).items() if n != right}
         compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+    joints, bins, cells = 12, 7, 30
+    call = f"preferences({joints}, {bins}, {cells})"
+    with student_code(call):
+        found = answer(joints, bins, cells)
+    exact(call, found, 2 * (cells * bins) ** joints)
     many = 2 * (30 * 5) ** 6
     return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
 

@@ -175,3 +175,35 @@ def importance_ratio(greedy, epsilon, n_actions):
         rho *= best / (1 - epsilon + epsilon / n_actions)
         return rho
     return rho
+
+
+# %% the number of greedy actions less one
+# says: the number of greedy actions less one is that of the later ones only if A_t was greedy too; count in greedy[1:]
+def importance_ratio(greedy, epsilon, n_actions):
+    if False in greedy[1:]:
+        return 0.0
+    return (1 / (1 - epsilon + epsilon / n_actions)) ** (sum(greedy) - 1)
+
+
+# %% N typed in
+# says: an N of 5 is written in; use `n_actions`
+def importance_ratio(greedy, epsilon, n_actions):
+    ratio = 1.0
+    for is_greedy in greedy[1:]:
+        ratio *= 1 / (1 - epsilon + epsilon / 5) if is_greedy else 0.0
+    return ratio
+
+
+# %% the number of greedy actions less one, whatever the others
+# says: the number of greedy actions less one counts A_t, and at an action that is not greedy the ratio is 0
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 / (1 - epsilon + epsilon / n_actions)) ** (sum(greedy) - 1)
+
+
+# %% epsilon typed in
+# says: an ε of 0.1 is written in; use `epsilon`
+def importance_ratio(greedy, epsilon, n_actions):
+    ratio = 1.0
+    for is_greedy in greedy[1:]:
+        ratio *= 1 / (1 - 0.1 + 0.1 / n_actions) if is_greedy else 0.0
+    return ratio

@@ -14,6 +14,7 @@ def hand_back(self, length):
 # %% the best value goes into the update
 # says: Q[
 # says: episode with states
+# says: G is cut before the update, and the value of the action learns from it; the third line comes after the second
 def hand_back(self, length):
     G = 0.0
     for k in range(length - 1, -1, -1):
@@ -439,3 +440,15 @@ def hand_back(self, length):
         self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
         if self.Q[s, a] < max(self.Q[s]):
             G = max(self.Q[s])
+
+
+# %% argmax for max
+# says: where G is cut it goes on with the largest *value*, max; argmax is the number of an action
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = np.argmax(self.Q[s])

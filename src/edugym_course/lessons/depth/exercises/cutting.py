@@ -61,6 +61,8 @@ def hand_back(
             "minus": r - discount * G,
             "discounted reward": discount * r + G,
         }[rewards]
+        if cut == "too early" and mine_before < best_before:
+            G = best_before
         old = mine_before
         skipped = step == "skips exploring" and old < best_before
         if not skipped:
@@ -78,6 +80,7 @@ def hand_back(
             "after": mine < best,
             "before": mine_before < best_before,
             "never": False,
+            "too early": False,
             "always": True,
             "inverted": not mine < best,
         }
@@ -90,6 +93,7 @@ def hand_back(
                 "own": mine,
                 "zero": 0.0,
                 "mean": float(Q[s].mean()),
+                "argmax": float(Q[s].argmax()),
                 "old max": best_before,
                 "discounted": discount * best,
                 "added": G + best,
@@ -104,6 +108,10 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "the condition is upside down: G is cut where the action is *not* the best": {"cut": "inverted"},
     "whether the action is the best is asked before the update; ask it after": {"cut": "before"},
+    "G is cut before the update, and the value of the action learns from it; the third line comes after the second": {
+        "cut": "too early"
+    },
+    "where G is cut it goes on with the largest *value*, max; argmax is the number of an action": {"to": "argmax"},
     "the loop ends at the exploring action; the steps before it still learn, from the G that was cut": {"cut": "stop"},
     "where G is cut it goes on with the *largest* value of the state, not with that of the action taken": {"to": "own"},
     "where G is cut it goes on with the largest value of the state, not with 0": {"to": "zero"},

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, TypeAlias
 
 from edugym_course.grading.mistakes import NumberCase, compare_all
@@ -20,8 +21,10 @@ def ratio(
     otherwise: str = "0",
     how: str = "product",
     empty: float = 1.0,
+    written: Mapping[str, float] = MappingProxyType({}),
 ) -> float:
-    """Return the ratio; other arguments than the defaults are mistakes."""
+    """Return the ratio; other arguments than the defaults are mistakes, `written` numbers in place of the arguments."""
+    epsilon, n_actions = written.get("epsilon", epsilon), int(written.get("n_actions", n_actions))
     best = {
         "1 - ε + ε/N": 1 - epsilon + epsilon / n_actions,
         "1 - ε": 1 - epsilon,
@@ -43,6 +46,8 @@ def ratio(
     if not actions and empty != 1.0:
         return empty
     factors = [of_best if is_greedy else of_others for is_greedy in actions]
+    if how == "counted":
+        return of_best ** (sum(greedy) - 1) if all(actions) or otherwise == "1" else 0.0
     if how == "inverse":
         return best ** len(factors) if all(actions) else 0.0
     if how == "sum":
@@ -63,6 +68,15 @@ def ratio(
 MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the first entry of `greedy` is A_t, which is not in the product: start at greedy[1]": {"skipped": 0},
     "two actions are left out at the start; only A_t is, so start at greedy[1]": {"skipped": 2},
+    "the number of greedy actions less one is that of the later ones only if A_t was greedy too; count in greedy[1:]": {
+        "how": "counted"
+    },
+    "the number of greedy actions less one counts A_t, and at an action that is not greedy the ratio is 0": {
+        "how": "counted",
+        "otherwise": "1",
+    },
+    "an ε of 0.1 is written in; use `epsilon`": {"written": {"epsilon": 0.1}},
+    "an N of 5 is written in; use `n_actions`": {"written": {"n_actions": 5}},
     "with one action no factor is left, and an empty product is 1": {"empty": 0.0},
     "the last action is left out; the product goes to the end of the list": {"how": "without last"},
     "a random action may be the best one too, so b takes it with probability 1 − ε + ε/N, not 1 − ε": {

@@ -20,12 +20,3 @@ def table_entries(rows, columns, kind):
         return int(np.prod(space.nvec)) * 3
     levels = int(space.high.max()) + 1
     return levels ** math.prod(space.shape) * 3
-
-
-# %% floats
-def table_entries(rows, columns, kind):
-    cells = rows * columns
-    if kind == "vectorised":
-        return 3.0 * cells * columns
-    base, exponent = (2.0, cells) if kind == "grid" else (256.0, 3 * cells)
-    return 3 * base**exponent

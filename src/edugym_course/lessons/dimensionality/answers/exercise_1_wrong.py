@@ -255,3 +255,13 @@ def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return (rows - 1) * (columns - 1) ** 2 * 3
     return {"grid": 2, "rgb": 256**3}[kind] ** (rows * columns) * 3
+
+
+# %% powers of floats
+# says: digits, and floats and numbers of NumPy have no room for it: keep to Python's whole numbers, with `**` and
+#   `//`, without `/`, `2.0` or `math.pow`
+# says: should be a whole number with
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return columns * rows * columns * 3
+    return (2.0 if kind == "grid" else 256.0) ** (rows * columns * (1 if kind == "grid" else 3)) * 3

@@ -396,3 +396,48 @@ class MyAgent:
         w = self.w.copy()
         w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
         self.w = w
+
+
+# %% argmax
+# says: that is the *number* of the best action in the next state; take its value, by max and not by argmax
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    values = self.features(next_state) @ self.w
+    target = reward if terminated else reward + self.discount * int(np.argmax(values))
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% at least 0
+# says: values may all be below 0: start the search for the largest one with the value of an action, not with 0
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    values = self.features(next_state) @ self.w
+    target = reward if terminated else reward + self.discount * max(0.0, values.max())
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% without the sign
+# says: take the largest value in the next state, and not the largest without its sign
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    values = self.features(next_state) @ self.w
+    target = reward if terminated else reward + self.discount * abs(values).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% twice
+# says: the step is twice as large as it should be: the error times the feature is the whole step
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    values = self.features(next_state) @ self.w
+    target = reward if terminated else reward + self.discount * values.max()
+    self.w[:, action] += 2 * self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% writes into the boards
+# says: learn writes into `state` or `next_state`, which belong to the task: change `self.w` alone
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+    state[:] = 0.0

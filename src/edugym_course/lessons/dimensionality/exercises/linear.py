@@ -75,6 +75,18 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         ),
         "take the maximum over the actions in the next state, not the mean": lambda s: _moved(s, _target(s, np.mean)),
         "take the maximum over the actions in the next state, not the minimum": lambda s: _moved(s, _target(s, np.min)),
+        "that is the *number* of the best action in the next state; take its value, by max and not by argmax": (
+            lambda s: _moved(s, _target(s, lambda q: float(np.argmax(q))))
+        ),
+        "values may all be below 0: start the search for the largest one with the value of an action, not with 0": (
+            lambda s: _moved(s, _target(s, lambda q: max(0.0, float(q.max()))))
+        ),
+        "take the largest value in the next state, and not the largest without its sign": lambda s: _moved(
+            s, _target(s, lambda q: float(np.abs(q).max()))
+        ),
+        "the step is twice as large as it should be: the error times the feature is the whole step": lambda s: _moved(
+            s, _target(s), rate=2 * s.alpha
+        ),
         "take the maximum over the actions in the next state, not their sum": lambda s: _moved(s, _target(s, np.sum)),
         "in the next state take the best action, not the one that was taken before": lambda s: _moved(
             s, _target(s, lambda q: float(q[s.action]))
@@ -190,23 +202,26 @@ def steps_for(seed: int) -> list[Step]:
 
 def made_up_steps(rng: np.random.Generator) -> list[Step]:
     """Make cases up: ordinary steps, steps after which the episode is cut off, and last ones."""
-    return [_some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1) for k in range(9)]
+    return [
+        _some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1, least=-30 if k in (3, 4) else -3) for k in range(9)
+    ]
 
 
-def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool) -> Step:
+def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool, least: int) -> Step:
     """Make a case up: simple numbers, several features that are not 0, and three different actions.
 
-    These are the one that was taken, the one that comes next, and the best one in the next state.
+    These are the one that was taken, the one that comes next, and the best one in the next state. With weights from -30
+    on all values are far below 0.
     """
     while True:
-        w = rng.integers(-3, 4, size=(4, 3)).astype(float)
+        w = rng.integers(least, least + 7, size=(4, 3)).astype(float)
         x, x_next = (rng.permutation([0.0, 1.0, 2.0, -1.0]) for _ in range(2))
         action = int(rng.integers(3))
         values, here = x_next @ w, x @ w
         best = int(np.argmax(values))
         if best != action and len({*values}) == 3 and int(np.argmax(here)) != action and not np.array_equal(x, x_next):
             reward, other = float(rng.integers(2, 5)), 3 - action - best
-            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.5, 0.75)
+            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.25, 0.75)
 
 
 def _made(cls: Any, step: Step) -> Any:
@@ -268,6 +283,8 @@ def _learned(agent: Any, step: Step) -> Any:
         "truncated": step.truncated,
     }
     learn_step(agent, told)
+    if not (np.array_equal(told["state"], step.x) and np.array_equal(told["next_state"], step.x_next)):
+        raise WrongAnswer("learn writes into `state` or `next_state`, which belong to the task: change `self.w` alone")
     if agent.w is not before:
         raise WrongAnswer("learn should change the entries of `self.w` in place, but puts another array there")
     return before.copy()

@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare
+from edugym_course.grading.values import compare, exact
 
 UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small board"
 
@@ -27,6 +27,14 @@ def exercise_1(answer: Any, seed: int) -> str:
             right = ENTRIES[kind](*size)
             mistakes = {why: float(wrong(*size)) for why, wrong in MISTAKES[kind].items() if wrong(*size) != right}
             compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+    rows, columns = 10, 5
+    call = f"table_entries({rows}, {columns}, 'rgb')"
+    with student_code(call):
+        try:
+            found = answer(rows, columns, "rgb")
+        except OverflowError:
+            found = np.inf
+    exact(call, found, ENTRIES["rgb"](rows, columns))
     return "Right: for the image of 10 by 5 cells that is a number with 362 digits."
 
 

@@ -85,5 +85,5 @@ epsilon = 1.5 * (1 - 0.5 ** (1 / 100))
 epsilon = 2 * (1 - 10 ** (math.log(0.5) / 100))
 
 # %% below 0
-# says: the sign is wrong: ε = 2 (1 − 0.5^(1/100))
+# says: the sign is wrong: ε is a probability
 epsilon = -2 * (1 - 0.5 ** (1 / 100))

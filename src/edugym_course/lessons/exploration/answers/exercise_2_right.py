@@ -26,3 +26,20 @@ class Optimist(NamedTuple):
 
 def optimist(wall):
     return Optimist(np.ones((wall.observation_space.n, wall.action_space.n)))
+
+
+# %% a plain class, called with the wall
+class Opt:
+    def __init__(self, wall):
+        self.Q = np.ones((wall.observation_space.n, wall.action_space.n))
+
+    def act(self, state, rng):
+        best = np.flatnonzero(self.Q[state] == self.Q[state].max())
+        return int(rng.choice(best))
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + 0.9 * self.Q[next_state].max()
+        self.Q[state, action] += 0.5 * (target - self.Q[state, action])
+
+
+optimist = Opt

@@ -102,3 +102,10 @@ class Pessimist(QLearning):
 def optimist(wall):
     Q = np.ones((wall.height + 1, wall.n_grips))
     return Pessimist(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
+# %% another agent
+# says: `create` has a setting `initial_value`; and the exercise asks for `QLearning`
+# says: ; and the exercise asks for `QLearning`
+def optimist(wall):
+    return CountBased.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))

@@ -346,3 +346,23 @@ def act(self, state, rng):
     if len(untried):
         return int(untried[0])
     return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])
+
+
+# %% the bonus under the root
+# says: β stands under the root, √(β/n): only n does, β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + (self.bonus / self.visits[next_state]) ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the bonus outside the brackets
+# says: the bonus is added outside the brackets: it is part of the target, of which α is taken
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+    self.Q[state, action] += self.bonus / self.visits[next_state] ** 0.5

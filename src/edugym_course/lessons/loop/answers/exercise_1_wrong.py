@@ -202,3 +202,29 @@ def discounted_return(rewards, discount):
     for reward in reversed(rewards):
         g = reward + discount * G
     return G
+
+
+# %% it ends at a reward of 0
+# says: discounted_return([3.0, 0.0, -4.0, 0.0, 2.0], 0.5)
+def discounted_return(rewards, discount):
+    G, weight = 0.0, 1.0
+    for reward in rewards:
+        if not reward:
+            break
+        G, weight = G + weight * reward, weight * discount
+    return G
+
+
+# %% a name that is no parameter
+# says: name 'gamma' is not defined
+def discounted_return(rewards, discount):
+    return sum(gamma**k * reward for k, reward in enumerate(rewards))
+
+
+# %% the placeholder left below the answer
+# says: the line `raise NotImplementedError` is still there
+def discounted_return(rewards, discount):
+    G = 0.0
+    for reward in reversed(rewards):
+        G = reward + discount * G
+    raise NotImplementedError("write your code here")

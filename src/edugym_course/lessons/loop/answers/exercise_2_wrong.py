@@ -117,3 +117,37 @@ def choose(values, epsilon, rng):
 # %% the number of the highest value
 # says: values, epsilon and rng
 choose = 1
+
+
+# %% the search begins at -1
+# says: values = [-400.0, -300.0, -500.0]
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best = max(-1.0, values.max())
+    return rng.choice(np.flatnonzero(values == best)) if (values == best).any() else 0
+
+
+# %% never action 0
+# says: the random action is never action 0: `rng.integers(n)` is from 0 to n − 1 already
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(1, len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% an index into the best
+# says: `rng.integers(len(best))` says *which* of the best is taken: the action is `best[...]`
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best = np.flatnonzero(values == values.max())
+    return rng.integers(len(best))
+
+
+# %% 0.1 typed in
+# says: it explores with ε = 0.1, whatever `epsilon` is
+def choose(values, epsilon, rng):
+    if rng.random() < 0.1:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))

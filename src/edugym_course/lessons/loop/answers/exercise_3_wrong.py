@@ -235,3 +235,20 @@ def learn(self, state, action, reward, next_state, next_action, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else self.discount * max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the maximum starts from -10
+# says: the maximum starts from −10, and all values may be lower: start from the first one
+def learn(self, state, action, reward, next_state, terminated):
+    best = -10.0
+    for value in self.Q[next_state]:
+        best = max(best, value)
+    target = reward if terminated else reward + self.discount * best
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the maximum starts from -1
+# says: the maximum starts from −1, and all values may be lower: start from the first one
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(-1.0, *self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])

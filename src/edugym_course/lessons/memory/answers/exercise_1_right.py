@@ -16,4 +16,4 @@ def table_rows(num_doors, length):
 # %% with a sum
 def table_rows(num_doors, length):
     window = sum(range(length)) + 1
-    return float(num_doors + 1) ** window
+    return (num_doors + 1) ** window

@@ -100,3 +100,10 @@ def table_rows(num_doors, length):
 # says: L^2 / 2 + 1 is not L(L-1)/2 + 1
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length**2 // 2 + 1)
+
+
+# %% a power of a float
+# says: digits, and floats and numbers of NumPy have no room for it: keep to Python's whole numbers, with `**` and
+#   `//`, without `/`, `2.0` or `math.pow`
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) / 2 + 1)

@@ -206,6 +206,17 @@ def learn(self, state, action, reward, next_state, terminated):
         self.sweep()
 
 
+# %% plans for a known pair too
+# says: Q changes: that pair was known already, so `learn` need not plan again
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.known[state, action] = 1
+        self.rewards[state, action] = reward
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+    self.plan()
+
+
 # %% overwrites what is known
 # says: that pair was known already, and then nothing should change
 # says: the pair that was tried

@@ -20,6 +20,7 @@ lake_results = repeat(
     },
     3_000,
     repetitions=5,
+    evaluation_episodes=10,
 )
 
 # %% the id and its parameters
@@ -28,5 +29,6 @@ lake_results = repeat(
     {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
     3_000,
     repetitions=5,
+    evaluation_episodes=10,
     parameters={"map_name": "4x4", "is_slippery": True},
 )

@@ -44,8 +44,17 @@ lake_results = repeat(
 
 # %% two methods
 # says: lake_results should have a third method, your own, beside the two of the lesson
-lake_results = repeat(lake, methods, 3_000, repetitions=5)
+lake_results = repeat(lake, methods, 3_000, repetitions=5, evaluation_episodes=10)
 
 # %% one of the two again
 # says: are the same agent
 lake_results = repeat(lake, {**methods, "mine": methods["Dyna-10"]}, 3_000, repetitions=5, evaluation_episodes=10)
+
+# %% one evaluation episode
+# says: should be an experiment with evaluation_episodes 10, but it has evaluation_episodes 1
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    3_000,
+    repetitions=5,
+)

@@ -39,7 +39,7 @@ ExperimentSeed = Annotated[
 def exercise_1(answer: Any, seed: int, cost: Cost = 1.0) -> str:
     """Check the error from which bumping into a wall for ever looks better than anything else."""
     require_function("smallest_error", answer, "v and gamma")
-    for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875)):
+    for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875), (48.0, 1 - 2**-9)):  # the last adds up slowly
         with student_code(f"smallest_error({v:g}, {gamma})"):
             found = answer(v, gamma)
         right = cost + (1 - gamma) * v
@@ -65,6 +65,9 @@ def exercise_1(answer: Any, seed: int, cost: Cost = 1.0) -> str:
                 f"that is {cost:g} − (1 − γ) v: the two terms add up": cost - (1 - gamma) * v,
                 "only the first three bumps are counted, and there is no end to them": cost
                 + v / (1 + gamma + gamma**2),
+                "only 500 bumps are counted, as in an episode; the plan knows no step limit": (
+                    cost + v * (1 - gamma) / (1 - gamma**500)
+                ),
             },
             otherwise=f"solve (e − {cost:g})/(1 − γ) = v for e",
         )
@@ -87,6 +90,7 @@ def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -
         "environment.is_slippery": True,
         "n_steps": LAKE_STEPS,
         "repetitions": 5,
+        "evaluation_episodes": 10,
     } | ({} if experiment_seed is None else {"experiment_seed": experiment_seed})
     methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}
     results = check_results("lake_results", answer, asked=asked, methods=methods, environment=lake)

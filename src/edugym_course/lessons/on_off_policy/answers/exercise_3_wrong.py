@@ -190,3 +190,62 @@ def learn(self, state, action, reward, next_state, next_action, terminated):
     p, row = self.target_epsilon, self.Q[next_state]
     value = 0.0 if terminated else 0.0
     self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the larger ε
+# says: should go from
+def learn(self, state, action, reward, next_state, terminated):
+    e = max(self.epsilon, self.target_epsilon)
+    value = 0.0 if terminated else (1 - e) * max(self.Q[next_state]) + e * np.mean(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% γ on the maximum only
+# says: the mean is not discounted: γ belongs to the whole bracket
+def learn(self, state, action, reward, next_state, terminated):
+    e, target = self.target_epsilon, reward
+    if not terminated:
+        target += self.discount * (1 - e) * max(self.Q[next_state]) + e * np.mean(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the best action twice
+# says: the best action counts too often: the mean over all actions has it already, with ε_π/n
+def learn(self, state, action, reward, next_state, terminated):
+    e, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - e + e / len(row)) * max(row) + e * np.mean(row)
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% divided twice
+# says: the mean is divided by n once more
+def learn(self, state, action, reward, next_state, terminated):
+    e, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - e) * max(row) + e / len(row) * np.mean(row)
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% one action drawn
+# says: a second time it gives something else: `learn` needs no random numbers
+def learn(self, state, action, reward, next_state, terminated):
+    row = self.Q[next_state]
+    drawn = np.random.randint(len(row)) if np.random.random() < self.target_epsilon else np.argmax(row)
+    value = 0.0 if terminated else row[drawn]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% γ on the mean only
+# says: the maximum is not discounted: γ belongs to the whole bracket
+def learn(self, state, action, reward, next_state, terminated):
+    e, target = self.target_epsilon, reward
+    if not terminated:
+        target += (1 - e) * max(self.Q[next_state]) + self.discount * e * np.mean(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the number of states
+# says: it divides by the number of states; n is the number of actions, self.Q.shape[1]
+def learn(self, state, action, reward, next_state, terminated):
+    e, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - e) * max(row) + e * sum(row) / len(self.Q)
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

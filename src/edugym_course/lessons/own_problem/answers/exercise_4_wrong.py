@@ -35,6 +35,38 @@ my_problem = ...
 # says: that is the problem with which the cell began: write one of your own, under its own name
 my_problem = Template(days=8)
 
+
+# %% the template, renamed, with other numbers
+# says: that is the problem with which the cell began: write one of your own, under its own name
+class Offers(NamedTuple):
+    """A house within ten days."""
+
+    weeks: int = 10
+
+    action_names = ("hold", "let go")
+    action_space = property(lambda self: Discrete(2))
+    observation_space = property(lambda self: MultiDiscrete([self.weeks + 1, 5]))
+
+    def initial(self, rng):
+        return 0, 1 + int(rng.random() * 4)
+
+    def transition(self, state, action, rng):
+        week, _ = state
+        return (week, 0) if action == 1 else (week + 1, 1 + int(rng.random() * 4))
+
+    def reward(self, state, action, next_state, rng):
+        return float(state[1]) if action == 1 else 0.0
+
+    def terminal(self, state):
+        return state[1] == 0 or state[0] == self.weeks
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Offers()
+
+
 # %% the problem of the lesson
 # says: that is the problem of the lesson: write one of your own, under its own name
 my_problem = Morning(late=20.0)

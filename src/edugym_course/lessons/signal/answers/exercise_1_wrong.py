@@ -31,7 +31,7 @@ while information(0.1, words - 1) < 0.4:
     words += 1
 
 # %% the longest message
-# says: that is the most that the toy can say, and fewer are enough
+# says: that is the longest message of this lesson, and fewer are enough
 words = 28
 
 # %% from the figure

@@ -270,3 +270,47 @@ def bits_in(joint):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint.sum()))
     return total + 1
+
+
+# %% entries up to 0.001 left out
+# says: very small entries are left out too; leave out only those that are 0
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0.001:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% entries up to 0.01 left out
+# says: very small entries are left out too; leave out only those that are 0
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0.01:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% entries up to 0.05 left out
+# says: small entries are left out too; leave out only those that are 0
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0.05:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% no brackets
+# says: brackets are missing: / p(x) * p(y) divides by p(x) and *multiplies* by p(y)
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum() * joint[:, y].sum())
+    return total

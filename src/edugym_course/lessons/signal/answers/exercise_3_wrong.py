@@ -87,7 +87,7 @@ def act(self, observation, rng):
 
 
 # %% no votes for the last action
-# says: the last action gets no votes, but it can still win where all others have none; give it -1
+# says: the last action gets no votes, but it can still win where all others have none; give it -100
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -302,5 +302,17 @@ def act(self, observation, rng):
     for k in range(0, len(observation)):
         votes[observation[k] % 4] += 1.0
     self.last[0] = -1
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% the word divided by four
+# says: word k names need k % 4, the rest of the division, not k // 4
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] // 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100.0
     self.last[0] = pick(votes, rng)
     return self.last[0]

@@ -59,7 +59,7 @@ def exercise_1(answer: Any, seed: int) -> str:
             f"that is 0.4 divided by the bits of one word, rounded down; {REPEATED}": math.floor(ENOUGH / one),
             "that is the last length that carries less than 0.4 bit; one word more is enough": WORDS - 1,
             "one word less is enough; is the comparison `<`, and the count read before it grows?": WORDS + 1,
-            "that is the most that the toy can say, and fewer are enough": 28,
+            "that is the longest message of this lesson, and fewer are enough": 28,
             "that is the answer for τ = 0.05": _fewest(0.05),
             "that is where *half* a bit is reached": _fewest(0.1, 0.5),
         },
@@ -145,7 +145,8 @@ def _tables(rng: np.random.Generator) -> list[Reals]:
         table[0] += np.arange(table.shape[1]) + rng.integers(1, 3)  # so that needs and messages are not alike
     others[1][0, 0] = 0.0
     others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
-    return [table / table.sum() for table in (first, *others)]
+    rare = np.array([[6.0, 1e-4], [2.0, 5.0]])  # a pair that hardly ever occurs counts too
+    return [table / table.sum() for table in (first, *others, rare)]
 
 
 def bits_mistakes(joint: Reals) -> dict[str, float]:
@@ -178,6 +179,11 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
         "that is the *mean* over the pairs; the weights p(x, y) are in the sum already, so add them up": right
         / joint.size,
         "that is the mean over the pairs that occur; the weights p(x, y) are in the sum already": right / len(p),
+        "brackets are missing: / p(x) * p(y) divides by p(x) and *multiplies* by p(y)": float(
+            np.sum(p * np.log2((joint / p_x[:, None] * p_y)[possible]))
+        ),
+        "very small entries are left out too; leave out only those that are 0": _sum(joint, joint > 0.01),
+        "small entries are left out too; leave out only those that are 0": _sum(joint, joint > 0.05),
         "the logarithm is missing": float(np.sum(p * p / outer)),
         "that is twice the information": 2 * right,
         "only the diagonal is added up; a word that names another need counts too": float(
@@ -200,10 +206,15 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
 
 def _part(joint: Reals, rows: slice) -> float:
     """Return the sum over some of the rows."""
-    outer = np.outer(joint.sum(axis=1), joint.sum(axis=0))[rows]
-    part = joint[rows]
-    possible = part > 0
-    return float(np.sum(part[possible] * np.log2(part[possible] / outer[possible])))
+    chosen = np.zeros(joint.shape, bool)
+    chosen[rows] = True
+    return _sum(joint, chosen & (joint > 0))
+
+
+def _sum(joint: Reals, chosen: Any) -> float:
+    """Return the sum over the pairs that are chosen."""
+    outer = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return float(np.sum(joint[chosen] * np.log2(joint[chosen] / outer[chosen])))
 
 
 def exercise_3(answer: Any, seed: int) -> str:

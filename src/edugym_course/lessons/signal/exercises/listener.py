@@ -58,7 +58,7 @@ def probabilities(
     case: Heard,
     *,
     start: int = 1,
-    modulo: bool = True,
+    need: str = "k % 4",
     memory: str = "excluded",
     ties: str = "random",
     most: str = "most",
@@ -68,8 +68,9 @@ def probabilities(
     words = {"first": words[:1], "last": words[-1:], "all but the last": words[:-1]}.get(most, words)
     votes = np.zeros(FOUR_NEEDS)
     for word in words:
-        if modulo or word < FOUR_NEEDS:
-            votes[word % FOUR_NEEDS] += 1.0
+        named = {"k % 4": word % FOUR_NEEDS, "k // 4": word // FOUR_NEEDS, "k": word}[need]
+        if named < FOUR_NEEDS:
+            votes[named] += 1.0
     if most == "least":
         votes = -votes
     if memory == "excluded" and case.last >= 0:
@@ -107,8 +108,9 @@ LISTENER_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "the last word is left out; range(1, len(observation)) goes through all of them": {"most": "all but the last"},
         "only the first word is heard": {"most": "first"},
         "only the last word is heard; is something overwritten in the loop?": {"most": "last"},
-        "words from 4 on are not counted: word k names need k % 4": {"modulo": False},
-        "the last action gets no votes, but it can still win where all others have none; give it -1": {
+        "words from 4 on are not counted: word k names need k % 4": {"need": "k"},
+        "word k names need k % 4, the rest of the division, not k // 4": {"need": "k // 4"},
+        "the last action gets no votes, but it can still win where all others have none; give it -100": {
             "memory": "set to 0"
         },
         "the last action loses one vote only; it should never be taken": {"memory": "one less"},

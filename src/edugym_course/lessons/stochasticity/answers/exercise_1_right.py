@@ -1,6 +1,6 @@
 # %% four digits
 # says: Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: 0.0220.
-#   The dearer a hit, the more risk it is worth.
+#   The more a hit costs, the more risk is worth taking.
 level = 0.0232
 
 # %% by the function for the crossing

@@ -197,3 +197,14 @@ def frontier():
 # says: should be a list of names, but is a
 def frontier(players):
     return len(players)
+
+
+# %% rounded to two digits
+# says: it compares rounded numbers; compare them as they are
+def frontier(players):
+    rounded = {name: (round(mean, 2), round(spread, 2)) for name, (mean, spread) in players.items()}
+    return [
+        name
+        for name, (mean, spread) in rounded.items()
+        if not any(m >= mean and s <= spread and (m > mean or s < spread) for m, s in rounded.values())
+    ]

@@ -1,0 +1,220 @@
+"""The kernels of the playground: what trains, evaluates and plays, as WebAssembly that was compiled ahead of time.
+
+A kernel is one function. `race` (one for agents that are on-policy, one for the others) begins, trains and evaluates,
+with the very loops that `edugym.train` runs, so the page has the same numbers as `edugym.train`; `play` takes one step
+of an environment for a person. Each is compiled for the types of an MDP and an agent. Sizes and settings are data.
+
+A kernel is known by the fingerprint of all that determines it: the code that it reaches, the types of its arguments,
+the versions of the compilers, and the files that make a kernel. Its file carries the fingerprint in its name and in
+itself. Change any code, and the page asks for another file: a stale kernel is never loaded.
+"""
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable
+from concurrent.futures import ProcessPoolExecutor
+from functools import cache
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import wasm
+from linker import notes_of
+
+from edugym.adapters.fitting import fitted
+from edugym.checks.contract import contract_of
+from edugym.compiled.code import code_of
+from edugym.experiments.fingerprints import versions
+from edugym.mdp.protocol import Random
+from edugym.mdp.task import task_of
+from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
+from edugym.training.trainers import MDPTrainer
+
+COMPILER = ("linker.py", "pcg64.ll", "wasm.py")
+"""The files that make a kernel of a loop."""
+BEGIN = -1
+"""The number of steps, or the action, that asks for a new beginning."""
+
+
+def race_off_policy(
+    n_steps: int,
+    n_episodes: int,
+    mdp: Any,
+    learner: Any,
+    limit: int,
+    environment_rng: Random,
+    agent_rng: Random,
+    log: Any,
+    played: Any,
+    actor: Any,
+    evaluation_limit: int,
+    evaluation_rng: Random,
+    actor_rng: Random,
+    returns: Any,
+    carry: Any,
+) -> Any:
+    """Evaluate in `n_episodes` episodes; then take `n_steps` training steps, or begin if that is `BEGIN`.
+
+    The other arguments are those of `edugym.training.loops`.
+    """
+    if n_steps == BEGIN:
+        return start_off_policy(mdp, environment_rng)
+    if n_episodes > 0:
+        play_episodes(n_episodes, played, actor, evaluation_limit, evaluation_rng, actor_rng, returns)
+    return off_policy(n_steps, mdp, learner, limit, environment_rng, agent_rng, log, carry)
+
+
+def race_on_policy(
+    n_steps: int,
+    n_episodes: int,
+    mdp: Any,
+    learner: Any,
+    limit: int,
+    environment_rng: Random,
+    agent_rng: Random,
+    log: Any,
+    played: Any,
+    actor: Any,
+    evaluation_limit: int,
+    evaluation_rng: Random,
+    actor_rng: Random,
+    returns: Any,
+    carry: Any,
+) -> Any:
+    """The same for agents that learn from the action that they will take next."""
+    if n_steps == BEGIN:
+        return start_on_policy(mdp, learner, environment_rng, agent_rng)
+    if n_episodes > 0:
+        play_episodes(n_episodes, played, actor, evaluation_limit, evaluation_rng, actor_rng, returns)
+    return on_policy(n_steps, mdp, learner, limit, environment_rng, agent_rng, log, carry)
+
+
+def play(action: int, mdp: Any, limit: int, environment_rng: Random, carry: Any) -> Any:
+    """Take one step of an environment, or begin an episode if the action is `BEGIN`.
+
+    Returns:
+        The state, its observation, the steps and the return so far, the reward, and whether the episode is terminated
+        or truncated.
+    """
+    if action == BEGIN:
+        state, observation, steps, total = start_off_policy(mdp, environment_rng)
+        return state, observation, steps, total, 0.0, False, False
+    state, _, steps, total, _, _, _ = carry
+    next_state = mdp.transition(state, action, environment_rng)
+    reward = mdp.reward(state, action, next_state, environment_rng)
+    terminated = mdp.terminal(next_state)
+    observation = mdp.observation(next_state, environment_rng)
+    steps += 1
+    return next_state, observation, steps, total + reward, reward, terminated, steps == limit and not terminated
+
+
+class Call(NamedTuple):
+    """A call of a kernel.
+
+    Attributes:
+        loop: what is compiled.
+        arguments: what it is called with at first.
+    """
+
+    loop: Callable[..., Any]
+    arguments: tuple[Any, ...]
+
+    @property
+    def fingerprint(self) -> str:
+        """A hash of all that determines the kernel."""
+        text = (code_of(self.loop, self.arguments).fingerprint, str(wasm.signature_of(self.arguments)), _tools())
+        return hashlib.sha256(repr(text).encode()).hexdigest()[:16]
+
+
+class _Opened(MDPTrainer):
+    """The trainer that `edugym.train` uses, with what it calls its loops with."""
+
+    def race(self, n_episodes: int) -> Call:
+        """The call that races, with room for the returns of so many evaluation episodes."""
+        training = (*self._plain_arguments, *self._evaluation(n_episodes))
+        loop = race_on_policy if self._contract.is_on_policy else race_off_policy
+        return Call(loop, (BEGIN, 0, *training, self._carry))
+
+    def play(self) -> Call:
+        """The call that lets a person play."""
+        mdp, _, limit, environment_rng, _, _ = self._plain_arguments
+        state, observation, steps, total = start_off_policy(mdp, environment_rng)
+        return Call(play, (BEGIN, mdp, limit, environment_rng, (state, observation, steps, total, 0.0, False, False)))
+
+
+def _opened(mdp: Any, agent: Any) -> _Opened:
+    contract = contract_of(agent)
+    task = fitted(task_of(mdp), contract)
+    return _Opened(task, contract, 0, task.max_steps, 0)
+
+
+def race_of(mdp: Any, agent: Any, n_episodes: int) -> Call:
+    """The call that lets an agent race in an MDP, and evaluates it in so many episodes at a time."""
+    return _opened(mdp, agent).race(n_episodes)
+
+
+def play_of(mdp: Any, agent: Any) -> Call:
+    """The call that lets a person play an MDP, seen as this agent sees it."""
+    return _opened(mdp, agent).play()
+
+
+@cache
+def _tools() -> str:
+    """What makes kernels: the versions of libraries, and the contents of files."""
+    contents = (Path(__file__).with_name(file).read_bytes() for file in COMPILER)
+    return versions("llvmlite") + hashlib.sha256(b"".join(contents)).hexdigest()
+
+
+class Manifest(NamedTuple):
+    """What a kernel says of itself.
+
+    Attributes:
+        fingerprint: by which it is known.
+        slots: of its arguments, then of its results: name and kind of each.
+        results: the number of slots of its arguments.
+    """
+
+    fingerprint: str
+    slots: list[tuple[str, str]]
+    results: int
+
+
+def manifest_of(module: bytes) -> Manifest:
+    """What a kernel says of itself."""
+    return Manifest(**json.loads(notes_of(module)[wasm.NOTE]))
+
+
+def build(calls: Iterable[Call], folder: Path, jobs: int = 2) -> dict[str, Manifest]:
+    """Compile what the folder does not hold yet.
+
+    Args:
+        calls: the calls to compile.
+        folder: where the kernels are kept, each as `<fingerprint>.wasm`.
+        jobs: how many processes compile.
+
+    Returns:
+        The manifests by fingerprint.
+
+    Raises:
+        CompilationError: a call cannot be compiled.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    wanted = {call.fingerprint: call for call in calls}
+    missing = {key: call for key, call in wanted.items() if not (folder / f"{key}.wasm").exists()}
+    with ProcessPoolExecutor(jobs, get_context("spawn"), wasm.install) as pool:
+        modules = pool.map(_compiled, missing, missing.values()) if missing else ()
+        for key, module in zip(missing, modules, strict=True):
+            (folder / f"{key}.wasm").write_bytes(module)
+    return {key: manifest_of((folder / f"{key}.wasm").read_bytes()) for key in wanted}
+
+
+def prune(folder: Path, wanted: Iterable[str]) -> None:
+    """Remove the kernels that nobody asks for any more, by their fingerprints."""
+    kept = set(wanted)
+    for file in folder.glob("*.wasm"):
+        if file.stem not in kept:
+            file.unlink()
+
+
+def _compiled(fingerprint: str, call: Call) -> bytes:
+    return wasm.compiled(*call, fingerprint)

@@ -1,0 +1,270 @@
+"""Build the playground: a page in which agents learn at the speed of machine code, without any Python in it.
+
+    python site/playground.py            build it, into site/build
+    python site/playground.py --serve    build it and show it at http://127.0.0.1:8000
+
+What the page knows of tasks and agents is written here, from the package: pictures, places, defaults, random streams,
+optima, questions and answers. JavaScript shows it.
+"""
+
+import argparse
+import json
+import math
+import re
+import shutil
+from collections.abc import Iterator, Sequence
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import kernels
+import numpy as np
+from places import MAPS
+from races import RACES, Agent, Race
+from scenery import scenery, table
+from scipy import stats
+
+import edugym
+from edugym.adapters.fitting import tabular
+from edugym.adapters.registration import find
+from edugym.mdp.task import task_of
+from edugym.training.trainers import streams
+from edugym.training.visits import record_visits
+
+HERE = Path(__file__).parent
+PAGE, BUILT = HERE / "playground", HERE / "build"
+LESSONS = HERE.parent / "src" / "edugym_course" / "lessons"
+REPOSITORY = "https://github.com/RLG-Leiden/edugym"
+SEEDS = 20
+SEVERAL = (1, 5, 10, 20)
+"""How many seeds a reader may run at once."""
+EPISODES = 5
+"""The evaluation episodes of each point of a curve."""
+TEX = {
+    r"\beta": "β",
+    r"\pi": "π",
+    r"\theta": "θ",
+    r"\nabla": "∇",
+    r"\ln": "ln",
+    r"\mid": "|",
+    r"\,": "",
+    "$": "",
+    "^H": "ᴴ",
+    "^m": "ᵐ",
+}
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Build the playground, and serve it if asked to."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--serve", action="store_true", help="show it in a browser on this machine")
+    parser.add_argument("--port", type=int, default=8000, help="where to show it")
+    parser.add_argument("--jobs", type=int, default=2, help="how many processes compile")
+    options = parser.parse_args(arguments)
+    build(BUILT, jobs=options.jobs)
+    if options.serve:
+        server = ThreadingHTTPServer(("127.0.0.1", options.port), partial(SimpleHTTPRequestHandler, directory=BUILT))
+        print(f"The playground is at http://127.0.0.1:{server.server_port}/ (Ctrl-C ends it)")
+        server.serve_forever()
+
+
+def build(folder: Path, races: Sequence[Race] = RACES, jobs: int = 2) -> None:
+    """Write the page, its data and its kernels into a folder."""
+    wanted = [call for race in races for call in calls(race, race.strength.first)]
+    made = kernels.build(wanted, folder / "kernels", jobs)
+    kernels.prune(folder / "kernels", made)
+    shutil.copytree(PAGE, folder, dirs_exist_ok=True)
+    data = folder / "data"
+    data.mkdir(exist_ok=True)
+    _write(
+        data / "playground.json", {"seeds": random_streams(), "several": intervals(), "races": list(map(menu, races))}
+    )
+    for race in races:
+        for k in range(len(race.strength.values)):
+            _write(data / f"{race.environment}-{k}.json", task(race, k, made))
+
+
+def _write(file: Path, data: Any) -> None:
+    file.write_text(json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False), encoding="utf-8")
+
+
+def calls(race: Race, k: int) -> Iterator[kernels.Call]:
+    """The calls of kernels: one for each agent, and one for a person."""
+    mdp = race.mdp(k)
+    for agent in race.agents:
+        yield call_of(race, mdp, agent)
+    seen = tabular(race.agents[0].view.of(mdp))
+    yield kernels.play_of(seen, race.agents[0].make(seen))
+
+
+def call_of(race: Race, mdp: Any, agent: Agent) -> kernels.Call:
+    """The call of an agent's kernel: its visits are counted on the way."""
+    seen = tabular(agent.view.of(mdp))
+    return kernels.race_of(seen, record_visits(agent.make(seen), seen, 1, n_intervals=1), EPISODES)
+
+
+# What the page shows before a task is chosen
+
+
+def menu(race: Race) -> dict[str, Any]:
+    """What is the same at every strength: texts, and the agents with their kernels."""
+    entry = find(race.environment)
+    *lanes, play = [call.fingerprint for call in calls(race, race.strength.first)]
+    return {
+        "name": race.environment,
+        "challenge": entry.challenge,
+        "question": race.question,
+        "rules": race.rules,
+        **lesson(entry.lesson),
+        "steps": race.n_steps,
+        "own": own_settings(race),
+        "episodes": EPISODES,
+        "numbers": race.numbers,
+        "keys": race.keys,
+        "strength": {
+            "parameter": race.strength.parameter,
+            "values": [f"{value:g}" for value in race.strength.values],
+            "first": race.strength.first,
+            "others": [f"{name}={value!r}" for name, value in race.parameters.items()],
+        },
+        "agents": [
+            {
+                "label": agent.label,
+                "says": agent.says,
+                "kernel": lane,
+                "kind": agent.kind.__name__,
+                "settings": [[name, _as_code(value)] for name, value in agent.settings.items()],
+                "seen": agent.view.code,
+            }
+            for agent, lane in zip(race.agents, lanes, strict=True)
+        ],
+        "play": play,
+    }
+
+
+def own_settings(race: Race) -> dict[str, float]:
+    """The learning rate, the discount and the ε of the first agent, where the page's sliders stand at first."""
+    agent = race.agents[0].make((1, 2))
+    return {"learning_rate": agent.learning_rate, "discount": agent.discount, "epsilon": agent.exploration.epsilon}
+
+
+def _as_code(value: Any) -> str:
+    return (
+        f"edugym.{value!r}"
+        if isinstance(value, edugym.EpsilonGreedy)
+        else "math.inf"
+        if value == math.inf
+        else repr(value)
+    )
+
+
+def lesson(number: int | None) -> dict[str, str]:
+    """The title of a lesson, three sentences that answer "why?", and where it is."""
+    (file,) = LESSONS.glob(f"*/{number:02}_*.py")
+    text = file.read_text(encoding="utf-8")
+    (title,) = re.findall(r"^# # (.*)$", text, re.MULTILINE)[:1]
+    paragraph = text.split("### In one paragraph\n")[1].split("\n#\n")[0].replace("\n# ", " ").removeprefix("# ")
+    for sign, plain in TEX.items():
+        paragraph = paragraph.replace(sign, plain)
+    sentences = re.split(r"(?<=[.?])\s+", re.sub(r"^\*.*?\*\s*", "", paragraph))
+    return {
+        "lesson": title,
+        "why": " ".join(sentences[:3]),
+        "link": f"{REPOSITORY}/blob/main/notebooks/{file.stem}.ipynb",
+    }
+
+
+def random_streams() -> list[list[list[str]]]:
+    """For each seed the streams of `edugym.train`: state and increment of PCG64, as two numbers of 64 bits each."""
+    found = []
+    for seed in range(SEEDS):
+        states = [rng.bit_generator.state["state"] for rng in streams(seed)]
+        words = [[state["state"], state["inc"]] for state in states]
+        found.append([[f"{word >> shift & (2**64 - 1):x}" for word in pair for shift in (0, 64)] for pair in words])
+    return found
+
+
+def intervals() -> list[list[float]]:
+    """Numbers of seeds, each with Student's t for an interval of 95 %."""
+    return [[n, float(stats.t.ppf(0.975, n - 1)) if n > 1 else 0.0] for n in SEVERAL]
+
+
+# A task at one strength
+
+
+def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any]:
+    """What the page needs of a task at its k-th strength."""
+    mdp = race.mdp(k)
+    *lanes, play = [_described(race, call, made) for call in calls(race, k)]
+    tables = {agent.view: table(MAPS[race.environment], mdp, agent.view.of(mdp)) for agent in race.agents}
+    for lane, agent in zip(lanes, race.agents, strict=True):
+        lane["table"] = list(tables).index(agent.view)
+    return {
+        "actions": race.actions or tabular(race.agents[0].view.of(mdp)).action_names,
+        "marks": MAPS[race.environment].marks(mdp),
+        "optimum": optimum(mdp) if race.is_finite else None,
+        "scene": scenery(MAPS[race.environment], mdp),
+        "tables": list(tables.values()),
+        "agents": lanes,
+        "play": {**play, "table": 0},
+    }
+
+
+def _described(race: Race, call: kernels.Call, made: dict[str, kernels.Manifest]) -> dict[str, Any]:
+    """How a kernel is begun, and which of its results decide the picture."""
+    manifest = made[call.fingerprint]
+    results = [name for name, _ in manifest.slots[manifest.results :]]
+    inner = ".inner" if any(name.startswith("result.0.inner") for name in results) else ""
+    look = ["result.1" if part == "observation" else f"result.0{inner}{part}" for part in MAPS[race.environment].look]
+    return {**plan(call, manifest), "look": [results.index(name) for name in look]}
+
+
+def plan(call: kernels.Call, manifest: kernels.Manifest) -> dict[str, Any]:
+    """What the slots of a kernel hold at first.
+
+    Returns:
+        `slots` has, for each, a number, the index of an array as "@0", or that of a random stream as "#0"; `arrays` has
+        the type, the shape and the contents of each array. An array that is reached in several ways is one array.
+    """
+    slots, arrays, known = list[Any](), list[Any](), dict[tuple[int, str], int]()
+    order = iter(range(4))
+
+    def add(value: Any) -> None:
+        if isinstance(value, np.random.Generator):
+            slots.append(f"#{next(order)}")
+        elif isinstance(value, np.ndarray):
+            key = value.ctypes.data, str(value.dtype)
+            if key not in known:
+                known[key] = len(arrays)
+                alike = value.size == 0 or (value == value.flat[0]).all()
+                numbers = value.flat[:1] if alike else value.ravel()
+                arrays.append([str(value.dtype), value.size, [_number(number) for number in numbers.tolist()]])
+            slots.append(f"@{known[key]}")
+            slots.extend(value.shape)
+        elif isinstance(value, tuple):
+            for part in tuple.__iter__(value):
+                add(part)
+        elif value is not None:
+            slots.append(_number(value))
+
+    add(call.arguments)
+    if len(slots) != manifest.results:
+        raise ValueError(f"a kernel has {manifest.results} slots for arguments, but there are {len(slots)}")
+    return {"slots": slots, "arrays": arrays}
+
+
+def _number(value: Any) -> Any:
+    """A number as JSON has it; infinity, which JSON does not have, as text."""
+    if isinstance(value, bool):
+        return int(value)
+    return value if isinstance(value, int) or math.isfinite(value) else str(float(value)).replace("inf", "Infinity")
+
+
+def optimum(mdp: Any) -> float:
+    """The best expected return of an episode, from the exact model."""
+    return edugym.value_iteration(edugym.finite_model(mdp), 1.0, horizon=task_of(mdp).max_steps).start
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,61 @@
+// The learning curves: mean return over training steps, with the exact optimum, and with several seeds an interval.
+
+const LEFT = 58, RIGHT = 12, TOP = 20, BOTTOM = 26 // pixels around the lines
+const DASHES = ['', '9 4', '3 3'] // so that the lines differ without colours, too
+
+// A number in a few characters.
+export function short(n) {
+  const [size, unit] = Math.abs(n) >= 1e6 ? [1e6, ' M'] : Math.abs(n) >= 1e4 ? [1e3, ' k'] : [1, '']
+  return `${+(n / size).toPrecision(4 - unit.length / 2)}${unit}`.replace('-', '−')
+}
+
+// Mean and half an interval of 95 % at each point that all curves have.
+export function summary(curves, t) {
+  const length = Math.min(...curves.map(curve => curve.length)), n = curves.length
+  return Array.from({ length }, (_, k) => {
+    const values = curves.map(curve => curve[k][1])
+    const mean = values.reduce((sum, value) => sum + value, 0) / n
+    const variance = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(1, n - 1)
+    return [curves[0][k][0], mean, t * Math.sqrt(variance / n)]
+  })
+}
+
+export function chart(place, lines, { steps, optimum }) {
+  const { clientWidth: width, clientHeight: height } = place
+  if (!width) return // it is hidden
+  const known = lines.flat()
+  const ends = known.map(([, mean]) => mean).sort((a, b) => a - b)
+  // How bad it was at the very start is left out: it would press all the rest together.
+  let low = Math.min(ends[Math.floor(ends.length / 12)] ?? 0, optimum ?? Infinity), high = Math.max(ends.at(-1) ?? 0, optimum ?? -Infinity)
+  if (low === high) low = Math.min(low, ends[0] ?? low)
+  if (low === high) [low, high] = [low - 1, high + 1]
+  const margin = 0.06 * (high - low)
+  const x = step => LEFT + (width - LEFT - RIGHT) * step / steps
+  const y = value => TOP + (height - TOP - BOTTOM) * (high + margin - value) / (high - low + 2 * margin)
+  const parts = ticks(low, high).map(value => `<path d="M${LEFT} ${y(value)}H${width - RIGHT}" stroke="var(--line)"/>`
+    + `<text x="${LEFT - 6}" y="${y(value) + 4}" text-anchor="end">${short(value)}</text>`)
+  for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+    const anchor = share === 1 ? 'end' : share ? 'middle' : 'start'
+    parts.push(`<text x="${x(share * steps)}" y="${height - 7}" text-anchor="${anchor}">${short(share * steps)}</text>`)
+  }
+  if (optimum !== null) {
+    parts.push(`<path d="M${LEFT} ${y(optimum)}H${width - RIGHT}" stroke="var(--optimum)" stroke-width="2" stroke-dasharray="2 5"/>`
+      + `<text x="${width - RIGHT - 4}" y="${y(optimum) - 6}" text-anchor="end">best possible: ${short(optimum)}</text>`)
+  }
+  parts.push(`<clipPath id="inside"><rect x="${LEFT - 2}" width="${width - LEFT - RIGHT + 4}" y="${TOP - 8}" height="${height - TOP - BOTTOM + 8}"/></clipPath><g clip-path="url(#inside)">`)
+  lines.forEach((line, k) => {
+    const points = sign => line.map(([step, mean, half]) => `${x(step).toFixed(1)},${y(mean + sign * half).toFixed(1)}`)
+    if (line.some(([, , half]) => half)) {
+      parts.push(`<polygon points="${[...points(1), ...points(-1).reverse()].join(' ')}" fill="var(--lane-${k})" opacity="0.2"/>`)
+    }
+    parts.push(`<polyline points="${points(0).join(' ')}" fill="none" stroke="var(--lane-${k})" stroke-width="2.5" stroke-dasharray="${DASHES[k]}" stroke-linejoin="round"/>`)
+  })
+  parts.push('</g>')
+  place.innerHTML = `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="Learning curves">${parts.join('')}</svg>`
+}
+
+function ticks(low, high) {
+  const size = 10 ** Math.floor(Math.log10((high - low) / 2)), step = [1, 2, 5].map(k => k * size).find(k => (high - low) / k <= 5) ?? 10 * size
+  const first = Math.ceil(low / step)
+  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, k) => (first + k) * step)
+}

@@ -1,0 +1,66 @@
+// One agent in the race: its card on the page, and the worker in which it learns.
+
+import { short } from './chart.js'
+import { Picture } from './picture.js'
+import { soon } from './soon.js'
+
+const SLOW = 20 // up to so many steps a second, the picture shows what the agent would do as things are now
+
+export class Lane {
+  constructor(k, { onAgent, onBet, onLook }) {
+    this.k = k
+    this.onLook = onLook
+    this.draw = this.draw.bind(this)
+    this.id = 0
+    this.article = document.createElement('article')
+    this.article.style.setProperty('--lane', `var(--lane-${k})`)
+    this.article.innerHTML = `<select aria-label="Agent ${k + 1}"></select><p class="says"></p><div class="picture"></div>`
+      + '<p class="numbers"></p><button class="bet" type="button" aria-pressed="false">Bet on this one</button>'
+    const find = selector => this.article.querySelector(selector)
+    Object.assign(this, { select: find('select'), says: find('.says'), place: find('.picture'), numbers: find('.numbers'), bet: find('.bet') })
+    this.select.onchange = () => onAgent(k, this.select.selectedIndex)
+    this.bet.onclick = () => onBet(k)
+    this.worker = new Worker('worker.js', { type: 'module' })
+    this.worker.onmessage = ({ data }) => this.receive(data)
+  }
+
+  // Begin anew: `race` and `task` are the data of the page, `how` its settings.
+  begin(race, task, agent, how) {
+    const { label, says, kernel } = race.agents[agent], lane = task.agents[agent]
+    Object.assign(this, { label, how, look: null, steps: 0, curves: [], over: false, table: task.tables[lane.table] })
+    if (this.race !== race) this.select.innerHTML = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
+    this.race = race
+    this.select.selectedIndex = agent
+    this.says.textContent = says
+    this.numbers.textContent = ''
+    this.picture = new Picture(this.place, task.scene, this.table, task.marks, `${race.name}, as ${label} learns it`)
+    const { rows, cell } = this.table
+    this.worker.postMessage({ kind: 'new', id: ++this.id, kernel, plan: lane, look: lane.look, rows, now: cell.length, ...how, at: how.at[this.k] })
+  }
+
+  rate(rate) {
+    this.perSecond = rate || this.perSecond
+    this.worker.postMessage({ kind: 'rate', rate })
+  }
+
+  receive(data) {
+    if (data.kind === 'error') this.numbers.textContent = data.message
+    if (data.id !== this.id) return
+    const fresh = !this.look
+    Object.assign(this, { look: data, steps: data.steps, curves: data.curves, over: data.over })
+    soon(this.draw)
+    this.onLook(this, fresh)
+  }
+
+  draw() {
+    const { look, how } = this
+    if (!look) return
+    this.picture.happen(look.look)
+    this.picture.know(look, how.show, how.policy, this.perSecond <= SLOW || !look.steps ? look.row : undefined)
+    const last = this.curves[0].at(-1)
+    const means = this.curves.map(curve => curve.at(-1)[1])
+    const mean = means.reduce((sum, value) => sum + value, 0) / means.length
+    const exploring = last[2] === null ? 'no episode has ended yet' : `${short(last[2])} while it explores`
+    this.numbers.innerHTML = `return <b>${short(mean)}</b> after ${short(this.steps)} steps<br>${exploring}`
+  }
+}

@@ -1,0 +1,73 @@
+// An agent that learns, as `edugym.train` lets it: the same steps, the same evaluations, the same numbers.
+
+import { Kernel } from './kernel.js'
+
+const BEGIN = -1
+
+export class Learner {
+  // `every` is how many steps lie between two points of the curve, and `steps` how many there are in all.
+  constructor(loaded, plan, streams, settings, { steps, every }) {
+    this.kernel = new Kernel(loaded, plan, streams, settings)
+    this.total = steps
+    this.every = every
+    this.steps = 0
+    this.curve = []
+    this.kernel.call(BEGIN, 0)
+    const { names } = this.kernel
+    this.log = { sums: names['log.returns'], episodes: names['log.episodes'] }
+    this.visits = this.kernel.find('.visits') // of what counts around the agent, which comes first
+    this.values = this.kernel.find('.Q')
+    this.goal = this.kernel.find('.best_state')
+    this.measure()
+  }
+
+  get over() {
+    return this.steps >= this.total
+  }
+
+  // Take `n` training steps at most, up to the next point of the curve; return how many it were.
+  advance(n) {
+    const taken = Math.min(n, this.every - this.steps % this.every, this.total - this.steps)
+    this.kernel.call(taken, 0)
+    this.steps += taken
+    if (this.steps % this.every === 0 || this.over) this.measure()
+    return taken
+  }
+
+  // Evaluate the greedy policy, and add a point to the curve: steps, return, and the return while it explored.
+  measure() {
+    const { returns } = this.kernel.names, { sums, episodes } = this.log
+    this.kernel.call(0, returns.length)
+    const mean = returns.reduce((sum, one) => sum + one, 0) / returns.length
+    this.curve.push([this.steps, mean, episodes[0] ? sums[0] / Number(episodes[0]) : null])
+    sums[0] = 0
+    episodes[0] = 0n
+  }
+
+  // What it knows, by the rows of its table: how often it was there, the value of the best action, and this action (-1
+  // where several are equally good).
+  knowledge(rows) {
+    const visits = Float64Array.from(this.visits, Number)
+    const values = new Float64Array(rows), greedy = new Int8Array(rows).fill(-1)
+    const { length } = this.values
+    // Go-Explore has a table for every goal: then the one is shown that leads to the best state so far.
+    const actions = this.goal ? length / rows / rows : length / rows
+    const first = this.goal ? Number(this.goal[0]) * rows * actions : 0
+    for (let row = 0; row < rows; row++) {
+      let best = -Infinity
+      for (let action = 0; action < actions; action++) {
+        const value = this.values[first + row * actions + action]
+        if (value > best) { best = value; greedy[row] = action } else if (value === best) greedy[row] = -1
+      }
+      values[row] = best
+    }
+    return { visits, values, greedy }
+  }
+
+  // The row of the table that it observes, and the numbers that decide the picture; `now` says how many observations
+  // there are: a row that remembers more begins again after so many.
+  moment(look, now) {
+    const observed = this.kernel.index('result.1'), row = this.kernel.result(observed)
+    return { row, look: look.map(k => k === observed ? row % now : this.kernel.result(k)) }
+  }
+}

@@ -1,0 +1,35 @@
+// A link that holds everything seen: the task, the agents, the settings, the seed, the bet, and how far the race is.
+
+export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: 1, seed: 0, several: 1, steps: null,
+  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, bet: null, at: [0, 0, 0], play: false, blind: false }
+const MOST = 10_000_000 // steps of a race
+const RANGES = { strength: [0, 99], agents: [0, 99], speed: [0, 9], seed: [0, 99], several: [1, 20], steps: [100, MOST],
+  learning_rate: [0.01, 1], discount: [0, 1], epsilon: [0, 1], bet: [0, 2], at: [0, MOST] }
+const FRACTIONS = ['speed', 'learning_rate', 'discount', 'epsilon']
+const CHOICES = ['visits', 'values', 'nothing']
+
+// What a link says, as far as it can be true; the rest is as at first.
+export function read(hash) {
+  const state = structuredClone(FIRST)
+  for (const [name, text] of new URLSearchParams(hash.slice(1))) {
+    const first = FIRST[name]
+    if (Array.isArray(first)) {
+      const numbers = text.split('.').map(part => number(name, part))
+      if (numbers.length === first.length && !numbers.includes(undefined)) state[name] = numbers
+    } else if (typeof first === 'boolean') state[name] = text === 'true'
+    else if (name === 'task' || (name === 'show' && CHOICES.includes(text))) state[name] = text
+    else if (name in RANGES) state[name] = number(name, text) ?? first
+  }
+  return state
+}
+
+function number(name, text) {
+  const value = Number(text), [low, high] = RANGES[name]
+  if (!text || !(value >= low && value <= high)) return undefined
+  return FRACTIONS.includes(name) || Number.isInteger(value) ? value : undefined
+}
+
+export function write(state) {
+  const changed = Object.entries(state).filter(([name, value]) => String(value) !== String(FIRST[name]))
+  return '#' + new URLSearchParams(changed.map(([name, value]) => [name, Array.isArray(value) ? value.join('.') : value]))
+}

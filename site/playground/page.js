@@ -1,0 +1,283 @@
+// The page: it puts together menu, race, settings, link and game. What it knows of tasks comes from data/, written by
+// the package; what it shows is in one `state`, which is what a link holds.
+
+import { chart, short, summary } from './chart.js'
+import { read, write } from './link.js'
+import { Lane } from './lane.js'
+import { Play } from './play.js'
+import { soon } from './soon.js'
+
+const find = id => document.getElementById(id)
+const data = await (await fetch('data/playground.json')).json()
+const STEPS = [10_000, 100_000, 1_000_000, 10_000_000] // how long a race may be
+const OWN = ['learning_rate', 'discount', 'epsilon'] // settings that all agents may be given, in place of the lesson's
+let state, race, task, running = false, charted = 0
+const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
+const play = new Play(find)
+lanes.forEach(lane => find('lanes').append(lane.article))
+
+// Menus that do not depend on the task
+
+find('tasks').innerHTML = data.races.map(({ name, challenge }) => `<a href="#task=${name}" title="${challenge}">${name}</a>`).join('')
+find('several').innerHTML = data.several.map(([n]) => `<option value="${n}">${n}</option>`).join('')
+find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join('')
+
+// From the state to the page
+
+async function open() {
+  state = read(location.hash)
+  race = data.races.find(({ name }) => name === state.task) ?? data.races[0]
+  state.task = race.name
+  state.strength = within(state.strength ?? race.strength.first, race.strength.values.length)
+  state.agents = state.agents.map(k => within(k, race.agents.length))
+  state.seed = within(state.seed, data.seeds.length)
+  if (!data.several.some(([n]) => n === state.several)) state.several = 1
+  state.steps ??= race.steps
+  for (const link of find('tasks').children) {
+    if (link.textContent !== race.name) link.removeAttribute('aria-current')
+    else {
+      link.setAttribute('aria-current', 'page')
+      link.scrollIntoView({ block: 'nearest', inline: 'center' })
+    }
+  }
+  document.title = `${race.name} · EduGym playground`
+  find('question').textContent = race.question
+  find('rules').textContent = race.rules
+  find('why').textContent = race.why
+  find('lesson').textContent = race.lesson
+  find('lesson').href = race.link
+  find('strength-name').textContent = race.strength.parameter.replaceAll('_', ' ')
+  find('strength').max = race.strength.values.length - 1
+  find('steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
+    .map(n => `<option value="${n}">${short(n)}</option>`).join('')
+  uncover()
+  await begin()
+  await refreshPlay()
+}
+
+// A new race: everybody at the start, or as far as the link says.
+async function begin() {
+  stop()
+  const wanted = `data/${race.name}-${state.strength}.json`
+  const answer = await (await fetch(wanted)).json()
+  if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
+  task = answer
+  controls()
+  find('lanes').classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
+  charted = 0
+  const own = OWN.filter(name => state[name] !== null).map(name => [`.${name}`, state[name]])
+  const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
+  const { steps, show, policy, at } = state
+  const how = { seeds, steps, every: Math.max(1, Math.floor(steps / 100)), settings: Object.fromEntries(own), show, policy, at }
+  lanes.forEach((lane, k) => lane.begin(race, task, state.agents[k], how))
+  find('run').disabled = find('again').disabled = false
+  tell(state.bet === null ? 'First place your bet. Then press Run.' : 'Your bet is placed. Press Run.')
+  legend()
+  program()
+}
+
+// What the signs and colours in the pictures mean.
+function legend() {
+  const signs = new Map()
+  if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
+  const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
+  const colours = { visits: 'Purple: where it was most.', values: 'Dark to bright: the return that it expects.', nothing: '' }[state.show]
+  find('legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
+}
+
+function controls() {
+  const strength = race.strength.values[state.strength]
+  find('strength').value = state.strength
+  find('strength').setAttribute('aria-valuetext', strength)
+  find('strength-shown').value = strength
+  find('speed').value = state.speed
+  find('speed-shown').value = rate() === Infinity ? 'full' : `${short(Math.round(rate()))} / s`
+  for (const name of OWN) {
+    find(name).value = state[name] ?? race.own[name]
+    find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
+  }
+  for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
+  find('policy').checked = state.policy
+  find('blind').checked = state.blind
+  lanes.forEach((lane, k) => lane.bet.setAttribute('aria-pressed', state.bet === k))
+  history.replaceState(null, '', write(state))
+}
+
+const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
+const rate = () => state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
+const tell = text => { find('verdict').textContent = text }
+
+// What happens
+
+function onLook(lane, fresh) {
+  if (fresh || performance.now() - charted > 100 || lane.over) soon(draw)
+  if (running && lanes.every(({ over }) => over)) finish()
+}
+
+function draw() {
+  if (!lanes.every(({ look }) => look)) return // a new race has begun meanwhile
+  charted = performance.now()
+  const [, t] = data.several.find(([n]) => n === state.several)
+  chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum })
+  const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval; the pictures show the first` : ''
+  find('caption').textContent = `Mean return of ${race.episodes} games without exploring, after so many training steps${what}`
+}
+
+function finish() {
+  state.at = lanes.map(({ steps }) => steps)
+  stop()
+  draw()
+  controls()
+  const [, t] = data.several.find(([n]) => n === state.several)
+  const results = lanes.map(lane => {
+    const line = summary(lane.curves, t), end = line.slice(-10), values = line.map(([, value]) => value)
+    const [mean, half] = [1, 2].map(k => end.reduce((sum, point) => sum + point[k], 0) / end.length)
+    const span = Math.max(...values) - Math.min(...values)
+    return { lane, mean, half, span, reached: line.find(([, value]) => value >= mean - 0.1 * span)[0] }
+  })
+  const best = results.reduce((a, b) => b.mean > a.mean ? b : a)
+  if (results.every(({ span, mean }) => !span && mean === best.mean)) return tell('Nobody has learned anything that shows. Try more steps, or an easier task.')
+  const equal = ({ mean, half }) => best.mean - mean <= (state.several > 1 ? half + best.half : 0.03 * Math.abs(best.mean))
+  const good = results.filter(equal), soonest = Math.min(...good.map(({ reached }) => reached))
+  const winners = good.filter(({ reached }) => reached <= soonest + state.steps / 50)
+  const names = winners.map(({ lane }) => lane.label).join(' and ')
+  const first = good.length > winners.length ? ', and got there first' : ''
+  const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on ${lanes[state.bet].label}.`
+  const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
+  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} at the end${first}.${bet}${luck}`)
+}
+
+function stop() {
+  running = false
+  find('run').textContent = 'Run'
+  lanes.forEach(lane => lane.rate(0))
+}
+
+function onAgent(k, agent) {
+  state.agents[k] = agent
+  restart()
+}
+
+function onBet(k) {
+  state.bet = state.bet === k ? null : k
+  controls()
+}
+
+function restart() {
+  state.at = [0, 0, 0]
+  return begin()
+}
+
+function set(name, value, what = restart) {
+  state[name] = value
+  what()
+}
+
+find('run').onclick = () => {
+  if (running) {
+    state.at = lanes.map(({ steps }) => steps)
+    stop()
+    return controls()
+  }
+  if (lanes.every(({ over }) => over)) return restart().then(() => find('run').onclick())
+  running = true
+  find('run').textContent = 'Pause'
+  tell(rate() < 1000 ? 'Slow motion. Move the speed to the right to see who wins.' : 'They are learning …')
+  lanes.forEach(lane => lane.rate(rate()))
+}
+find('again').onclick = () => set('seed', (state.seed + state.several) % data.seeds.length)
+find('speed').oninput = event => {
+  set('speed', event.target.valueAsNumber, controls)
+  if (running) lanes.forEach(lane => lane.rate(rate()))
+  if (running && rate() >= 1000) tell('They are learning …')
+}
+find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refreshPlay))
+for (const name of OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
+find('own').onclick = () => { for (const name of OWN) state[name] = null; restart() }
+for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
+find('show').onchange = event => set('show', event.target.value, redraw)
+find('policy').onchange = event => set('policy', event.target.checked, redraw)
+find('blind').onchange = event => set('blind', event.target.checked, () => { controls(); play.show('') })
+
+function remeasure() {
+  for (const { picture } of lanes) picture?.measure()
+  redraw()
+  soon(draw)
+}
+
+function redraw() {
+  controls()
+  legend()
+  for (const lane of lanes) {
+    Object.assign(lane.how, { show: state.show, policy: state.policy })
+    soon(lane.draw)
+  }
+}
+
+// Watch or play
+
+async function choose(playing) {
+  if (playing && running) find('run').onclick()
+  state.play = playing
+  uncover()
+  controls()
+  if (playing) return refreshPlay()
+  remeasure()
+}
+
+function uncover() {
+  for (const [name, on] of [['race', !state.play], ['play', state.play]]) {
+    find(name).hidden = !on
+    find(`tab-${name}`).setAttribute('aria-selected', on)
+    find(`tab-${name}`).tabIndex = on ? 0 : -1
+  }
+}
+
+async function refreshPlay() {
+  if (state.play) await play.open(race, task, data.seeds[state.seed])
+}
+
+find('tab-race').onclick = () => choose(false)
+find('tab-play').onclick = () => choose(true)
+document.querySelector('.tabs').onkeydown = event => {
+  if (!/^Arrow(Left|Right)$/.test(event.key)) return
+  event.stopPropagation()
+  choose(!state.play).then(() => find(state.play ? 'tab-play' : 'tab-race').focus())
+}
+
+// The same numbers in Python
+
+function program() {
+  const { parameter, values, others } = race.strength, value = values[state.strength].replace('inf', 'float("inf")')
+  const given = [`"${race.name}"`, `${parameter}=${value}`, ...others].join(', ')
+  const blocks = state.agents.map(k => race.agents[k]).map(({ label, kind, settings, seen }) => {
+    const known = Object.fromEntries(settings)
+    for (const name of ['learning_rate', 'discount']) if (state[name] !== null && kind !== 'RMax') known[name] = state[name]
+    if (state.epsilon !== null && !/^(RMax|GoExplore)$/.test(kind)) known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
+    const listed = Object.entries(known).map(([name, value]) => `${name}=${value}`)
+    return `# ${label}\nmdp = edugym.make_mdp(${given})\n${seen ? `mdp = ${seen}\n` : ''}`
+      + `agent = edugym.${kind}.create(${['mdp', ...listed].join(', ')})\n`
+      + `run = edugym.train(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\nprint(run.returns)\n`
+  })
+  find('same').textContent = 'EduGym gives the numbers of this page. (Where a task needs exponentials, sines or logarithms, the last digit can differ from machine to machine.)'
+  find('code').textContent = `import edugym\n\n${blocks.join('\n')}`
+}
+
+find('share').onclick = async () => {
+  state.at = lanes.map(({ steps }) => steps)
+  controls()
+  try {
+    await navigator.clipboard.writeText(location.href)
+    find('shared').textContent = 'Copied.'
+  } catch {
+    find('shared').textContent = 'The link is in the address bar.'
+  }
+}
+find('theme').onclick = () => {
+  const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'
+  document.documentElement.dataset.theme = localStorage.theme = theme
+}
+addEventListener('hashchange', open)
+addEventListener('resize', remeasure)
+await open()
+document.documentElement.dataset.ready = 'true' // see style.css

@@ -1,0 +1,126 @@
+// The picture of a task: the environment's own background, what an agent knows, and what happens now.
+
+const LOW = [68, 60, 140], MIDDLE = [33, 145, 140], HIGH = [253, 231, 37] // values, from dark to bright
+
+const SMALLEST = 7 // pixels of a cell in which a sign can be read
+
+export class Picture {
+  // `scene` and `table` are those of the task (see scenery.py), `marks` the signs of the actions.
+  constructor(place, scene, table, marks, label) {
+    Object.assign(this, { scene, table, marks })
+    const box = `0 0 ${scene.width} ${scene.height}`
+    place.innerHTML = `<svg viewBox="${box}" aria-hidden="true"><rect width="100%" height="100%" fill="${scene.colour}"/>`
+      + `${scene.background}<g></g></svg><canvas aria-hidden="true"></canvas><svg viewBox="${box}" aria-hidden="true"></svg>`
+    place.style.setProperty('--ratio', scene.width / scene.height)
+    place.setAttribute('role', 'img')
+    place.setAttribute('aria-label', label)
+    for (const svg of place.querySelectorAll('svg')) { // as the package's own pictures have it
+      svg.setAttribute('stroke-linejoin', 'round')
+      svg.setAttribute('stroke-linecap', 'round')
+      svg.setAttribute('font-family', 'FreeSans, Helvetica, Arial, sans-serif')
+      svg.setAttribute('font-weight', 'bold')
+    }
+    this.canvas = place.querySelector('canvas')
+    this.back = place.querySelector('g:last-child')
+    this.front = place.lastElementChild
+    this.drawn = ''
+  }
+
+  // What happens now, by the numbers that decide the picture.
+  happen(look) {
+    const { moves, moments, parts, behind } = this.scene
+    const key = look.join()
+    if (key === this.drawn) return
+    this.drawn = key
+    if (!moves) {
+      const shown = moments[key] ?? []
+      this.back.innerHTML = shown.filter(k => k < behind).map(k => parts[k]).join('')
+      this.front.innerHTML = shown.filter(k => k >= behind).map(k => parts[k]).join('')
+    } else if (moves.kind === 'arm') this.front.innerHTML = arm(moves, ...look)
+    else {
+      const [x, y] = look, [x0, y0] = moves.start
+      this.front.innerHTML = `<g transform="translate(${x - x0} ${y0 - y})">${moves.sprite}</g>`
+    }
+  }
+
+  // What the agent knows: `show` is "visits" or "values"; `now` is the row that it observes, if only what it would do
+  // with all else as it is now should be seen.
+  know({ visits, values, greedy }, show, policy, now) {
+    const { canvas, scene, table } = this
+    if (!this.scale) this.measure()
+    if (!this.scale) return // it is hidden
+    const { scale } = this, pen = canvas.getContext('2d')
+    pen.setTransform(scale, 0, 0, scale, 0, 0)
+    pen.clearRect(0, 0, scene.width, scene.height)
+    const cells = this.gather(visits, now)
+    const most = Math.log1p(Math.max(1, ...cells.map(cell => cell.visits)))
+    const shown = cells.filter(cell => cell.row >= 0).map(cell => values[cell.row])
+    const low = Math.min(...shown), range = Math.max(...shown) - low || 1
+    canvas.dataset.cells = shown.length // for tests
+    for (const [k, { visits, row }] of cells.entries()) {
+      if (!visits) continue
+      const [x, y, w, h] = table.cells[k]
+      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.55 * (Math.log1p(visits) / most) ** 2})`
+      else pen.fillStyle = row >= 0 ? colour((values[row] - low) / range) : 'transparent'
+      if (show !== 'nothing') pen.fillRect(x, y, w, h)
+      const readable = Math.min(w, h) * scale > SMALLEST * devicePixelRatio
+      const mark = policy && readable && row >= 0 && greedy[row] >= 0 && this.marks[greedy[row]]
+      if (mark) this.sign(pen, mark, x + w / 2, y + h / 2, Math.min(w, h))
+    }
+  }
+
+  // How many of the screen's own pixels a unit of the scene has: to be called again when the page has another size.
+  measure() {
+    const { canvas, scene } = this
+    this.scale = canvas.clientWidth * devicePixelRatio / scene.width
+    canvas.width = Math.round(scene.width * this.scale)
+    canvas.height = Math.round(scene.height * this.scale)
+  }
+
+  // For each cell the visits, and the row that stands for it: the most visited, or that which fits what is now.
+  gather(visits, now) {
+    const { table } = this, cells = table.cells.map(() => ({ visits: 0, row: -1, most: 0 }))
+    const past = now === undefined ? -1 : Math.floor(now / table.cell.length)
+    const layer = now === undefined ? -1 : table.layer[now % table.cell.length]
+    for (let row = 0; row < table.rows; row++) {
+      const seen = row % table.cell.length, cell = cells[table.cell[seen]]
+      if (!cell || !visits[row]) continue
+      cell.visits += visits[row]
+      const fits = now === undefined || (table.layer[seen] === layer && (row - seen) / table.cell.length === past)
+      if (fits && visits[row] > cell.most) { cell.row = row; cell.most = visits[row] }
+    }
+    return cells
+  }
+
+  sign(pen, [dx, dy, text], x, y, size) {
+    pen.font = `bold ${0.85 * size}px Helvetica, Arial, sans-serif`
+    pen.textAlign = 'center'
+    pen.textBaseline = 'middle'
+    pen.lineWidth = 0.16 * size
+    pen.strokeStyle = 'rgb(255 255 255 / 0.85)'
+    pen.fillStyle = '#1d1b26'
+    pen.strokeText(text, x + dx, y + dy)
+    pen.fillText(text, x + dx, y + dy)
+  }
+}
+
+function colour(share) {
+  const [from, to, part] = share < 0.5 ? [LOW, MIDDLE, 2 * share] : [MIDDLE, HIGH, 2 * share - 1]
+  return `rgb(${from.map((c, k) => Math.round(c + part * (to[k] - c))).join(' ')} / 0.72)`
+}
+
+// Trashbot's arm by its angles, counterclockwise; y grows downwards in the picture.
+function arm({ shoulder, links, box, ground, colours }, angle, bend, holding, outcome) {
+  const delivered = outcome === 1
+  const [x0, y0] = shoulder, [upper, fore, magnet] = links
+  const x1 = x0 + upper * Math.cos(angle), y1 = y0 - upper * Math.sin(angle)
+  const x2 = x1 + fore * Math.cos(angle + bend), y2 = y1 - fore * Math.sin(angle + bend)
+  const size = box[2], [left, top] = delivered ? [x2 - size / 2, ground - size]
+    : holding ? [x2 - size / 2, y2 + magnet] : box
+  const path = `points="${x0},${y0} ${x1},${y1} ${x2},${y2}" fill="none"`
+  const joints = [[x0, y0, 0.09], [x1, y1, 0.05], [x2, y2, 0.05]].map(([x, y, r]) =>
+    `<circle cx="${x}" cy="${y}" r="${r}" fill="${colours.joint}" stroke="${colours.ink}" stroke-width="0.02"/>`)
+  return `<rect x="${left}" y="${top}" width="${size}" height="${size}" fill="${colours.box}" stroke="${colours.ink}" stroke-width="0.02"/>`
+    + `<polyline ${path} stroke="${colours.ink}" stroke-width="0.12"/><polyline ${path} stroke="${colours.link}" stroke-width="0.09"/>`
+    + `<line x1="${x2}" y1="${y2}" x2="${x2}" y2="${y2 + magnet}" stroke="${colours.magnet}" stroke-width="0.06"/>${joints.join('')}`
+}

@@ -1,0 +1,299 @@
+"""What the playground offers: for each environment its question, its strengths, and the agents that race in it.
+
+Names and parameters are the package's, and the settings of agents those of the lessons.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from functools import cache, partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import edugym
+from edugym_course.lessons.continuous_actions.methods import CELLS, in_a_table
+from edugym_course.lessons.depth import methods as depth
+from edugym_course.lessons.depth import targets
+from edugym_course.lessons.dimensionality import methods as dimensionality
+from edugym_course.lessons.exploration import methods as exploration
+from edugym_course.lessons.memory import players as memory
+from edugym_course.lessons.model_based import methods as model_based
+from edugym_course.lessons.on_off_policy import methods as on_off_policy
+from edugym_course.lessons.signal import methods as signal
+from edugym_course.lessons.stochasticity import methods as stochasticity
+
+NONE: Mapping[str, Any] = MappingProxyType({})
+
+
+def as_it_is(mdp: Any) -> Any:
+    """The MDP as it is."""
+    return mdp
+
+
+class View(NamedTuple):
+    """How an agent sees a task.
+
+    Attributes:
+        of: from the MDP, the MDP as the agent sees it.
+        code: the same as Python, for the reader.
+    """
+
+    of: Callable[[Any], Any] = as_it_is
+    code: str = ""
+
+
+class Agent(NamedTuple):
+    """An agent that is offered.
+
+    Attributes:
+        label: its name on the page.
+        says: what it does, in a few words.
+        kind: its class.
+        settings: what is not at its default.
+        view: how it sees the task.
+    """
+
+    label: str
+    says: str
+    kind: Any
+    settings: Mapping[str, Any]
+    view: View = View()
+
+    def make(self, task: Any) -> Any:
+        """The agent, for the task as it sees it."""
+        return self.kind.create(task, **self.settings)
+
+
+class Strength(NamedTuple):
+    """The one parameter that sets how hard a task is.
+
+    Attributes:
+        parameter: its name.
+        values: from which the reader chooses.
+        first: the index of the value that is shown first.
+    """
+
+    parameter: str
+    values: tuple[float, ...]
+    first: int
+
+
+class Race(NamedTuple):
+    """A task, and the agents that race in it.
+
+    Attributes:
+        environment: its name.
+        question: what the reader bets on.
+        rules: the task, in a sentence or two.
+        agents: the first three race when the page opens.
+        n_steps: the training steps of a race.
+        strength: how hard it is.
+        numbers: what the numbers of an observation are.
+        keys: the keys for the actions, besides 1, 2, ...
+        parameters: the other parameters of the environment.
+        is_finite: whether it has few states, so that its optimum can be computed exactly.
+        actions: what actions are called, where the task itself only has numbers for them.
+    """
+
+    environment: str
+    question: str
+    rules: str
+    agents: tuple[Agent, ...]
+    n_steps: int
+    strength: Strength
+    numbers: tuple[str, ...]
+    keys: tuple[str, ...] = ()
+    parameters: Mapping[str, Any] = NONE
+    is_finite: bool = True
+    actions: tuple[str, ...] = ()
+
+    def mdp(self, k: int) -> Any:
+        """The task at its k-th strength."""
+        strength = {self.strength.parameter: self.strength.values[k]}
+        return edugym.make_mdp(self.environment, **strength, **self.parameters)
+
+
+def learning(module: Any) -> dict[str, Any]:
+    """The settings that a lesson shares among its agents."""
+    slips = edugym.EpsilonGreedy(module.EPSILON)
+    return {"learning_rate": module.LEARNING_RATE, "discount": module.DISCOUNT, "exploration": slips}
+
+
+@cache
+def window(k: int, actions: bool) -> View:
+    """A memory of the last k sights, and of the actions between them if wanted."""
+    more = ", actions=True" if actions else ""
+    code = f"edugym.FrameStack.create(mdp, k={k}{more})"
+    return View(partial(edugym.FrameStack.create, k=k, actions=actions), code)
+
+
+@cache
+def bins(n: int) -> View:
+    """A robot arm for a table: n angles for each joint, and the wrist in cells."""
+    cells = f"[1, 1, {CELLS}, {CELLS}, 1, 1, 3]"
+    code = f"edugym.Discretised.create(edugym.DiscreteActions.create(mdp, {n}), {cells})"
+    return View(lambda mdp: in_a_table(n, width=mdp.container_width), code)
+
+
+USUAL = {
+    edugym.QLearning: ("Q-learning", "learns what is best for somebody who never slips"),
+    edugym.SARSA: ("SARSA", "learns what its own slips cost"),
+    edugym.ExpectedSARSA: ("expected SARSA", "the same, averaged over what it might do next"),
+    edugym.DoubleQLearning: ("double Q-learning", "two tables, so that luck is not taken for value"),
+    edugym.NStepSARSA: ("n-step SARSA", "looks four rewards ahead"),
+    edugym.TreeBackup: ("tree backup", "looks four steps ahead, and leaves its slips out"),
+    edugym.QLambda: ("Q(λ)", "hands rewards back over many steps"),
+    edugym.DynaQ: ("Dyna-Q", "replays ten old steps after each new one"),
+    edugym.PrioritisedSweeping: ("prioritised sweeping", "replays first what changes most"),
+    edugym.RMax: ("R-max", "plans with what is unknown as something wonderful"),
+}
+"""What agents are called, and what they do, where nothing else is said."""
+
+
+def usual(settings: Mapping[str, Any], *kinds: Any) -> tuple[Agent, ...]:
+    """Agents of several kinds with the same settings."""
+    return tuple(Agent(*USUAL[kind], kind, settings) for kind in kinds)
+
+
+CLIMBING = learning(exploration)
+RETURNING = {"learning_rate": exploration.LEARNING_RATE, "discount": exploration.DISCOUNT}
+GREEDY = {**RETURNING, "learning_rate": 1.0, "exploration": edugym.EpsilonGreedy(0.0), "initial_value": 1.0}
+UP_TO_ONE = {"discount": exploration.DISCOUNT, "highest_return": 1.0, "lowest_return": 0.0}
+NOVELTY = {**CLIMBING, "bonus": exploration.BONUS}
+EXPLORING = {**RETURNING, "explore_steps": exploration.EXPLORE_STEPS}
+BOULDER = Race(
+    "Boulder",
+    "Only the top gives a reward. Who finds it?",
+    "At every height one grip holds. Any other sends the climber back to the ground.",
+    (
+        Agent("Q-learning", "the best-known grip, sometimes a random one", edugym.QLearning, CLIMBING),
+        Agent("novelty", "is rewarded for places that it has rarely visited", edugym.CountBased, NOVELTY),
+        Agent("Go-Explore", "returns to a rarely visited place, then explores", edugym.GoExplore, EXPLORING),
+        Agent("optimism", "greedy: what it has not tried looks best", edugym.QLearning, GREEDY),
+        *usual(UP_TO_ONE, edugym.RMax),
+        *usual(CLIMBING, edugym.SARSA, edugym.QLambda),
+    ),
+    exploration.N_STEPS,
+    Strength("height", (4, 6, 8, 10, 12, 15, 20, 25, 30), 3),
+    ("position",),
+    ("ArrowLeft", "ArrowRight"),
+)
+RUNNING = learning(on_off_policy)
+ROADRUNNER = Race(
+    "Roadrunner",
+    "One step too far is the drop. Who runs best at the end?",
+    "Arrive exactly at the last cell before the cliff, in few steps. A fall or a stall costs 100.",
+    usual(RUNNING, edugym.QLearning, edugym.SARSA, edugym.ExpectedSARSA, edugym.DoubleQLearning, edugym.NStepSARSA),
+    on_off_policy.N_STEPS,
+    Strength("size", (6, 8, 10, 12, 15, 20), 2),
+    ("position", "speed"),
+    ("ArrowLeft", "ArrowUp", "ArrowRight"),
+)
+STUDYING = {"learning_rate": depth.LEARNING_RATE, "discount": targets.DISCOUNT}
+STUDY = Race(
+    "Study",
+    "A reward at the very end. Who finds out which days mattered?",
+    "Study on the days of a lecture, sleep enough, and study on the day of the exam: 10 points.",
+    (
+        Agent("one step", "hands a reward back one day at a time", edugym.NStepSARSA, {**STUDYING, "n": 1}),
+        Agent("five steps", "hands it back five days at once", edugym.NStepSARSA, {**STUDYING, "n": 5}),
+        Agent("Monte Carlo", "hands it back to the first day at once", edugym.NStepSARSA, {**STUDYING, "n": math.inf}),
+        *usual(STUDYING, edugym.QLearning, edugym.QLambda, edugym.TreeBackup),
+    ),
+    depth.N_STEPS,
+    Strength("total_days", (6, 8, 10, 15, 20, 30), 2),
+    ("knowledge", "energy", "day"),
+)
+CATCHING = {"discount": dimensionality.DISCOUNT, "exploration": edugym.EpsilonGreedy(dimensionality.EPSILON)}
+CATCH = Race(
+    "Catch",
+    "A table has a row for every place of ball and paddle. Who fills it soonest?",
+    "Move the paddle under the falling ball: 1 for a catch, −1 for a miss. Every ball can be caught.",
+    usual(CATCHING, edugym.QLearning, edugym.QLambda, edugym.DynaQ, edugym.SARSA, edugym.TreeBackup),
+    dimensionality.N_STEPS,
+    Strength("columns", (3, 5, 7, 9, 11), 1),
+    ("ball's column", "ball's row", "paddle's column"),
+    ("ArrowLeft", "ArrowDown", "ArrowRight"),
+    {"observation_type": "vectorised"},
+)
+DOORS = learning(memory)
+MEMORY_CORRIDOR = Race(
+    "MemoryCorridor",
+    "Only the last door is marked. How far does a memory reach?",
+    "Each time you get through, the corridor grows by one place, and the same doors come again.",
+    (
+        Agent("no memory", "sees only what is there now", edugym.QLearning, DOORS),
+        Agent("two sights", "also remembers the sight before", edugym.QLearning, DOORS, window(2, False)),
+        Agent("three and actions", "three sights, and what it did", edugym.QLearning, DOORS, window(3, True)),
+        Agent("two and actions", "two sights, and what it did", edugym.QLearning, DOORS, window(2, True)),
+        Agent("SARSA, two", "two sights, and what it did", edugym.SARSA, DOORS, window(2, True)),
+        Agent("SARSA, three", "three sights, and what it did", edugym.SARSA, DOORS, window(3, True)),
+    ),
+    memory.N_STEPS,
+    Strength("num_doors", (2, 3, 4, 5), 1),
+    ("mark",),
+    is_finite=False,
+)
+CARING = learning(signal)
+TAMAGOTCHI = Race(
+    "Tamagotchi",
+    "The toy says what it needs, more or less clearly. Who keeps it happy?",
+    "The agent sees hit points and one word. The higher τ, the more often the word is wrong.",
+    (
+        Agent("Q-learning", "goes by the word that it hears now", edugym.QLearning, CARING),
+        Agent("with memory", "also by the word before, and what it did", edugym.QLearning, CARING, window(2, True)),
+        *usual(CARING, edugym.SARSA, edugym.ExpectedSARSA, edugym.DoubleQLearning),
+    ),
+    signal.N_STEPS,
+    Strength("tau", (0.0, 0.02, 0.05, 0.1, math.inf), 1),
+    ("hit points", "word"),
+    is_finite=False,
+)
+TRASHBOT = Race(
+    "Trashbot",
+    "Real joints, a few choices. How many bring the box to the middle?",
+    "Turn two joints: pick up the box at the left, and drop it into the container at the right.",
+    (
+        Agent("3 bins", "each joint left, still or right: 9 actions", edugym.QLearning, NONE, bins(3)),
+        Agent("5 bins", "five angles a joint: 25 actions", edugym.QLearning, NONE, bins(5)),
+        Agent("9 bins", "nine angles a joint: 81 actions", edugym.QLearning, NONE, bins(9)),
+        Agent("Q(λ), 3 bins", "hands rewards back over many steps", edugym.QLambda, NONE, bins(3)),
+        Agent("Q(λ), 5 bins", "hands rewards back over many steps", edugym.QLambda, NONE, bins(5)),
+    ),
+    1_000_000,
+    Strength("container_width", (0.3, 0.35, 0.4, 0.45, 0.6), 3),
+    ("elbow x", "elbow y", "wrist x", "wrist y", "magnet x", "magnet y", "holding"),
+    is_finite=False,
+    actions=tuple(f"arm {upper} hand {fore}" for upper in "↻·↺" for fore in "↻·↺"),
+)
+GOLFING = learning(stochasticity)
+GOLF = Race(
+    "Golf",
+    "A drive is fast and risky, putts are slow and safe. Who gets round best?",
+    "Reach the green in few hits. The harder the hit, the farther the ball may miss. Around is water.",
+    (
+        Agent("neutral", "Q-learning: only the mean counts", edugym.QLearning, GOLFING),
+        Agent("careful", "bad surprises count more", edugym.RiskSensitiveQLearning, {**GOLFING, "risk": -2.0}),
+        Agent("daring", "good surprises count more", edugym.RiskSensitiveQLearning, {**GOLFING, "risk": 2.0}),
+        *usual(GOLFING, edugym.SARSA, edugym.DoubleQLearning),
+    ),
+    stochasticity.N_STEPS,
+    Strength("stochasticity_level", (0.0, 0.005, 0.01, 0.015, 0.03, 0.06), 3),
+    ("column", "row"),
+    is_finite=False,
+)
+SHOPPING = learning(model_based)
+SUPERMARKET = Race(
+    "Supermarket",
+    "Steps are dear. Who shops well after the fewest?",
+    "Collect three items (25 each), and leave by the exit (50). Every step costs 1.",
+    usual(SHOPPING, edugym.QLearning, edugym.DynaQ, edugym.PrioritisedSweeping)
+    + usual({"discount": model_based.DISCOUNT}, edugym.RMax)
+    + usual(SHOPPING, edugym.QLambda, edugym.SARSA),
+    model_based.N_STEPS,
+    Strength("max_steps", (100, 200, 500, 1000), 2),
+    ("place and items",),
+    ("ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"),
+)
+
+RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET)
+"""One for each environment, in the order of the lessons."""

@@ -1,0 +1,84 @@
+"""What is asked of types and functions to follow mixed numbers (`edugym.compiled.mixed_numbers`)."""
+
+import importlib
+import math
+import operator
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from edugym.compiled.subset import MATH, words
+
+types: Any = importlib.import_module("numba.core.types")
+
+COMPARED = (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne, operator.contains)
+SAME_OF_WHOLE: set[Any] = {
+    *(getattr(math, name) for name in MATH if callable(getattr(math, name))),
+    *(getattr(np, name) for name in words("arctan2 cos exp expm1 hypot isfinite isinf isnan log log10 log1p log2 sin")),
+    *(getattr(np, name) for name in words("sqrt tan tanh sinh cosh arcsin arccos arctan float64")),
+    float, int, bool, round, len, range,
+}  # fmt: skip
+"""Functions that give the same of a whole number and of the real number that equals it."""
+PASSED_ON: set[Any] = {max, min, abs, sorted, list, enumerate, zip, reversed, iter, tuple}
+"""Functions whose result may be one of the numbers that they were given, or made of them."""
+PASSED_ON_NAMES = words("np.max np.min max min np.clip abs sum")
+"""The same of the replacements in `edugym.compiled.arithmetic`, by name."""
+
+
+def method_name(key: Any) -> str:
+    """The name of a method, by Numba's key of it."""
+    return str(key[1] if isinstance(key, tuple) else key).rpartition(".")[2]
+
+
+def is_in(key: Any, table: set[Any]) -> bool:
+    """Whether a table has it."""
+    try:
+        return key in table
+    except TypeError:  # it has no hash
+        return False
+
+
+def passes_on(called: Any, key: Any) -> bool:
+    """Whether a function's result may be one of the mixed numbers that it was given."""
+    if isinstance(called, types.NamedTupleClass) or is_in(key, PASSED_ON):
+        return True
+    choice = isinstance(called, types.BoundFunction) and isinstance(called.this, types.NumPyRandomGeneratorType)
+    return getattr(key, "__name__", "") in PASSED_ON_NAMES or choice
+
+
+def holds_real(kind: Any) -> bool:
+    """Whether it is a real number, or holds some (but not as an array, whose numbers are real in Python as well)."""
+    kind = types.unliteral(kind)
+    if isinstance(kind, types.Array):
+        return False
+    if isinstance(kind, types.BaseTuple):
+        return any(map(holds_real, kind))
+    if isinstance(kind, types.Optional):
+        return holds_real(kind.type)
+    if isinstance(kind, types.BoundFunction):
+        return holds_real(kind.this)
+    if isinstance(kind, types.Pair):
+        return holds_real(kind.first_type)
+    if isinstance(kind, types.IteratorType):
+        return holds_real(kind.yield_type)
+    return isinstance(kind, types.Float) or (isinstance(kind, types.List) and holds_real(kind.dtype))
+
+
+def holds_list(kind: Any) -> bool:
+    """Whether it is a list, or a tuple with one in it."""
+    return isinstance(kind, types.List) or (isinstance(kind, types.BaseTuple) and any(map(holds_list, kind)))
+
+
+def is_whole_array(kind: Any) -> bool:
+    """Whether it is an array of whole numbers."""
+    return isinstance(kind, types.Array) and isinstance(kind.dtype, types.Integer)
+
+
+def pairs_of_types(one: Any, other: Any) -> Iterator[tuple[Any, Any]]:
+    """The types of the numbers in two tuples, in pairs."""
+    for part, other_part in zip(one, other, strict=False):
+        if isinstance(part, types.BaseTuple) and isinstance(other_part, types.BaseTuple):
+            yield from pairs_of_types(part, other_part)
+        else:
+            yield part, other_part

@@ -1,0 +1,216 @@
+"""What machine code may assume holds for lines that were never reached before: as Python does it, or refused."""
+
+import pytest
+
+from edugym import QLearning, train
+from edugym.compiled import compiler
+from tests.compiled.cells import WALK, cell
+from tests.compiled.late_programs import both_ways, method_both_ways, method_program, task_program
+from tests.compiled.programs import program
+
+FIELDS = "Q: np.ndarray\n    N: np.ndarray\n    n: np.ndarray"
+VALUES = "np.zeros((9, 2)), np.arange(4), np.zeros(1, np.int64)"
+BEFORE = """G = np.zeros(2)
+class P(NamedTuple):
+    a: np.ndarray
+p, pair, large, long = P(np.zeros(2)), (np.zeros(2), 1), np.zeros(50_000), tuple(range(500))
+def put(array): array[0] += 1
+def make(table):
+    def write(): table[0] += 1
+    return write
+write, lib = make(np.zeros(1)), np
+def fill(row): row[0] = 1
+def mixed(x): return 1 if x > 2 else 0.5 * x
+"""
+MORE = """M = (np.zeros(2), 1)
+def bump(self, memory=(0.5, 1)): self.M[0][0] += memory[0]
+def remember(self, memory=(np.zeros(1),)): memory[0][0] += 1"""
+
+
+def late(line: str, first: str = "x = 0.5", end: str = "x") -> str:
+    """A method whose line is reached after 400 of 1 500 calls."""
+    inside = line.replace("\n", "\n    ")
+    begin = f"self.n[0] += 1\nn = int(self.n[0])\nk = n // 100\n{first}"
+    body = f"{begin}\nif n > 400:\n    {inside}\nself.Q[n % 9, 0] = x\nreturn {end}"
+    return program(body, FIELDS, VALUES, BEFORE, "0.5", MORE)
+
+
+KEPT = {
+    "list of reals": late("row[1] = 0.3 * k", "x = 0.5\nrow = [0.0, 1.0]", "max(row)"),
+    "list that begins with a whole number": late("row[1] = 0.3 * k", "x = 0.5\nrow = [0, 1.5]", "0.5 * max(row)"),
+    "best so far, from 0": late("for j in range(2): x = max(x, self.Q[j, 0] + 0.1)", "x = 0"),
+    "clamp": late("x = max(0, min(1, x + 0.3 * k - 1.2))"),
+    "one or a half": late("x = mixed(0.5 * k)"),
+    "sum of a list": late("x = sum([0.1 * k, 2]) - sum([k, 1])"),
+    "power": late("x = pow(2, 3 + k % 3) + 3 ** (k % 5) + pow(0.5, k)"),
+    "squares of whole numbers": late("x = float((self.N ** 2).sum())"),
+    "what is only read": late("x = G[0] + p.a[1] + pair[0][k % 2] + self.M[0][1]"),
+    "division of whole numbers": late("x = (-7 * k) // 3 + (-7 * k) % 3 + divmod(k, 4)[0] + abs(3 - k) + -k"),
+}
+"""Programs that are to compile, and to come to the same."""
+REPEATED = {
+    "whole to a negative power": late("x = pow(2, 5 - k)"),
+    "sum beyond 64 bits": late("x = float(sum([2 ** 61 + k] * 4))"),
+    "the least whole number": late("x = abs(-2**62 - 2**62 + 0 * k) + 0.0"),
+    "minus the least": late("x = -(-2**62 - 2**62 + 0 * k) + 0.0"),
+    "the least by -1": late("x = (-2**62 - 2**62 + 0 * k) // (3 - 4) + 0.0"),
+    "whole numbers beyond 2^53 that may be real": late("k = 3 ** 35 + k if k > 5 else k * 0.5\nk = k * 3\nx = k % 7"),
+    "the same NaN": late("y = math.nan if k > 7 else 1.0\nx = 1.0 if y in [y, 0.7] else 2.0"),
+    "minus 0 that may be whole": late("x = 0 if k % 2 else 0.5\nx = -x"),
+}
+"""Programs in which machine code stops, and the interpreter goes on."""
+REFUSED = {
+    "list of whole numbers": (
+        late("row[1] = self.Q[0, 0]", "x = 0.5\nrow = [0, 0]", "max(row)"),
+        "puts a real number in a list",
+    ),
+    "product of a list": (late("row[1] = 0.3", "x = 0.5\nrow = [0] * 3", "max(row)"), "puts a real number in a list"),
+    "list in a helper": (late("fill(row)", "row = [0.5, 1.0]\nx = 0.5", "max(row)"), "whole number in a list"),
+    "array of what may be whole": (
+        late("x = np.array([y, y])[0] // 2", "x, y = 0.5, 0.5\nif k > 7: y = 2"),
+        "to a function",
+    ),
+    "array in a class": (late("self.M[0][1] += 1"), "writes to an array"),
+    "array in a class, by a method": (late("self.bump()"), "writes to an array"),
+    "array of a class, by another name": (late("part = self.M[0]\npart[0] += 1"), "writes to an array"),
+    "array in a default": (late("self.remember()"), "a default of remember is an array"),
+    "global array": (late("G[0] += 1"), "writes to an array"),
+    "global array in place": (late("G[:] *= 2"), "writes to an array"),
+    "global array, all of it": (late("g = G\ng += 1"), "writes to an array"),
+    "global array filled": (late("G.fill(2.0)"), "writes to an array"),
+    "global array shuffled": (late("rng.shuffle(G)"), "writes to an array"),
+    "global array in a helper": (late("put(G)"), "writes to an array"),
+    "part of a global array in a helper": (late("put(pair[0][1:])"), "writes to an array"),
+    "array of a global value": (late("p.a[0] = 2.0"), "writes to an array"),
+    "array of a closure": (late("write()"), "writes to an array"),
+    "whole numbers to a power": (late("x = (self.N ** (6 - k)).sum() + 0.5"), "to a power that may be negative"),
+    "array of a flag and a number": (late("x = [k, True][1] + 0.5"), "mixes True or False"),
+    "draws by another name": (late("x = lib.random.random()"), "np.random"),
+    "new generator": (late("x = np.random.default_rng(k).random()"), "np.random"),
+    "large array": (late("x = large[k]"), "is an array of 0.4 MB"),
+    "long tuple": (late("x = long[k] + 0.5"), "is a tuple of 500 numbers"),
+    "two types of tuples": (late("y = (k, 0.5)", "x, y = 0.5, (0.5, 0.5)", "y[0]"), "tuples with whole and with real"),
+    "mean of whole numbers": (late("x = self.N.mean()"), "the mean of whole numbers"),
+}
+"""Programs that are refused, and a word of the sentence that says why."""
+
+
+def test_late_lines() -> None:
+    """All come to the same bits, or are refused with a sentence that names the line."""
+    for name, source in {**KEPT, **REPEATED}.items():
+        same, said, seen = method_both_ways(source)
+        assert same, (name, seen)
+        assert name in REPEATED or not said, (name, said)
+    for name, (source, word) in REFUSED.items():
+        same, said, seen = method_both_ways(source)
+        assert same or "random" in source, (name, seen)  # those draws are not to be repeated
+        assert word in said, (name, said)
+        assert "line" in said or word.startswith("is a"), (name, said)
+
+
+AGENT = """
+class Agent(NamedTuple):
+    V: np.ndarray
+    n: np.ndarray
+    MORE
+    def late(self): return self.n[0] > 3_000
+    def act(self, state, rng): return ACT
+    def learn(self, state, action, reward):
+        self.n[0] += 1
+        self.V[int(INDEX)] += 0.1 * (reward - self.V[int(INDEX)])
+mdp, agent = MDP, Agent(np.zeros(11), np.zeros(1, int))
+G = W = np.zeros(1)
+p, pair = P(np.zeros(1)), ()
+"""
+TASK = """
+class P(NamedTuple):
+    a: np.ndarray
+class Task(NamedTuple):
+    n: np.ndarray
+    observation_space = property(lambda self: spaces.SPACE)
+    action_space = property(lambda self: spaces.ACTIONS)
+    max_steps = 30
+    def initial(self, rng): return FIRST
+    def transition(self, s, action, rng):
+        self.n[0] += 1
+        return NEXT
+    def reward(self, s, action, next_state, rng): return REWARD
+    def terminal(self, s): return False
+    def observation(self, s, rng): return SEEN
+"""
+
+
+def task(**parts: str) -> str:
+    """An MDP and an agent; LATE stands for a condition that holds after 3 000 steps."""
+    usual = {
+        "SPACE": "Discrete(6)", "ACTIONS": "Discrete(2)", "FIRST": "0", "NEXT": "(s + 1) % 6", "REWARD": "float(s)",
+        "SEEN": "s", "ACT": "rng.integers(2)", "INDEX": "state", "MORE": "", "MDP": "Task(np.zeros(1, int))",
+    }  # fmt: skip
+    source = TASK + AGENT
+    for name, text in (usual | parts).items():
+        source = source.replace(name, text)
+    return source.replace("LATE", "self.n[0] > 3_000")
+
+
+WHOLE = {"FIRST": "(0, 0)", "REWARD": "float(s[0])"}
+PAIR = {"SPACE": "MultiDiscrete([5, 3])", "FIRST": "(0, 0)", "SEEN": "s"}
+BOX = {"ACTIONS": "Box(-1.0, 1.0, (1,), np.float64)", "MORE": "tabular = False"}
+AS_IT_IS = {"MORE": "tabular = False"}
+PICTURE = {"SPACE": "Box(0.0, 9.0, (2, 2))", "INDEX": "state[0, 0]"}
+CLAMPED = {"FIRST": "0.0", "NEXT": "max(0, min(4, s + action - 0.4))"}
+TASKS = {
+    "state that becomes real": (task(NEXT="s + 0.3 * action", SEEN="int(s) % 6"), "the state is made of whole numbers"),
+    "pair that becomes real": (
+        task(**WHOLE, NEXT="(s[0] + 1, action) if not LATE else (s[0] + 0.5, action)", SEEN="int(s[0]) % 6"),
+        "tuples with whole and with real numbers"),
+    "fraction for an action": (task(ACT="1 if not self.late() else 0.5"), "act returns a number that is whole"),
+    "rewards of both types": (task(REWARD="1 if action else -0.5"), ""),
+    "row beyond": (task(**PAIR, NEXT="((s[0] + 1) % 5, 1) if not LATE else (5, 0)", REWARD="1.0"), ""),
+    "row that is another's": (task(**PAIR, NEXT="((s[0] + 1) % 5, 1) if not LATE else (0, 4)", REWARD="1.0"), ""),
+    "row beyond, as it is": (
+        task(**PAIR, **AS_IT_IS, NEXT="((s[0] + 1) % 5, 1) if not LATE else (0, -1)", REWARD="1.0", INDEX="state[0]"),
+        ""),
+    "action of NaN": (task(**BOX, ACT="np.array([math.nan if self.late() else 0.1])"), ""),
+    "two actions": (task(**BOX, ACT="np.array([0.1]) if not self.late() else np.array([0.1, 0.2])"), ""),
+    "number of NaN for an action": (task(**BOX, ACT="math.nan if self.late() else 0.1"), ""),
+    "array of another shape": (
+        task(**PICTURE, **AS_IT_IS, SEEN="np.ones((2, 2)) if not LATE else np.ones((2, 3))"), ""),
+    "clamped state": (task(**CLAMPED, SEEN="int(s)", REWARD="max(0, s)"), ""),
+}  # fmt: skip
+"""An MDP and an agent, and a word of the sentence that says why they are not compiled, if they are not."""
+QUICK = ["state that becomes real", "rewards of both types", "row that is another's", "two actions"]
+
+
+@pytest.mark.parametrize("names", [QUICK, pytest.param([*TASKS], marks=pytest.mark.slow)], ids=["quick", "all"])
+def test_late_tasks(names: list[str]) -> None:
+    """Trained compiled or interpreted: the same bits, or the same sentence."""
+    for name in names:
+        source, word = TASKS[name]
+        same, said, seen = both_ways(source)
+        assert same, (name, seen)
+        assert bool(said) == bool(word), (name, said)
+        assert word in said
+
+
+@pytest.mark.parametrize("seeds", [range(20), pytest.param(range(20, 180), marks=pytest.mark.slow)], ids=["20", "160"])
+def test_methods_made_at_random(seeds: range) -> None:
+    """Each comes to the same bits, or the same error at the same line."""
+    wrong = {seed: seen for seed in seeds if not (seen := method_both_ways(method_program(seed)))[0]}
+    assert not wrong
+
+
+@pytest.mark.parametrize("seeds", [range(2), pytest.param(range(2, 22), marks=pytest.mark.slow)], ids=["2", "20"])
+def test_tasks_made_at_random(seeds: range) -> None:
+    """Each comes to the same tables and curve, or the same sentence."""
+    wrong = {seed: seen for seed in seeds if not (seen := both_ways(task_program(seed)))[0]}
+    assert not wrong
+
+
+@pytest.mark.usefixtures("compiled_at_once")
+def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is given up with a sentence, and the run goes on."""
+    monkeypatch.setattr(compiler, "MOST_SECONDS", 0.0)
+    notebook = cell(WALK)
+    with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
+        run = train(notebook["Walk"](5), QLearning.create((6, 2)), 6_000)
+    assert run.complete

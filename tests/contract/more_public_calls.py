@@ -1,0 +1,96 @@
+"""As `public_calls`, of the rooms that are not at the top of `edugym`: figures, statistics, widgets, grading."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+import edugym
+from edugym.experiments import figures
+from edugym.experiments.results import statistics, tables
+from edugym_course import grading, notebook
+from tests.contract.public_calls import ANY, NUMBER, WHOLE, Case, known
+
+
+def drawn(kind: Any, takes: dict[str, str], /, **given: Any) -> Case:
+    """A panel, which checks its attributes when it is drawn."""
+    return Case(lambda **attributes: kind(**attributes).draw(), kind._field_defaults | given, takes)
+
+
+def right(answer: Any, seed: int) -> str:
+    """An exercise that any answer solves."""
+    return f"{type(answer).__name__} {seed}"
+
+
+def challenge() -> Any:
+    """A small one."""
+    return grading.Challenge("Boulder", {"height": 3}, 9, {"b": edugym.SARSA.create}, 1.0, 1.0, 1)
+
+
+CALLS: dict[str, Callable[[], Case]] = {
+    "figures.Curves": lambda: drawn(
+        figures.Curves,
+        {"title": "text", "methods": "[]", "optimum": NUMBER, "soft_optimum": NUMBER, "soft_label": "text",
+         "y_label": "text"},
+        results=known().results),
+    "figures.Curves.draw": lambda: Case(lambda ax: figures.Curves(known().results).draw(ax), {"ax": None}),
+    "figures.Curves.points": lambda: Case(figures.Curves(known().results).points, {"method": "a"}),
+    "figures.Lines": lambda: drawn(
+        figures.Lines, {"title": "text", "x_label": "text", "y_label": "text"}, x=[1, 2], lines={"a": [1, 2]}, theory={}
+    )._replace(named={"x": "lines"}),
+    "figures.Lines.draw": lambda: Case(lambda ax: figures.Lines(np.ones(1), {"a": np.ones(1)}).draw(ax), {"ax": None}),
+    "figures.Sheet": lambda: drawn(
+        figures.Sheet, {"name": "text", "rows": "[]"}, name="a", rows=[[figures.Curves(known().results)]]),
+    "figures.VisitMap": lambda: drawn(
+        figures.VisitMap, {"title": "text", "y_label": "text"}, visits=np.ones((2, 3)), n_steps=9),
+    "figures.VisitMap.draw": lambda: Case(lambda ax: figures.VisitMap(np.ones((2, 3)), 9).draw(ax), {"ax": None}),
+    "figures.save_figure": lambda: Case(
+        figures.save_figure,
+        {"figure": figures.Curves(known().results).draw(), "path": known().folder / "figure"}, {"path": "text"}),
+    "statistics.exactly": lambda: Case(statistics.exactly, {"value": 1}, {"value": NUMBER}),
+    "statistics.share_interval": lambda: Case(statistics.share_interval, {"values": [0, 1]}, {"values": "[] array"}),
+    "statistics.by_point": lambda: Case(statistics.by_point, {"values": np.zeros((2, 3))}),
+    "tables.joined": lambda: Case(tables.joined, {"parts": [known().results]}),
+    "notebook.frames": lambda: Case(
+        lambda *, actor, environment, seed, max_steps, frames_per_second: notebook.frames(
+            environment, actor, seed=seed, max_steps=max_steps, frames_per_second=frames_per_second),
+        {"environment": known().walk, "actor": known().agent, "seed": 0, "max_steps": 9, "frames_per_second": 4},
+        {"actor": "[] function", "frames_per_second": "2.5"}, {"actor": "action"}),
+    "notebook.play": lambda: Case(
+        lambda *, environment, blind, seed: notebook.play(environment, blind=blind, seed=seed),
+        {"environment": known().walk, "blind": False, "seed": 0}, {"seed": f"None {WHOLE}"}),
+    "notebook.predict": lambda: Case(notebook.predict, {"question": "a?"}, {"question": "text", "unit": "text"}),
+    "notebook.predict.measured": lambda: Case(
+        notebook.predict("a?").measured, {"value": 3}, {"value": NUMBER, "explanation": "text"}),
+    "notebook.sliders": lambda: Case(
+        lambda *, function, x: notebook.sliders(function, x=x), {"function": lambda x: str(x), "x": (0, 3)},
+        named={"function": "control"}),
+    "notebook.source": lambda: Case(
+        lambda *, subject, names: notebook.source(subject, names), {"subject": edugym.QLearning, "names": "act"},
+        {"subject": "agent_class"}, {"subject": "names"}),
+    "grading.Challenge": lambda: Case(
+        lambda **given: grading.Challenge(**given).score(edugym.QLearning.create, "Ada"),
+        {"environment": "Boulder", "parameters": {"height": 3}, "n_steps": 9, "baselines": {"b": edugym.SARSA.create},
+         "optimum": 1.0, "best_average": 1.0, "repetitions": 1, "column": "return", "best_label": "best"},
+        {"optimum": NUMBER, "best_average": NUMBER, "best_label": "text"}),
+    "grading.Challenge.score": lambda: Case(
+        challenge().score, {"agent": edugym.QLearning.create, "name": "Ada"},
+        {"name": "text -1 0 1e30 1e400"},
+        {"agent": "my_agent"}),
+    "grading.check": lambda: Case(
+        grading.check, {"exercise": right, "answer": 3, "quiet": True}, {"answer": ANY, "exercise": "function"}),
+    "grading.seed_from_name": lambda: Case(
+        grading.seed_from_name, {"name": "Ada"}, {"name": "text -1 0 1e30 1e400"}),
+    "Golf.create": lambda: of_environment("Golf", green_radius="2.5", stochasticity_level="0 2.5"),
+    "Roadrunner.create": lambda: of_environment("Roadrunner", negative_reward="-1 0", stop_zone="0"),
+    "Study.create": lambda: of_environment(
+        "Study", energy_needed="0", action_reward_noise_mean="0 2.5", action_reward_noise_sigma="0 2.5"),
+    "Supermarket.create": lambda: of_environment("Supermarket", noise="0 2.5"),
+    "Tamagotchi.create": lambda: of_environment("Tamagotchi", tau="inf 0 2.5 1e30"),
+}  # fmt: skip
+
+
+def of_environment(name: str, **takes: str) -> Case:
+    """`create` of an environment of the course."""
+    kinds = {entry.name: entry for entry in edugym.ENVIRONMENTS}
+    return Case(kinds[name].load_mdp().create, {}, takes)

@@ -1,0 +1,162 @@
+"""Every public function answers a bad argument with one sentence, and none hangs or asks for all the memory.
+
+One argument of a valid call at a time is replaced by each of a fixed list of odd values. The call must return where the
+table says that the parameter takes the value; else it must raise an error that names the parameter, shows the value,
+and says what is allowed. A public name without a row in the tables fails too.
+"""
+
+import copy
+import importlib
+import inspect
+import re
+import resource
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import pytest
+
+import edugym
+from edugym.checks.parameters import in_short
+from edugym_course.grading import WrongAnswer
+from tests.contract import more_public_calls, public_calls
+from tests.contract.public_calls import EVERYWHERE, Case, known, odd_values
+
+ROOMS = {
+    "figures": "edugym.experiments.figures",
+    "statistics": "edugym.experiments.results.statistics",
+    "tables": "edugym.experiments.results.tables",
+    "notebook": "edugym_course.notebook",
+    "grading": "edugym_course.grading",
+}
+"""Public modules besides `edugym` itself, by the names that the table has for them."""
+CALLED_BY_LOOPS = ("edugym.agents.", "edugym.mdp.")
+"""Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
+what the gates have looked at."""
+MADE_BY_LIBRARY = {"FiniteModel", "Interval", "Outcome", "Results", "Run", "Sample", "Score", "Values"}
+"""Classes of which functions return values, and nobody else makes any."""
+NOT_CHECKED = {"statistics.in_short", "tables.with_types"}
+"""Functions for the package itself."""
+SECONDS, BYTES = 60, 4 * 2**30
+"""What one call may take, on a loaded machine, and how much more memory than before."""
+
+
+def in_table(key: str) -> Case:
+    """The row of a public callable; for an agent or an environment without one, a simple call of its `create`."""
+    for calls in (public_calls.CALLS, more_public_calls.CALLS):
+        if key in calls:
+            return calls[key]()
+    name, _, method = key.partition(".")
+    if method == "create" and name in {entry.name for entry in edugym.ENVIRONMENTS}:
+        return more_public_calls.of_environment(name)
+    if method == "create" and hasattr(getattr(edugym, name, None), "learn"):
+        return Case(getattr(edugym, name).create, {"environment": known().walk})
+    pytest.fail(f"{key} has no row in CALLS of public_calls.py")
+
+
+def public(name: str) -> Iterator[str]:
+    """The keys of the rows that a public name, or a public module or the environments, must have."""
+    if name == "environments":
+        yield from (f"{entry.name}.create" for entry in edugym.ENVIRONMENTS)
+    elif name in ROOMS:
+        room = importlib.import_module(ROOMS[name])
+        own = [part for part, value in vars(room).items() if getattr(value, "__module__", "") == room.__name__]
+        shown = getattr(room, "__all__", [part for part in own if not part.startswith("_")])
+        for part in shown:
+            if not hasattr(edugym, part):
+                yield from keys_of(f"{name}.{part}", getattr(room, part))
+    else:
+        yield from keys_of(name, getattr(edugym, name))
+
+
+def keys_of(key: str, value: Any) -> Iterator[str]:
+    """The same for one value: itself, or what makes one of a class, and the methods."""
+    if not isinstance(value, type):
+        if callable(value) and inspect.signature(value).parameters and key not in NOT_CHECKED:
+            yield key
+        return
+    if issubclass(value, BaseException):
+        return
+    if hasattr(value, "create"):
+        yield f"{key}.create"
+    elif key.split(".")[-1] not in MADE_BY_LIBRARY and inspect.signature(value).parameters:
+        yield key
+    for name in dir(value):
+        method = getattr(value, name, None)
+        ours = callable(method) and (getattr(method, "__module__", None) or "").startswith("edugym")
+        if ours and name[0] != "_" and name != "create" and not value.__module__.startswith(CALLED_BY_LOOPS):
+            taken = inspect.signature(getattr(value, name)).parameters.values()
+            if any(one.name not in ("self", "place") and one.kind is not one.VAR_KEYWORD for one in taken):
+                yield f"{key}.{name}"
+
+
+@contextmanager
+def limited() -> Iterator[None]:
+    """End a block that takes too long or too much memory."""
+
+    def late(*_: Any) -> None:
+        raise TimeoutError(f"it takes more than {SECONDS} s")
+
+    old, (soft, hard) = signal.signal(signal.SIGALRM, late), resource.getrlimit(resource.RLIMIT_AS)
+    now = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (now + BYTES, hard))
+    signal.alarm(SECONDS)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, old)
+        resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
+
+
+def fault(call: Callable[[], object], names: tuple[str, ...], value: Any, takes: bool) -> str | None:
+    """What is wrong with how a call answers a value of a parameter of one of these names; None if nothing is."""
+    try:
+        with limited():
+            call()
+    except (ValueError, TypeError, gymnasium.error.Error, WrongAnswer) as error:
+        says = str(error)
+        shown = {in_short(value)[:30], type(value).__name__, getattr(value, "__name__", in_short(value))}
+        shown |= {value if isinstance(value, str) else in_short(value), "1e+30"}  # as a float
+        allowed = re.search(r"must|should|not in the (action|observation) space|doesn't exist|is None|missing", says)
+        own, *others = (re.search(rf"\b{name}\b", says, re.IGNORECASE) for name in names)
+        named = any(others) or (own and any(text in says for text in shown))
+        good = named and allowed and "\n" not in says and len(says) < 600
+        return None if good and not takes else f"{type(error).__name__}: {says}"
+    except FileNotFoundError as error:
+        return None if str(value) in str(error) else repr(error)
+    except BaseException as error:
+        if isinstance(error, KeyboardInterrupt):
+            raise
+        return repr(error)
+    return None if takes else "it returns"
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("name", [*dir(edugym), *ROOMS, "environments"])
+def test_bad_calls(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each odd value in the place of each argument."""
+    faults, calls = [], 0
+    for key in public(name):
+        case = in_table(key)
+        with limited():
+            case.function(**copy.deepcopy(case.valid))
+        for parameter, usual in case.valid.items():
+            folder = tmp_path / f"{key}.{parameter}"
+            folder.mkdir()
+            monkeypatch.chdir(folder)  # some functions take any text as a path
+            takes = (case.takes.get(parameter) or EVERYWHERE.get(parameter, "")).split()
+            names = (parameter, *case.named.get(parameter, "").split())
+            for odd, value in odd_values().items():
+                if value is None and usual is None:
+                    continue
+                others = copy.deepcopy({other: one for other, one in case.valid.items() if other != parameter})
+                found = fault(partial(case.function, **others, **{parameter: value}), names, value, odd in takes)
+                calls += 1
+                if found is not None:
+                    faults.append(f"{key}({parameter}={odd}): {found}")
+    assert not faults, f"{len(faults)} of {calls} calls:\n" + "\n".join(faults)

@@ -1,0 +1,1 @@
+"""The website: kernels, data, and the playground in a browser."""

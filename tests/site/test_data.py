@@ -1,0 +1,120 @@
+"""What the page is told agrees with the package."""
+
+import json
+import math
+import re
+from typing import Any
+
+import kernels
+import numpy as np
+import playground
+import pytest
+from places import MAPS
+from races import RACES, TRASHBOT, Race
+from scenery import elements, key_of, scenery, table
+
+import edugym
+from edugym.adapters.fitting import tabular
+from edugym.adapters.registration import in_course_order
+from edugym.training.trainers import streams
+
+each_race = pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+
+
+def test_every_environment_has_a_race() -> None:
+    """In the order of the lessons."""
+    assert [race.environment for race in RACES] == [entry.name for entry in in_course_order()]
+
+
+@each_race
+def test_the_menu_can_be_shown(race: Race) -> None:
+    """It is JSON; three agents or more race; and "why?" is plain text, three sentences from the lesson."""
+    menu = json.loads(json.dumps(playground.menu(race), allow_nan=False))
+    assert len(menu["agents"]) >= 3
+    assert len(race.actions) in (0, tabular(race.agents[0].view.of(race.mdp(0))).action_space.n)
+    assert len({agent["label"] for agent in menu["agents"]}) == len(menu["agents"])
+    assert not re.search(r"[$\\{}*^_]", menu["why"])
+    assert len(re.findall(r"[.?](?= |$)", menu["why"])) == 3
+    assert str(race.strength.values[race.strength.first]).startswith(menu["strength"]["values"][race.strength.first])
+
+
+@each_race
+def test_the_code_for_readers_makes_the_agents(race: Race) -> None:
+    """Who pastes it gets the agent that races: the code is run here, and compared."""
+    mdp = race.mdp(race.strength.first)
+    for agent, shown in zip(race.agents, playground.menu(race)["agents"], strict=True):
+        names: dict[str, Any] = {"edugym": edugym, "math": math, "mdp": mdp}
+        names["mdp"] = eval(shown["seen"] or "mdp", names)
+        listed = "".join(f", {name}={value}" for name, value in shown["settings"])
+        pasted = eval(f"edugym.{shown['kind']}.create(mdp{listed})", names)
+        raced = agent.make(tabular(agent.view.of(mdp)))
+        assert repr(pasted) == repr(raced)
+        assert np.shape(pasted.Q) == np.shape(raced.Q)
+
+
+@each_race
+@pytest.mark.parametrize("k", [0, pytest.param(-1, marks=pytest.mark.slow)])
+def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
+    """And every observation has a cell and a layer."""
+    mdp = race.mdp(range(len(race.strength.values))[k])
+    scene = MAPS[race.environment].scene(mdp, mdp.initial(np.random.default_rng(0)))
+    for view in dict.fromkeys(agent.view for agent in race.agents):
+        seen = view.of(mdp)
+        places = table(MAPS[race.environment], mdp, seen)
+        assert places["rows"] % len(places["cell"]) == 0
+        assert len(places["cell"]) == len(places["layer"]) == math.prod(places["sizes"])
+        assert max(places["cell"]) == len(places["cells"]) - 1
+        if race is TRASHBOT:
+            continue  # the arm's reach is larger than the picture
+        for x, y, width, height in places["cells"]:
+            assert -0.01 <= x <= x + width <= scene.width + 0.01
+            assert -0.01 <= y <= y + height <= scene.height + 0.01
+
+
+@each_race
+def test_every_state_has_its_picture(race: Race) -> None:
+    """Background and parts together are what the environment draws, for states met in a game."""
+    mdp, where = race.mdp(race.strength.first), MAPS[race.environment]
+    scene = scenery(where, mdp)
+    if "moves" in scene:
+        return
+    rng = np.random.default_rng(0)
+    state = mdp.initial(rng)
+    for _ in range(200):
+        key = key_of(where, mdp, state)
+        if race.environment == "MemoryCorridor" and state.length > 10:
+            state = mdp.initial(rng)
+            continue
+        drawn = elements(where.scene(mdp, state))
+        shown = [scene["parts"][k] for k in scene["moments"][key]]
+        assert [element for element in drawn if element in shown] == shown
+        assert all(element in shown or element in scene["background"] for element in drawn)
+        state = mdp.transition(state, int(rng.integers(mdp.action_space.n)), rng)
+        if mdp.terminal(state):
+            state = mdp.initial(rng)
+
+
+@pytest.mark.parametrize("race", [race for race in RACES if race.is_finite], ids=lambda race: race.environment)
+def test_the_optimum_is_the_one_that_the_environment_knows(race: Race) -> None:
+    """The exact model and the environment's own sentence agree."""
+    mdp = race.mdp(race.strength.first)
+    assert playground.optimum(mdp) == pytest.approx(mdp.reward_threshold)
+
+
+def test_the_random_streams_are_those_of_train() -> None:
+    """State and increment of each, in words of 64 bits."""
+    words = playground.random_streams()[7][2]
+    low, high, inc_low, inc_high = (int(word, 16) for word in words)
+    state = streams(7)[2].bit_generator.state["state"]
+    assert (low | high << 64, inc_low | inc_high << 64) == (state["state"], state["inc"])
+
+
+def test_a_plan_says_what_a_kernel_is_called_with() -> None:
+    """Arrays that are one are one; infinity is text; each slot has a content."""
+    values = np.array([1.0, math.inf])
+    call = kernels.Call(max, (3, values, (values, np.zeros(2, np.int64)), 0.5, True))
+    made = playground.plan(call, kernels.Manifest("", [], 9))
+    assert made["slots"] == [3, "@0", 2, "@0", 2, "@1", 2, 0.5, 1]
+    assert made["arrays"] == [["float64", 2, [1.0, "Infinity"]], ["int64", 2, [0]]]
+    with pytest.raises(ValueError, match="8 slots"):
+        playground.plan(call, kernels.Manifest("", [], 8))

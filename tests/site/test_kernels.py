@@ -1,0 +1,119 @@
+"""Kernels: in Node, with the page's own JavaScript, they do what Python does, bit for bit; a stale one is refused."""
+
+import math
+from typing import Any
+
+import kernels
+import linker
+import numpy as np
+import playground
+import pytest
+from races import BOULDER, RACES, Agent, Race
+
+import edugym
+from tests.site.node import KERNELS, NODE, arrays_of, in_node, in_python
+
+needs_node = pytest.mark.skipif(NODE is None, reason="needs Node.js: apt-get install nodejs")
+PAIRS = [pytest.param(race, agent, id=f"{race.environment}-{agent.label}") for race in RACES for agent in race.agents]
+SEED, STEPS, EVERY = 3, 2_000, 500
+
+
+def first_call(race: Race, agent: Agent) -> kernels.Call:
+    """The call of an agent's kernel, with new tables, at the strength that is shown first."""
+    return playground.call_of(race, race.mdp(race.strength.first), agent)
+
+
+def check_same(race: Race, agent: Agent) -> None:
+    """Tables, random streams and learning curve are the same.
+
+    Where a kernel takes a sine from Node, so that a position may differ in its last digit, what the task itself keeps
+    is left out: that are the first arrays.
+    """
+    call = first_call(race, agent)
+    theirs, ours = in_node(call, SEED, STEPS, EVERY), in_python(call, SEED, STEPS, EVERY)
+    own = len(arrays_of(call.arguments[2])) if theirs.borrowed else 0
+    assert theirs.curve == ours.curve
+    assert theirs.generators == ours.generators
+    assert theirs.arrays[own:] == ours.arrays[own:]
+
+
+@needs_node
+def test_a_kernel_does_what_python_does() -> None:
+    """For one agent; the next test has all of them."""
+    check_same(BOULDER, BOULDER.agents[0])
+
+
+@pytest.mark.slow
+@needs_node
+@pytest.mark.parametrize(("race", "agent"), PAIRS)
+def test_every_kernel_does_what_python_does(race: Race, agent: Agent) -> None:
+    """Also where exponentials, sines and logarithms are Node's: there in runs as short as these (the page says so)."""
+    check_same(race, agent)
+
+
+@needs_node
+def test_the_page_has_the_numbers_of_train() -> None:
+    """What the page shows is what `edugym.train` returns, whichever way the run is cut into calls."""
+    agent, mdp = BOULDER.agents[0], BOULDER.mdp(BOULDER.strength.first)
+    run = edugym.train(mdp, agent.make(mdp), STEPS, seed=SEED, evaluation_episodes=playground.EPISODES)
+    curve = in_node(first_call(BOULDER, agent), SEED, STEPS, STEPS // 100, chunk=7).curve
+    assert [point[:2] for point in curve] == [list(point) for point in zip(run.steps, run.returns, strict=True)]
+    while_exploring = [math.nan if point[2] is None else point[2] for point in curve]
+    np.testing.assert_array_equal(while_exploring, run.training_returns)
+
+
+@needs_node
+def test_a_stale_kernel_is_refused() -> None:
+    """A kernel of another fingerprint than that asked for is not loaded."""
+    call = first_call(BOULDER, BOULDER.agents[0])
+    kernels.build([call], KERNELS)
+    with pytest.raises(AssertionError, match="stale"):
+        in_node(call, SEED, STEPS, EVERY, fingerprint="0" * 16)
+
+
+@pytest.mark.parametrize("k", [0, -1])
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+def test_strength_is_data(race: Race, k: int) -> None:
+    """One kernel serves all strengths of a task: its types and its code are the same."""
+    strengths = range(len(race.strength.values))
+    other, first = (
+        [call.fingerprint for call in playground.calls(race, at)] for at in (strengths[k], race.strength.first)
+    )
+    assert other == first
+
+
+def test_another_code_has_another_fingerprint(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The fingerprint follows the code that a kernel reaches, and the types of what it is called with."""
+    first = first_call(BOULDER, BOULDER.agents[0]).fingerprint
+    assert first_call(BOULDER, BOULDER.agents[0]).fingerprint == first
+    assert first_call(BOULDER, BOULDER.agents[1]).fingerprint != first
+
+    def reward(self: Any, state: int, action: int, next_state: int, rng: Any) -> float:
+        return 2.0 if next_state == self.height else 0.0
+
+    monkeypatch.setattr(edugym.make_mdp("Boulder").__class__, "reward", reward)
+    assert first_call(BOULDER, BOULDER.agents[0]).fingerprint != first
+
+
+def test_what_is_not_asked_for_is_removed(tmp_path: Any) -> None:
+    """Old kernels do not pile up."""
+    for name in ("old", "new"):
+        (tmp_path / f"{name}.wasm").write_bytes(linker.HEADER)
+    kernels.prune(tmp_path, ["new"])
+    assert [file.stem for file in tmp_path.iterdir()] == ["new"]
+
+
+@pytest.mark.parametrize("value", [0, 1, 127, 128, 624_485, 2**32 - 1])
+def test_numbers_are_read_as_they_were_written(value: int) -> None:
+    """LEB128, the numbers of the binary format."""
+    reader = linker.Reader(linker.number(value))
+    assert reader.number() == value
+    assert reader.over
+
+
+def test_what_is_no_object_file_is_refused() -> None:
+    """The linker names what it was given."""
+    with pytest.raises(ValueError, match="object_file"):
+        linker.linked(b"ELF", ("run",), {})
+    with pytest.raises(ValueError, match="'run'"):
+        linker.linked(linker.HEADER, ("run",), {})

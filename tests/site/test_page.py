@@ -1,0 +1,227 @@
+"""The playground in a real browser, as a reader would use it: bet, run, change, play, pass the link on."""
+
+import importlib.util
+import json
+import os
+import shutil
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import playground
+import pytest
+from races import RACES
+
+from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
+
+SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
+WIDE, PHONE = (1400, 1000), (390, 844)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
+        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
+    ),
+]
+
+WATCH = """
+    window.shift = 0
+    const add = entry => { if (!entry.hadRecentInput) window.shift += entry.value }
+    const watch = new PerformanceObserver(list => list.getEntries().forEach(add))
+    watch.observe({ type: 'layout-shift', buffered: true })
+"""
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *args: Any) -> None:
+        """A test needs no log."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """Serve a folder on this machine, and yield its address."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=folder)) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The whole playground, with the kernels that `make site` has left."""
+    folder = tmp_path_factory.mktemp("playground")
+    if (playground.BUILT / "kernels").exists():
+        shutil.copytree(playground.BUILT / "kernels", folder / "kernels")
+    playground.build(folder)
+    with served(folder) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """A browser, which finds no other host."""
+    with chromium() as driver:
+        driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": WATCH})
+        yield driver
+
+
+class Reader:
+    """Somebody who uses the page."""
+
+    def __init__(self, driver: Any, address: str, size: tuple[int, int] = WIDE, theme: str = "light") -> None:
+        """Open a page."""
+        self.driver = driver
+        width, height = size
+        screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": size == PHONE}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+        feature = {"name": "prefers-color-scheme", "value": theme}
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [feature]})
+        driver.get("about:blank")  # so that a hash alone opens the page anew
+        driver.get(address)
+        until(lambda: self("document.documentElement.dataset.ready"), "the page")
+
+    def __call__(self, expression: str, *arguments: Any) -> Any:
+        """The value of an expression in JavaScript."""
+        return self.driver.execute_script(f"return {expression}", *arguments)
+
+    def click(self, selector: str) -> None:
+        """Click on the first element that is selected."""
+        self("document.querySelector(arguments[0]).click()", selector)
+
+    def move(self, slider: str, value: float) -> None:
+        """Move a slider."""
+        moved = "(e => { e.value = arguments[1]; e.dispatchEvent(new Event('input')) })"
+        self(f"{moved}(document.getElementById(arguments[0]))", slider, value)
+
+    def text(self, selector: str) -> str:
+        """What is written there."""
+        return str(self("document.querySelector(arguments[0]).innerText", selector))
+
+    def race(self) -> str:
+        """Run to the end at full speed, and return the verdict."""
+        self.move("speed", 9)
+        self.click("#run")
+        until(lambda: self.text("#run") == "Run", "the end of the race")
+        return self.text("#verdict")
+
+    def check(self) -> None:
+        """Nothing went wrong: no error, no other host, nothing too wide, nothing that jumped."""
+        assert self.driver.get_log("browser") == []
+        requests = self("performance.getEntriesByType('resource').map(entry => new URL(entry.name).host)")
+        assert set(requests) == {self("location.host")}
+        assert self("document.documentElement.scrollWidth <= innerWidth")
+        assert self("window.shift") < 0.1
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("size", [WIDE, PHONE], ids=["wide", "phone"])
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+def test_a_race_is_run_to_its_end(race: Any, size: tuple[int, int], theme: str, address: str, browser: Any) -> None:
+    """A reader bets and runs; a verdict follows; the picture has been drawn on."""
+    reader = Reader(browser, f"{address}#task={race.environment}", size, theme)
+    assert reader("document.documentElement.dataset.theme") == theme
+    assert reader.text("#question") == race.question
+    reader.click(".bet")
+    assert reader("document.querySelector('.bet').getAttribute('aria-pressed')") == "true"
+    verdict = reader.race()
+    assert "did best" in verdict or "Nobody" in verdict
+    assert "bet" in verdict or "Nobody" in verdict
+    until(lambda: reader("[...document.querySelectorAll('canvas')].every(c => c.dataset.cells > 0)"), "colours")
+    reader.check()
+    if SCREENSHOTS:
+        _photograph(reader, f"{race.environment}-{size[0]}-{theme}")
+
+
+def _photograph(reader: Reader, name: str) -> None:
+    folder = Path(str(SCREENSHOTS))
+    folder.mkdir(parents=True, exist_ok=True)
+    height = reader("document.documentElement.scrollHeight")
+    screen = {"width": int(name.split("-")[1]), "height": height, "deviceScaleFactor": 1, "mobile": False}
+    reader.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    reader.driver.save_screenshot(str(folder / f"{name}.png"))
+
+
+def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
+    """Task, strength, agents, settings, bet and how far the race is: another reader sees the same numbers."""
+    reader = Reader(browser, f"{address}#task=Golf")
+    reader.move("strength", 4)
+    until(lambda: reader.text("#strength-shown") == "0.03", "the other strength")
+    reader("(s => { s.selectedIndex = 4; s.onchange() })(document.querySelectorAll('#lanes select')[2])")
+    until(lambda: "agents=0.1.4" in reader("location.hash"), "the other agent")
+    reader.move("discount", 0.9)
+    reader.click(".bet")
+    reader.race()
+    reader.click("#share")
+    link, numbers = reader("location.href"), reader("[...document.querySelectorAll('.numbers')].map(e => e.innerText)")
+    curves = reader("document.querySelector('#chart').innerHTML")
+    other = Reader(browser, link)
+    until(lambda: other("[...document.querySelectorAll('.numbers')].map(e => e.innerText)") == numbers, "the numbers")
+    until(lambda: other("document.querySelector('#chart').innerHTML") == curves, "the curves")
+    assert other("document.querySelector('.bet').getAttribute('aria-pressed')") == "true"
+    other.check()
+
+
+@pytest.mark.parametrize(
+    "ending", ["#task=Nowhere", "#agents=7.8.9&steps=12.5&bet=9&at=-1.2&several=3", "#epsilon=two&%&=&show=x"]
+)
+def test_a_broken_link_opens_what_can_be_opened(ending: str, address: str, browser: Any) -> None:
+    """What it says that cannot be is left out."""
+    reader = Reader(browser, f"{address}{ending}")
+    assert reader.text("#question") == RACES[0].question
+    assert "did best" in reader.race()
+    reader.check()
+
+
+def test_several_seeds_have_a_band(address: str, browser: Any) -> None:
+    """Mean and interval are drawn, and the verdict speaks of no luck."""
+    reader = Reader(browser, f"{address}#task=Boulder&several=5")
+    assert "luck" not in reader.race()
+    assert reader("document.querySelectorAll('#chart polygon').length") == 3
+    assert "5 seeds" in reader.text("#caption")
+
+
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
+    """With keys and by clicks, to the end of a game; blind, the picture is hidden; and R begins anew."""
+    from selenium.webdriver.common.keys import Keys
+
+    reader = Reader(browser, f"{address}#task={race.environment}&play=true")
+    until(lambda: reader("document.querySelectorAll('#actions button').length"), "the actions")
+    body = browser.find_element("tag name", "body")
+    body.send_keys("1")
+    assert "Step 1," in reader.text("#score")
+    reader.click("#actions button:last-child")
+    for _ in range(1500):
+        if "Press R" in reader.text("#score"):
+            break
+        body.send_keys("212" if race.environment == "Boulder" else "2")
+    assert "Press R" in reader.text("#score")
+    assert "Your games" in reader.text("#record")
+    body.send_keys("r")
+    assert "Step 0," in reader.text("#score")
+    reader.click("#blind")
+    assert reader("document.querySelector('#board').classList.contains('unseen')")
+    assert race.numbers[0] in reader.text("#seen")
+    body.send_keys(Keys.TAB)
+    reader.check()
+
+
+def test_the_first_race_is_small(address: str) -> None:
+    """All that the first race needs, compressed as a server does, is below 100 kB."""
+    import gzip
+    import urllib.request
+
+    def size(path: str) -> int:
+        with urllib.request.urlopen(address + path) as answer:
+            return len(gzip.compress(answer.read()))
+
+    menu = json.loads(urllib.request.urlopen(f"{address}data/playground.json").read())
+    first = menu["races"][0]
+    kernels = [f"kernels/{agent['kernel']}.wasm" for agent in first["agents"][:3]]
+    scripts = [file.name for file in playground.PAGE.iterdir()]
+    needed = [*scripts, "data/playground.json", f"data/Boulder-{first['strength']['first']}.json", *kernels]
+    assert sum(map(size, needed)) < 100_000
