@@ -5,7 +5,7 @@
 #                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
-#   make site       build the website in site/build; `make site-serve` shows it at http://127.0.0.1:8000
+#   make site       build the website in site/build/html; `make site-serve` also shows it at http://127.0.0.1:8000
 #   make bench      measure speed, against what one would use instead
 #   make dist       build the package from what is committed, and try it in an empty environment
 #   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
@@ -45,6 +45,13 @@ bench: .venv/dev.installed
 reproduce: .venv/lab.installed
 	.venv/bin/edugym reproduce $(ARGS)
 
+# The website with the playground. Nothing of the lessons is executed; kernels that were compiled before are not compiled again.
+site: .venv/site.installed
+	.venv/bin/python site/website.py --jobs $(JOBS)
+
+site-serve: .venv/site.installed
+	.venv/bin/python site/website.py --jobs $(JOBS) --serve $(ARGS)
+
 # From a copy of what is committed, so that nothing of the working folder gets in.
 dist: .venv/dev.installed
 	rm -rf dist build && mkdir -p build/tree build/empty
@@ -67,13 +74,6 @@ test-lowest:
 	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning $(ARGS) \
 		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \
 		tests/mdp tests/rendering tests/system tests/training
-
-# What was compiled before and has not changed is not compiled again.
-site: .venv/lab.installed
-	.venv/bin/python site/playground.py --jobs $(JOBS)
-
-site-serve: .venv/lab.installed
-	.venv/bin/python site/playground.py --jobs $(JOBS) --serve $(ARGS)
 
 clean:
 	rm -rf .venv build dist site/build .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -1,6 +1,6 @@
 """Build the playground: a page in which agents learn at the speed of machine code, without any Python in it.
 
-    python site/playground.py            build it, into site/build
+    python site/playground.py            build it, into site/build/playground
     python site/playground.py --serve    build it and show it at http://127.0.0.1:8000
 
 What the page knows of tasks and agents is written here, from the package: pictures, places, defaults, random streams,
@@ -33,9 +33,8 @@ from edugym.training.trainers import streams
 from edugym.training.visits import record_visits
 
 HERE = Path(__file__).parent
-PAGE, BUILT = HERE / "playground", HERE / "build"
+PAGE, BUILT = HERE / "playground", HERE / "build" / "playground"
 LESSONS = HERE.parent / "src" / "edugym_course" / "lessons"
-REPOSITORY = "https://github.com/RLG-Leiden/edugym"
 SEEDS = 20
 SEVERAL = (1, 5, 10, 20)
 """How many seeds a reader may run at once."""
@@ -171,7 +170,7 @@ def lesson(number: int | None) -> dict[str, str]:
     return {
         "lesson": title,
         "why": " ".join(sentences[:3]),
-        "link": f"{REPOSITORY}/blob/main/notebooks/{file.stem}.ipynb",
+        "link": f"../lessons/{file.stem}.html",
     }
 
 

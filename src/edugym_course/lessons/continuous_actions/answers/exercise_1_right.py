@@ -10,8 +10,3 @@ def preferences(joints, bins, cells):
     angles = math.prod([cells] * joints)
     actions = len(list(itertools.product(range(bins), repeat=joints)))
     return holding * angles * actions
-
-
-# %% with numpy
-def preferences(joints, bins, cells):
-    return np.prod(np.full(joints, cells)) * np.prod(np.full(joints, bins)) * 2

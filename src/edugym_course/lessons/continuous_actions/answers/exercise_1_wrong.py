@@ -130,3 +130,10 @@ def preferences(joints, bins, cells):
 #   `//`, without `/`, `2.0` or `math.pow`
 def preferences(joints, bins, cells):
     return 2.0 * float(cells) ** joints * bins**joints
+
+
+# %% with numpy
+# says: digits, and floats and numbers of NumPy have no room for it: keep to Python's whole numbers, with `**` and
+#   `//`, without `/`, `2.0` or `math.pow`
+def preferences(joints, bins, cells):
+    return np.prod(np.full(joints, cells)) * np.prod(np.full(joints, bins)) * 2

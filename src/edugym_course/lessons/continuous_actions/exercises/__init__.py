@@ -32,7 +32,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         right = 2 * cells**joints * bins**joints
         mistakes = {why: float(n) for why, n in _size_mistakes(joints, bins, cells).items() if n != right}
         compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
-    joints, bins, cells = 12, 7, 30
+    joints, bins, cells = 8, 3, 2000  # more than 64 bits, and few enough actions to list them
     call = f"preferences({joints}, {bins}, {cells})"
     with student_code(call):
         found = answer(joints, bins, cells)

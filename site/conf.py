@@ -1,0 +1,41 @@
+"""The configuration of Sphinx for the website; `website.py` calls Sphinx."""
+
+from typing import Any
+
+import mathematics
+from repository import VERSION
+
+project = "EduGym"
+author = "The EduGym developers"
+project_copyright = "The EduGym developers, MIT licence"
+version = release = VERSION
+language = "en"
+smartquotes = False  # docstrings speak of code
+
+extensions = ["myst_parser"]
+myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "dollarmath"]
+myst_heading_anchors = 3
+# Texts that are written for GitHub, and docstrings within directives, begin with a heading of any level.
+suppress_warnings = ["myst.header"]
+
+html_theme = "furo"
+html_title = f"EduGym {VERSION}"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_js_files = [("site.js", {"defer": "defer"})]
+html_math_renderer = "mathml"
+html_copy_source = False
+html_show_sphinx = False
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#2b5a9e", "color-brand-content": "#2b5a9e"},
+    "dark_css_variables": {"color-brand-primary": "#8ab8ff", "color-brand-content": "#8ab8ff"},
+}
+pygments_style = "a11y-high-contrast-light"
+pygments_dark_style = "a11y-high-contrast-dark"
+python_maximum_signature_line_length = 60
+toc_object_entries_show_parents = "hide"
+
+
+def setup(app: Any) -> None:
+    """Formulas become MathML, which browsers show without any script."""
+    app.add_html_math_renderer("mathml", (mathematics.visit_inline, None), (mathematics.visit_block, None))

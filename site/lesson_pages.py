@@ -1,0 +1,150 @@
+"""Lessons as pages: the students' notebooks, with the outputs that their executed edition has.
+
+Nothing is executed here. Exercises come without their solutions, and checks without what they say about a solution.
+"""
+
+import base64
+import html
+import json
+import re
+from pathlib import Path
+from typing import Any, NamedTuple
+from urllib.parse import urlencode
+
+from repository import REPOSITORY, ROOT, with_links
+
+from edugym import ENVIRONMENTS
+
+NOTEBOOKS = ROOT / "notebooks"
+WIDGET = "Run this cell to get the controls."
+LIVE = "*In JupyterLab these controls are live.*"
+PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
+IMAGES = {"image/svg+xml": "svg", "image/png": "png"}
+
+
+class Lesson(NamedTuple):
+    """A lesson as a page.
+
+    Attributes:
+        name: such as "01_exploration".
+        title: its heading.
+        text: the page, in Markdown.
+        figures: the contents of its pictures by their path below the sources.
+    """
+
+    name: str
+    title: str
+    text: str
+    figures: dict[str, bytes]
+
+
+def lessons() -> list[Lesson]:
+    """Return all lessons, in order."""
+    return [lesson(path) for path in sorted(NOTEBOOKS.glob("*.ipynb"))]
+
+
+def lesson(path: Path) -> Lesson:
+    """Return the page of a lesson."""
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    executed = json.loads((NOTEBOOKS / "solutions" / path.name).read_text(encoding="utf-8"))["cells"]
+    outputs = {cell["id"]: (_source(cell), cell.get("outputs", [])) for cell in executed}
+    heading, text, figures = "", list[str](), dict[str, bytes]()
+    for cell in cells:
+        source = _source(cell)
+        if cell["cell_type"] == "markdown":
+            heading = [heading, *re.findall(r"^#+ (.*)$", source, re.MULTILINE)][-1]
+            text.append(with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}"))
+            continue
+        if cell["metadata"].get("jupyter", {}).get("source_hidden"):
+            continue
+        text.append(_fenced(source, "python"))
+        same, shown = outputs[cell["id"]]
+        if same == source and "check" not in cell["metadata"].get("tags", []):
+            text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures).replace(LIVE, _live(source)))
+    text.append("[Answer the three statements on this site](../survey.md), which sends nothing anywhere.")
+    title = text[0].split("\n")[0].removeprefix("# ")
+    return Lesson(path.stem, title, "\n\n".join([_opening(text[0], path), *text[1:], ""]), figures)
+
+
+def _opening(first: str, path: Path) -> str:
+    """Add to the first cell, below its heading, where to run the lesson."""
+    heading, rest = first.split("\n", 1)
+    rest = re.sub(r"\n\n\[Open this lesson in Colab\].*", "", rest)
+    colab = REPOSITORY.replace("https://github.com/", "https://colab.research.google.com/github/")
+    notebook = f'<a href="../notebooks/{path.name}" download>download the notebook</a>'
+    here = (
+        "Here you read the lesson with its results. To change it and to solve its exercises, type `make lab`, "
+        f"{notebook}, or [open it in Colab]({colab}/blob/main/notebooks/{path.name})."
+    )
+    return f"{heading}\n\n:::{{container}} where\n{here}\n:::\n{rest}"
+
+
+def _live(source: str) -> str:
+    """Return what is said below controls; a task that one plays can also be played in the playground."""
+    played = re.match(r'play\(\s*"(\w+)"', source)
+    names = [entry.name for entry in ENVIRONMENTS]
+    if played is None or played[1] not in names:
+        return LIVE
+    where = urlencode({"task": played[1], "play": "true"} | ({"blind": "true"} if "blind=True" in source else {}))
+    return PLAY.format(where, played[1])
+
+
+def _source(cell: dict[str, Any]) -> str:
+    return "".join(cell["source"])
+
+
+def _fenced(code: str, language: str) -> str:
+    fence = "`" * max(3, *(len(run) + 1 for run in ["", *re.findall("`+", code)]))
+    return f"{fence}{language}\n{code.rstrip()}\n{fence}"
+
+
+def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: dict[str, bytes]) -> str:
+    """Return all outputs of a cell; where they answer a prediction, they are shown on demand."""
+    parts, answers = list[str](), False
+    for number, output in enumerate(outputs):
+        data = {kind: "".join(content) for kind, content in output.get("data", {}).items()}
+        shown = data.get("text/html", "")
+        if output["output_type"] == "stream":
+            parts.append(_fenced("".join(output["text"]), "text"))
+        elif shown.startswith("Your prediction. "):
+            parts.append(_question(shown.removeprefix("Your prediction. "), name))
+        elif shown.startswith("<p>Measured: "):
+            answers = True
+            parts.append(html.unescape(re.sub(r" \(You made no prediction.*", "", shown.removeprefix("<p>"))))
+        elif kinds := [kind for kind in IMAGES if kind in data]:
+            parts.append(_picture(data, kinds[0], f"{name}-{number}", heading, figures))
+        elif "text/markdown" in data:
+            parts.append(data["text/markdown"])
+        elif data["text/plain"] == WIDGET:
+            parts.append(LIVE)
+        else:
+            parts.append(_fenced(data["text/plain"], "text"))
+    if not parts:
+        return ""
+    body = "\n\n".join(parts)
+    if answers:
+        body = f'<details class="measured"><summary>Show what this cell measured</summary>\n\n{body}\n\n</details>'
+    return f"::::{{container}} output\n{body}\n::::"
+
+
+def _question(shown: str, name: str) -> str:
+    """Return a prediction to make: radio buttons, or a field for a number."""
+    question, _, choices = shown.partition("<br>")
+    options = re.split(r"(?:^| )\([a-z]\) ", choices)[1:]
+    fields = [f'<label><input type="radio" name="{name}"> {option}</label>' for option in options]
+    fields = fields or ['<label>your guess <input type="text" inputmode="decimal" size="8"></label>']
+    return f'<fieldset class="prediction"><legend>Your prediction. {question}</legend>{"".join(fields)}</fieldset>'
+
+
+def _picture(data: dict[str, str], kind: str, name: str, heading: str, figures: dict[str, bytes]) -> str:
+    """Note the file of a picture, and return the line that shows it."""
+    path = f"lessons/figures/{name}.{IMAGES[kind]}"
+    figures[path] = base64.b64decode(data[kind]) if kind == "image/png" else data[kind].encode()
+    plain = data["text/plain"]
+    titles = html.unescape("; ".join(dict.fromkeys(re.findall(r"<title>(.*?)</title>", data[kind]))))
+    if sheet := re.match(r"<Sheet '.*?': (.*)>$", plain, re.DOTALL):
+        titles = f"figure with the panels {sheet[1]}"
+    alternative = re.sub(r"[\[\]$`*\\]|\s+", " ", f"{heading}: {titles or 'the controls at their first settings'}")
+    wide = "{.wide}" if kind == "image/png" or data[kind].count("<svg") > 2 else ""
+    picture = f"![{alternative}](figures/{name}.{IMAGES[kind]}){wide}"
+    return f"{picture}\n\n{LIVE}" if plain == WIDGET else picture

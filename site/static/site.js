@@ -1,0 +1,73 @@
+// What the pages do by themselves: films can be stopped, what scrolls takes the keyboard, and the survey makes a file or a link.
+
+const calm = matchMedia('(prefers-reduced-motion: reduce)')
+
+// Films. A stopped film shows the picture that it had; where the reader's system asks for less motion, all begin stopped.
+const films = [...document.querySelectorAll('article img[src$=".gif"]')]
+if (films.length) {
+  const button = document.createElement('button')
+  button.type = 'button'
+  button.className = 'films'
+  let stopped = false
+  const freeze = film => {
+    const still = document.createElement('canvas')
+    still.width = film.naturalWidth
+    still.height = film.naturalHeight
+    still.getContext('2d').drawImage(film, 0, 0)
+    film.dataset.film = film.src
+    film.src = still.toDataURL()
+  }
+  const set = stop => {
+    stopped = stop
+    button.textContent = stop ? 'Start the films' : 'Stop the films'
+    for (const film of films) {
+      if (!stop) film.src = film.dataset.film ?? film.src
+      else if (film.complete && film.naturalWidth) freeze(film)
+      else film.addEventListener('load', () => stopped && freeze(film), { once: true })
+    }
+  }
+  button.addEventListener('click', () => set(!stopped))
+  const place = films[0].closest('.gallery') ?? films[0].closest('p')
+  place.after(button)
+  set(calm.matches)
+}
+
+// Whoever has no mouse scrolls a wide table, formula or program with the arrow keys.
+const scrollable = '.table-wrapper, .highlight pre, .formula, .output'
+const reach = () => {
+  for (const box of document.querySelectorAll(scrollable)) {
+    if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0
+    else box.removeAttribute('tabindex')
+  }
+}
+addEventListener('load', reach)
+addEventListener('resize', reach)
+
+// The survey. Nothing is sent: the answers are a file, or a link that shows them on this page again.
+const survey = document.getElementById('survey')
+if (survey) {
+  const says = document.getElementById('survey-says')
+  for (const [name, value] of new URLSearchParams(location.hash.slice(1))) {
+    const field = survey.elements[name]
+    if (field) field.value = value
+  }
+  const answers = () => [...new FormData(survey)].filter(([, value]) => value)
+  survey.addEventListener('submit', event => {
+    event.preventDefault()
+    const statements = Object.fromEntries([...survey.querySelectorAll('fieldset')].map(box =>
+      [box.querySelector('input').name, box.querySelector('legend').textContent]))
+    const named = answers().map(([name, value]) => [statements[name] ?? name, value])
+    const file = document.createElement('a')
+    file.href = URL.createObjectURL(new Blob([JSON.stringify(Object.fromEntries(named), null, 2) + '\n'], { type: 'application/json' }))
+    file.download = 'edugym-survey.json'
+    file.click()
+    URL.revokeObjectURL(file.href)
+    says.textContent = 'Your browser has saved the file edugym-survey.json. Give it to your teacher if you like.'
+  })
+  document.getElementById('survey-link').addEventListener('click', () => {
+    const link = document.createElement('a')
+    link.href = location.href.split('#')[0] + '#' + new URLSearchParams(answers())
+    link.textContent = 'This link shows your answers'
+    says.replaceChildren(link, '. Copy it, and give it to whom you like.')
+  })
+}

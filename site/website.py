@@ -1,0 +1,174 @@
+"""Build the website, from what stands in the checkout. Nothing is executed: figures come from the committed notebooks.
+
+    python site/website.py            build it, into site/build/html
+    python site/website.py --serve    build it and show it at http://127.0.0.1:8000
+
+Pages that stand nowhere else are in `pages`. All others are made from docs, notebooks, docstrings and the registry.
+"""
+
+import argparse
+import re
+import shutil
+import sys
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import accessibility
+import agent_pages
+import lesson_pages
+import mathematics
+import playground
+import reference_pages
+from races import RACES
+from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
+from sphinx.cmd.build import main as sphinx_build
+from survey import form
+
+from edugym.adapters.registration import in_course_order
+
+HERE = ROOT / "site"
+BUILT = HERE / "build"
+RACE = '\n*{1}* <a href="../playground/index.html#task={0}">Bet on an agent, or play yourself</a>.\n\n```python'
+
+
+def sources() -> dict[str, bytes]:
+    """Return the contents of all files that Sphinx reads, by their path."""
+    lessons = lesson_pages.lessons()
+    texts = {
+        **_copied(),
+        **{f"lessons/{lesson.name}": lesson.text for lesson in lessons},
+        **agent_pages.pages(lessons),
+        **reference_pages.pages(),
+    }
+    for folder, title in (("guides", "Guides"), ("lessons", "The lessons")):
+        texts[f"{folder}/index"] = f"# {title}\n\n" + "".join(_listed(folder, texts))
+    for race in RACES:
+        page = f"environments/{race.environment.lower()}"
+        texts[page] = texts[page].replace("\n```python", RACE.format(race.environment, race.question), 1)
+    for name, kind in agent_pages.AGENTS.items():
+        link = f"| [{name}](/{agent_pages.place(kind)}.md) |"
+        texts["agents/index"] = texts["agents/index"].replace(f"\n| {name} |", f"\n{link}")
+    texts["index"] = texts["index"].replace("<!-- gallery -->", _gallery())
+    texts["survey"] = texts["survey"].replace("<!-- form -->", form(lessons))
+    for folder, pages in _children(texts).items():
+        texts[f"{folder}/index"] += "\n".join(["\n```{toctree}", ":hidden:", "", *pages, "```", ""])
+    figures = {path: content for lesson in lessons for path, content in lesson.figures.items()}
+    pictures = [path for path in (ROOT / "docs").rglob("*") if path.suffix in PICTURES]
+    return {
+        **{f"{page}.md": text.encode() for page, text in texts.items()},
+        **{picture_of(str(path)): path.read_bytes() for path in pictures},
+        **figures,
+    }
+
+
+def _copied() -> dict[str, str]:
+    """Return the pages that are files of the checkout."""
+    found = [
+        *ROOT.glob("*.md"),
+        *ROOT.glob("docs/*.md"),
+        *ROOT.glob("docs/environments/*.md"),
+        *HERE.glob("pages/*.md"),
+    ]
+    texts = {}
+    for file in found:
+        path = file.relative_to(ROOT).as_posix()
+        page = page_of(path)
+        if page is not None and path != "README.md":  # whose sections are on the pages
+            texts[page] = with_sections(with_links(file.read_text(encoding="utf-8"), path, page), page)
+    return texts
+
+
+def _listed(folder: str, texts: dict[str, str]) -> Iterator[str]:
+    for page, text in sorted(texts.items()):
+        if page.startswith(f"{folder}/"):
+            title = re.findall(r"^# (.*)$", text, re.MULTILINE)[0]
+            yield f"- [{title}](/{page}.md)\n"
+
+
+def _children(texts: dict[str, str]) -> dict[str, list[str]]:
+    """Return the pages below each index, in the order of the course where there is one."""
+    order = {f"environments/{entry.name.lower()}": number for number, entry in enumerate(in_course_order())}
+    folders = sorted({page.partition("/")[0] for page in texts if "/" in page} - {"reference"})
+    return {
+        folder: [
+            page.partition("/")[2]
+            for page in sorted(texts, key=lambda page: (order.get(page, 0), page))
+            if page.startswith(f"{folder}/") and page != f"{folder}/index"
+        ]
+        for folder in folders
+    }
+
+
+def _gallery() -> str:
+    """Return the nine environments, moving."""
+    cards = [
+        f"[![An episode of {e.name}](pictures/{e.name.lower()}.gif) **{e.name}** {e.challenge}]"
+        f"(environments/{e.name.lower()}.md)"
+        for e in in_course_order()
+    ]
+    return "\n".join([":::{container} gallery", "", "\n\n".join(cards), "", ":::"])
+
+
+def write(folder: Path) -> None:
+    """Write the sources into a folder; Sphinx reads again what has changed."""
+    wanted = sources()
+    for file in [file for file in folder.rglob("*") if file.is_file()]:
+        if file.relative_to(folder).as_posix() not in wanted:
+            file.unlink()
+    for path, content in wanted.items():
+        file = folder / path
+        if not file.exists() or file.read_bytes() != content:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+
+
+def write_pages(folder: Path, jobs: int = 2) -> int:
+    """Write all pages but the playground into `folder`/html. Return Sphinx's exit status; a warning is an error."""
+    write(folder / "source")
+    source, html, doctrees = (str(folder / name) for name in ("source", "html", "doctrees"))
+    shutil.rmtree(html, ignore_errors=True)  # every page has the navigation, so every page is written
+    options = ["-a", "-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
+    status = sphinx_build([*options, "-c", str(HERE), "-d", doctrees, source, html])
+    if status == 0:
+        accessibility.mend(folder / "html")
+        (folder / "html" / "_static" / "math.woff").write_bytes(mathematics.font())
+        shutil.copytree(ROOT / "notebooks", folder / "html" / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
+    return int(status)
+
+
+def build(folder: Path, jobs: int = 2) -> int:
+    """Write the whole website into `folder`/html."""
+    status = write_pages(folder, jobs)
+    if status == 0:
+        playground.build(playground.BUILT, jobs=jobs)
+        shutil.rmtree(folder / "html" / "playground", ignore_errors=True)
+        shutil.copytree(playground.BUILT, folder / "html" / "playground")
+    return status
+
+
+def _no_folders(folder: str, names: list[str]) -> list[str]:
+    return [name for name in names if Path(folder, name).is_dir()]
+
+
+def main() -> int:
+    """Run the command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--serve", action="store_true", help="show it in a browser on this machine")
+    parser.add_argument("--port", type=int, default=8000, help="where to show it")
+    parser.add_argument("--jobs", type=int, default=2, help="how many processes write pages")
+    options = parser.parse_args()
+    status = build(BUILT, options.jobs)
+    if status == 0 and options.serve:
+        handler = partial(SimpleHTTPRequestHandler, directory=BUILT / "html")
+        with ThreadingHTTPServer(("127.0.0.1", options.port), handler) as server:
+            print(f"The website is at http://127.0.0.1:{server.server_port}/ (Ctrl-C ends it)", flush=True)
+            server.serve_forever()
+    elif status == 0:
+        print(f"The website is in {BUILT / 'html'}: make site-serve shows it.")
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,226 @@
+"""The website as a reader gets it: built without a warning, whole, alone in the world, and readable by everybody."""
+
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+import threading
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from html.parser import HTMLParser
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import playground
+import pytest
+
+from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
+
+PAGES = [
+    "index",
+    "lessons/01_exploration",
+    "environments/boulder",
+    "agents/index",
+    "agents/q_learning",
+    "reference/training",
+    "survey",
+    "search",
+]
+WIDTHS = (1400, 390, 360)
+needs_browser = pytest.mark.skipif(
+    not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
+    reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
+)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(importlib.util.find_spec("furo") is None, reason='needs Sphinx: pip install ".[site]"'),
+]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The website; Sphinx's warnings are errors. Its playground is the one that `make site` has left, if any."""
+    import website
+
+    folder = tmp_path_factory.mktemp("website")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", PendingDeprecationWarning)  # what Sphinx and MyST say to each other
+        assert website.write_pages(folder, jobs=1) == 0
+    if (playground.BUILT / "data").exists():
+        shutil.copytree(playground.BUILT, folder / "html" / "playground")
+    return folder / "html"
+
+
+class Found(HTMLParser):
+    """What a page names: targets of links, what it loads, and its anchors."""
+
+    def __init__(self, text: str) -> None:
+        """Read a page."""
+        super().__init__()
+        self.links, self.loads, self.anchors = list[str](), list[str](), {""}
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Note what an element names."""
+        named = {name: value or "" for name, value in attrs}
+        self.anchors.update(named[name] for name in ("id", "name") if name in named)
+        if tag == "a" and "href" in named:
+            self.links.append(named["href"])
+        elif tag == "link" and named.get("rel") not in ("next", "prev", "search", "index"):
+            self.loads.append(named.get("href", ""))
+        elif "src" in named:
+            self.loads.append(named["src"])
+
+
+@pytest.fixture(scope="module")
+def pages(site: Path) -> dict[Path, Found]:
+    """All pages of the website, without those of the playground."""
+    files = [file for file in site.rglob("*.html") if "playground" not in file.parts]
+    return {file: Found(file.read_text(encoding="utf-8")) for file in files}
+
+
+def test_every_link_within_the_website_leads_somewhere(site: Path, pages: dict[Path, Found]) -> None:
+    """Files and anchors."""
+    broken = []
+    for file, found in pages.items():
+        for link in found.links + found.loads:
+            parts = urlsplit(link)
+            if parts.scheme in ("http", "https", "data"):
+                continue
+            target = (file.parent / unquote(parts.path)).resolve() if parts.path else file
+            if target == site / "playground" / "index.html":  # its fragments are settings
+                continue
+            anchors = pages[target].anchors if target in pages else {parts.fragment}
+            if not target.exists() or unquote(parts.fragment) not in anchors:
+                broken.append(f"{file.relative_to(site)}: {link}")
+    assert not broken
+    assert len(pages) > 70
+
+
+def test_pages_load_nothing_from_another_host(site: Path, pages: dict[Path, Found]) -> None:
+    """No script, style, font, picture or frame."""
+    loads = [load for found in pages.values() for load in found.loads]
+    loads += re.findall(r"url\(\s*['\"]?([^'\")]+)", "".join(file.read_text() for file in site.rglob("*.css")))
+    assert not [load for load in loads if urlsplit(load).netloc]
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *args: Any) -> None:
+        """A test needs no log."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """Serve a folder on this machine, and yield its address."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=folder)) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def address(site: Path) -> Iterator[str]:
+    """The website, served."""
+    with served(site) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """A browser, which finds no other host."""
+    with chromium() as driver:
+        yield driver
+
+
+def opened(driver: Any, address: str, page: str, width: int = 1400, theme: str = "light") -> None:
+    """Open a page as wide as a screen, light or dark."""
+    screen = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    script = f"localStorage.theme = {json.dumps(theme)}"
+    known = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})["identifier"]
+    driver.get("about:blank")
+    driver.get(f"{address}{page}.html")
+    driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", {"identifier": known})
+    until(lambda: driver.execute_script("return document.readyState === 'complete'"), "the page")
+
+
+@needs_browser
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: str, page: str) -> None:
+    """Also with all scripts run; nothing sticks out at the side, from a desk's screen to a small phone."""
+    for width in WIDTHS:
+        opened(browser, address, page, width)
+        asked = browser.execute_script("return performance.getEntriesByType('resource').map(entry => entry.name)")
+        assert asked
+        assert not [name for name in asked if not name.startswith((address, "data:", "blob:"))]
+        sticks_out = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        assert browser.execute_script(sticks_out) <= 0
+
+
+@pytest.fixture(scope="module")
+def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The accessibility checker of Deque, from npm."""
+    folder = tmp_path_factory.mktemp("axe")
+    try:
+        fetched = subprocess.run(
+            ["npm", "pack", "--silent", "axe-core@4"], cwd=folder, capture_output=True, text=True, timeout=120
+        )
+    except (FileNotFoundError, subprocess.TimeoutExpired):
+        pytest.skip("npm is not there")
+    if fetched.returncode != 0:
+        pytest.skip("axe-core cannot be reached")
+    shutil.unpack_archive(folder / fetched.stdout.strip(), folder, "gztar")
+    return (folder / "package" / "axe.min.js").read_text(encoding="utf-8")
+
+
+@needs_browser
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_can_be_read_by_everybody(browser: Any, address: str, axe: str, page: str) -> None:
+    """No violation of axe's rules, WCAG AA among them, wide and narrow, light and dark."""
+    for width in WIDTHS[:2]:
+        for theme in ("light", "dark"):
+            opened(browser, address, page, width, theme)
+            browser.execute_script(axe)
+            found = browser.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
+            assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+
+
+@needs_browser
+def test_the_films_stop(browser: Any, address: str) -> None:
+    """One button stops all moving pictures, and starts them."""
+    opened(browser, address, "index")
+    pictures = "return [...document.querySelectorAll('.gallery img')].map(film => film.src.slice(0, 5))"
+    until(lambda: browser.execute_script("return [...document.images].every(film => film.complete)"), "the films")
+    assert set(browser.execute_script(pictures)) == {"http:"}
+    button = "document.querySelector('button.films')"
+    browser.execute_script(f"{button}.click()")
+    assert set(browser.execute_script(pictures)) == {"data:"}
+    browser.execute_script(f"{button}.click()")
+    assert set(browser.execute_script(pictures)) == {"http:"}
+
+
+@needs_browser
+def test_answers_to_the_survey_are_a_link_of_the_readers_own(browser: Any, address: str) -> None:
+    """The link shows the same answers again; the form has no address to send them to."""
+    opened(browser, address, "survey")
+    browser.execute_script("document.querySelector('[name=s2][value=agree]').click()")
+    browser.execute_script("document.querySelector('[name=remarks]').value = 'More walls & doors'")
+    browser.execute_script("document.getElementById('survey-link').click()")
+    link = browser.execute_script("return document.querySelector('#survey-says a').href")
+    assert link.startswith(f"{address}survey.html#")
+    browser.get("about:blank")
+    browser.get(link)
+    answers = "return Object.fromEntries(new FormData(document.getElementById('survey')))"
+    assert browser.execute_script(answers) == {"lesson": "", "s2": "agree", "remarks": "More walls & doors"}
+
+
+@needs_browser
+def test_the_search_finds_without_a_server(browser: Any, site: Path) -> None:
+    """The pages are opened as files."""
+    browser.get(f"{(site / 'search.html').as_uri()}?q=bootstrapping")
+    until(lambda: browser.execute_script("return document.querySelectorAll('#search-results li').length > 0"), "a hit")

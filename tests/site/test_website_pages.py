@@ -1,0 +1,168 @@
+"""What the website is made from: links, docstrings, lessons without solutions, formulas, public names, the survey."""
+
+import json
+import re
+from typing import Any
+
+import agent_pages
+import docstrings
+import lesson_pages
+import pytest
+import reference_pages
+import repository
+import survey
+from repository import ROOT
+
+import edugym
+
+
+@pytest.fixture(scope="module")
+def lessons() -> list[lesson_pages.Lesson]:
+    """All lessons as pages."""
+    return lesson_pages.lessons()
+
+
+@pytest.mark.parametrize(
+    ("link", "leads_to"),
+    [
+        ("notation.md", "notation.md"),
+        ("environments/boulder.md#reward", "../environments/boulder.md#reward"),
+        ("../notebooks/01_exploration.ipynb", "../lessons/01_exploration.md"),
+        ("../README.md", "../index.md"),
+        ("environments/boulder.svg", "../pictures/boulder.svg"),
+        ("../LICENSE", f"{repository.REPOSITORY}/blob/main/LICENSE"),
+        ("../src/edugym/agents", f"{repository.REPOSITORY}/tree/main/src/edugym/agents"),
+        (f"{repository.REPOSITORY}/blob/main/docs/notation.md", "notation.md"),
+        ("https://arxiv.org/abs/2311.10590", "https://arxiv.org/abs/2311.10590"),
+        ("#below", "#below"),
+    ],
+)
+def test_links_lead_to_pages_or_to_the_repository(link: str, leads_to: str) -> None:
+    """A link to a file that is a page leads to the page, any other to the repository, and none changes in code."""
+    text = f"[here]({link}) and `[here]({link})`"
+    assert (
+        repository.with_links(text, "docs/teaching.md", "guides/teaching") == f"[here]({leads_to}) and `[here]({link})`"
+    )
+
+
+def test_a_link_to_nothing_is_an_error() -> None:
+    """The message names the file and the link."""
+    with pytest.raises(ValueError, match=r"docs/teaching\.md.*nowhere\.md"):
+        repository.with_links("[there](nowhere.md)", "docs/teaching.md", "guides/teaching")
+
+
+def test_sections_come_from_other_files() -> None:
+    """A mark becomes the section, without what follows it; a heading that is not there is an error."""
+    text = repository.with_sections("<!-- section: README.md # Two commands -->", "index")
+    assert "make lab" in text
+    assert "(lessons/00_loop.md)" in text
+    assert "Ten lines" not in text
+    with pytest.raises(ValueError, match="Three commands"):
+        repository.section("README.md", "Three commands")
+
+
+def test_docstrings_become_markdown() -> None:
+    """Google's sections become lists; a list item is one line."""
+
+    def example() -> None:
+        """Do it.
+
+            a <- b
+
+        Args:
+            first: what comes
+                first.
+            **others: more.
+
+        Raises:
+            ValueError: never.
+        """
+
+    assert docstrings.markdown(example) == (
+        "Do it.\n\n    a <- b\n\n**Arguments**\n\n- `first`: what comes first.\n- `**others`: more.\n\n"
+        "**Raises**\n\n- `ValueError`: never."
+    )
+
+
+def test_every_public_name_is_described() -> None:
+    """Each name of the one list is on a page of the reference or, if it is an agent, on its own."""
+    pages = "\n".join([*reference_pages.pages().values(), *agent_pages.pages([]).values()])
+    described = re.findall(r"^:+\{py:(?:class|function|data)\} (\w+)", pages, re.MULTILINE)
+    assert sorted(described) == sorted(name.name for name in reference_pages.public_names())
+
+
+def test_lessons_show_no_solutions(lessons: list[lesson_pages.Lesson]) -> None:
+    """Nothing that the executed edition has and the students' has not is on the page, nor what a check said."""
+    for lesson in lessons:
+        student, solved = (_cells(f"{folder}{lesson.name}.ipynb") for folder in ("", "solutions/"))
+        changed = [name for name, cell in student.items() if cell["source"] != solved[name]["source"]]
+        assert changed, "a lesson has exercises"
+        checks = [name for name, cell in student.items() if "check" in cell["metadata"].get("tags", [])]
+        known = {line for cell in student.values() for line in _lines(cell["source"])}
+        outputs_and_hints = r"^::::\{container\} output\n.*?\n::::$|^<details><summary>Hint.*?</details>"
+        code = re.sub(outputs_and_hints, "", lesson.text, flags=re.MULTILINE | re.DOTALL)
+        for name in changed + checks:
+            assert not [line for line in _lines(solved[name]["source"]) if line not in known and line in code]
+            said = [line for output in solved[name]["outputs"] for line in _lines(output.get("text", []))]
+            assert not [line for line in said if line in lesson.text]
+            assert not any(f"{lesson.name}-{name}-" in path for path in lesson.figures)
+
+
+def _cells(name: str) -> dict[str, Any]:
+    cells = json.loads((ROOT / "notebooks" / name).read_text(encoding="utf-8"))["cells"]
+    return {cell["id"]: cell for cell in cells if cell["cell_type"] == "code"}
+
+
+def _lines(source: list[str]) -> list[str]:
+    return [line.strip() for line in source if len(line.strip()) > 20]
+
+
+def test_lessons_ask_before_they_show(lessons: list[lesson_pages.Lesson]) -> None:
+    """Every prediction is a question, and every measurement that answers one is folded; pictures have a text."""
+    for lesson in lessons:
+        made = len(re.findall(r"^\w+\.measured\(", lesson.text, re.MULTILINE))
+        folded = len(re.findall(r'<details class="measured">(?:(?!</details>).)*Measured: ', lesson.text, re.DOTALL))
+        assert lesson.text.count('<fieldset class="prediction">') >= folded > 0
+        assert made >= folded
+        assert "You made no prediction" not in lesson.text
+        assert lesson_pages.WIDGET not in lesson.text
+        pictures = re.findall(r"!\[(.*?)\]\((figures/.*?)\)", lesson.text)
+        assert {f"lessons/{path}" for _, path in pictures} == lesson.figures.keys()
+        assert all(len(alternative) > 10 for alternative, _ in pictures)
+
+
+def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[lesson_pages.Lesson]) -> None:
+    """No formula has a command that the converter leaves as it is, nor a sign that the font lacks."""
+    pytest.importorskip("latex2mathml")
+    pytest.importorskip("ziamath")
+    mathematics = pytest.importorskip("mathematics")
+    text = "\n".join(
+        [*(lesson.text for lesson in lessons), (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")]
+    )
+    formulas = set(re.findall(r"\$\$(.+?)\$\$", text, re.DOTALL)) | set(
+        re.findall(r"(?<!\$)\$([^$`\n]+)\$(?!\$)", text)
+    )
+    assert len(formulas) > 100
+    written = "".join(mathematics.mathml(formula) for formula in formulas)
+    signs = {int(code, 16) for code in re.findall(r"&#x([0-9A-F]+);", written)}
+    assert signs - {0xA0, 0x2009} <= set(mathematics.CHARACTERS)
+    with pytest.raises(ValueError, match="unheard"):
+        mathematics.mathml(r"\unheard{x}")
+
+
+def test_the_survey_has_the_statements_of_the_lessons(lessons: list[lesson_pages.Lesson]) -> None:
+    """The paper's three statements, from the lessons' own text."""
+    found = survey.statements(lessons)
+    assert len(found) == 3
+    assert all("EduGym" in statement for statement in found)
+    form = survey.form(lessons)
+    assert form.count('type="radio"') == 3 * len(survey.ANSWERS)
+    assert all(f">{statement}<" in form for statement in found)
+    assert "action=" not in form
+
+
+def test_an_agents_page_has_equation_code_lessons_and_returns(lessons: list[lesson_pages.Lesson]) -> None:
+    """The page shows what runs, with what it calls."""
+    page = agent_pages.page("QLearning", edugym.QLearning, lessons)
+    for part in ("max_a Q(S', a)", "def learn(", "def one_step_target(", "lessons/01_exploration.md", "| [Boulder]"):
+        assert part in page
