@@ -10,6 +10,13 @@ from collections.abc import Iterator, Sequence
 
 from nbformat import NotebookNode
 
+from edugym_course.teaching.marks import MARKED
+from edugym_course.teaching.marks import is_check as is_check
+from edugym_course.teaching.marks import is_code as is_code
+from edugym_course.teaching.marks import is_exercise as is_exercise
+from edugym_course.teaching.marks import without_marks as without_marks
+from edugym_course.teaching.marks import without_solutions as without_solutions
+
 # The headings of a lesson, in order: how each begins, what its text must contain, and whether code belongs to it.
 SHAPE: list[tuple[str, tuple[str, ...], bool]] = [
     ("# ", ("**The challenge.**", "**You will be able to**", "**Time.**", "**Before you start.**"), False),
@@ -23,7 +30,6 @@ SHAPE: list[tuple[str, tuple[str, ...], bool]] = [
     ("## What you saw", ("### Limits", "### Further reading"), False),
 ]
 EXERCISES = range(2, 5)  # how many a lesson may have
-MARKED = ("SOLUTION", "HIDDEN TESTS")  # regions between `### BEGIN ...` and `### END ...`
 WIDGET_MAKERS = {"interact", "interact_manual", "interactive", "interactive_output"}
 
 
@@ -31,52 +37,6 @@ def where(cell: NotebookNode) -> str:
     """Names a cell for messages: its id, which is the same in every edition, and its first line."""
     first_line = cell.source.strip().split("\n")[0]
     return f"{cell.id} ({first_line!r})"
-
-
-def is_code(cell: NotebookNode) -> bool:
-    """Whether a cell holds code."""
-    return bool(cell.cell_type == "code")
-
-
-def is_exercise(cell: NotebookNode) -> bool:
-    """Whether a cell is an exercise: code with a solution in it."""
-    return is_code(cell) and "### BEGIN SOLUTION" in cell.source
-
-
-def is_check(cell: NotebookNode) -> bool:
-    """Whether a cell checks an exercise."""
-    return is_code(cell) and ("check" in cell.metadata.get("tags", []) or "### BEGIN HIDDEN TESTS" in cell.source)
-
-
-def without_marks(source: str) -> str:
-    """Takes the lines that mark solutions and hidden tests out of a source, and leaves what they mark."""
-    return "\n".join(line for line in source.splitlines() if not line.strip().startswith(("### BEGIN ", "### END ")))
-
-
-def without_solutions(source: str) -> str:
-    """Takes solutions and hidden tests out of the source of a code cell.
-
-    What is left is valid Python: in a function a solution becomes `raise NotImplementedError`, so that the check can
-    say that it is not solved yet; elsewhere it becomes `pass`, so that the cell still runs and shows nothing.
-    """
-    nodes = ast.walk(ast.parse(source))
-    functions = [node for node in nodes if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
-    kept: list[str] = []
-    inside = False
-    for number, line in enumerate(source.splitlines(), start=1):
-        mark = line.strip()
-        if mark.startswith("### BEGIN "):
-            inside = True
-            if mark == "### BEGIN SOLUTION":
-                in_function = any(node.lineno <= number <= (node.end_lineno or 0) for node in functions)
-                stub = 'raise NotImplementedError("not solved yet: replace this line")' if in_function else "pass"
-                indent = line[: -len(line.lstrip())]
-                kept += [f"{indent}# Your solution here.", indent + stub]
-        elif mark.startswith("### END "):
-            inside = False
-        elif not inside:
-            kept.append(line)
-    return "\n".join(kept).strip("\n")
 
 
 def problems(cells: Sequence[NotebookNode]) -> list[str]:

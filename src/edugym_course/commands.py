@@ -290,6 +290,78 @@ def lab(
     server.serve(folder, options)
 
 
+@app.command()
+def assign(
+    lesson: Annotated[
+        str,
+        typer.Argument(help="In a checkout a name, such as 01_exploration; else the path of the teacher's notebook."),
+    ],
+    students: Annotated[
+        Path, typer.Option(parser=_path, metavar="LIST", help="A CSV file with a column id and, if you like, name.")
+    ],
+    output: Annotated[Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder to write to.")] = Path(
+        "assigned"
+    ),
+) -> None:
+    """For teachers: make a lesson for each student, with numbers of her own.
+
+    OUTPUT/handout/ID is for the student ID. OUTPUT/teacher is for nobody else: it has the secret from which the numbers
+    come, the solutions, and the hidden tests. With a longer list, the same command makes the lessons of those who
+    came late, and leaves the others' numbers as they are.
+    """
+    from edugym_course.teaching import assignment
+    from edugym_course.teaching.students import read_students
+
+    try:
+        made = assignment.assign(assignment.teacher_edition(lesson), read_students(students), output)
+    except (OSError, ValueError) as error:
+        raise typer.BadParameter(str(error)) from error
+    for task, draw in zip(made.tasks, next(iter(made.draws.values())), strict=True):
+        own = f"own {' and '.join(draw.numbers)}" if draw.numbers else "the same for all, with other cases"
+        typer.echo(f"Exercise {task.number}: {own}.")
+    count = len(made.students)
+    typer.echo(
+        f"{count} lessons to hand out are in {output / assignment.HANDOUT}. Keep {made.path.parent} to yourself."
+    )
+
+
+@app.command()
+def grade(
+    assigned: Annotated[
+        Path, typer.Argument(parser=_path, help="What `edugym assign` wrote: assigned/teacher/01_exploration.json.")
+    ],
+    submitted: Annotated[
+        Path, typer.Option(parser=_path, metavar="FOLDER", help="It has a folder ID with the notebook of each student.")
+    ] = Path("submitted"),
+    output: Annotated[
+        Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for the results of the class.")
+    ] = Path("results"),
+    seconds: Annotated[float, typer.Option(min=1, help="The longest time for one student.")] = 600,
+) -> None:
+    """For teachers: grade what came back, with the checks of each student's own numbers.
+
+    It runs the students' code on this machine, as you: use a container for people whom you do not trust. The results of
+    the class are OUTPUT/LESSON.html, and the same as .md and .csv.
+    """
+    from edugym_course.teaching import grading, page
+    from edugym_course.teaching.assignment import Assignment
+
+    try:
+        assignment = Assignment.read(assigned)
+        for name in grading.strangers(assignment, submitted):
+            typer.echo(f"edugym: {submitted / name} belongs to nobody on the list", err=True)
+        graded = []
+        for one in grading.grade(assignment, submitted, seconds):
+            graded.append(one)
+            remarks = "; ".join([*page.belongs(one, assignment), *one.remarks])
+            typer.echo(f"{one.student.name} ({one.student.id}): {one.points:g}{f' ({remarks})' if remarks else ''}")
+        for ending, text in (("html", page.as_html), ("md", page.markdown), ("csv", page.as_csv)):
+            write_whole(output / f"{assignment.lesson}.{ending}", text(assignment, graded).encode())
+    except (OSError, ValueError) as error:
+        raise typer.BadParameter(str(error)) from error
+    typer.echo(f"The results are in {output / assignment.lesson}.html, .md and .csv.")
+
+
 def run() -> None:
     """Do what the command line says. A missing library, or output that cannot be written, ends it with one line."""
     try:

@@ -6,11 +6,13 @@ from collections.abc import Callable
 from typing import Any
 
 from edugym.checks.parameters import in_short, true_or_false, whole_number
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.own_numbers import belongs_to_others, own_parameters
 from edugym_course.grading.student_code import student_code
 from edugym_course.lab.progress import record_passed
 
 
-def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:
+def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False, **numbers: Any) -> None:
     """Check an answer, and print one line if it is right.
 
     In a folder that `edugym lab` made, it also updates the start page.
@@ -20,6 +22,7 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
         answer: what the student defined: a number, a function, a class, results.
         seed: the number from which the cases are drawn, 0 or more; another seed draws other cases.
         quiet: whether a right answer prints nothing, as in hidden tests.
+        numbers: a student's own numbers, by name, as `edugym assign` draws them; by default the ordinary ones.
 
     Raises:
         WrongAnswer: the answer is not right. A notebook shows its sentence and no traceback.
@@ -30,8 +33,13 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
         raise ValueError(f"exercise must be a function, such as exercise_1 of a lesson, but is {in_short(exercise)}")
     whole_number("seed", seed, 0)
     true_or_false("quiet", quiet)
+    for name in numbers.keys() - own_parameters(exercise).keys():
+        raise ValueError(f"{exercise.__name__} has no number {name} of a student's own, but {name} is given")
     with student_code("your code", limit=math.inf):  # calls inside it have limits of their own
-        worth_knowing = exercise(answer, seed)
+        try:
+            worth_knowing = exercise(answer, seed, **numbers)
+        except WrongAnswer as wrong:
+            raise type(wrong)(f"{wrong}{belongs_to_others(exercise, answer, seed, numbers, wrong)}") from None
     lesson = exercise.__module__.removeprefix("edugym_course.lessons.").partition(".")[0]
     number = re.fullmatch(r"exercise_(\d+)", exercise.__name__)
     if number:

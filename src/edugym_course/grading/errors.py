@@ -1,5 +1,11 @@
 """The exceptions that say what is wrong with an answer."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+_VERDICTS: ContextVar[bool] = ContextVar("only verdicts", default=False)
+
 
 class WrongAnswer(AssertionError):
     """An answer is not right; the message is one sentence that says what was expected, what came, and why.
@@ -14,3 +20,22 @@ class WrongAnswer(AssertionError):
 
 class Unsolved(WrongAnswer):
     """There is no answer yet."""
+
+
+class TooSlow(WrongAnswer):
+    """An answer was ended because it took too long."""
+
+
+@contextmanager
+def only_verdicts() -> Iterator[None]:
+    """Within it nobody reads why an answer is wrong, so that a check need not look for the mistake."""
+    token = _VERDICTS.set(True)
+    try:
+        yield
+    finally:
+        _VERDICTS.reset(token)
+
+
+def nobody_asks_why() -> bool:
+    """Whether `only_verdicts` is in force."""
+    return _VERDICTS.get()

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import TooSlow
 
 LIMIT = 30.0
 """The seconds of processor time that one call of a student's code may take."""
@@ -82,7 +82,7 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
         limit: the seconds of processor time that it may take.
 
     Raises:
-        WrongAnswer: it took longer.
+        TooSlow: it took longer.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -99,6 +99,4 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
         if not code.interrupted:
             raise
     if code.interrupted:
-        raise WrongAnswer(
-            f"{what} has not ended after {limit:g} seconds: is there a `while` whose condition stays true?"
-        )
+        raise TooSlow(f"{what} has not ended after {limit:g} seconds: is there a `while` whose condition stays true?")

@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.checks.contract import learns_from
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.mistakes import UNUSUAL
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import TOLERANCE, all_same, differing, digits, in_brackets
@@ -109,6 +109,8 @@ class Update:
         found, names, returned = _run_student(make, cases)
         difference = _first_difference(right, found)
         if difference is not None:
+            if nobody_asks_why():  # to find the mistake takes longer than to see that there is one
+                raise WrongAnswer(UNUSUAL)
             why = self._diagnosis(cases, right, found, settings, difference, returned)
             if _first_difference(found, _run_student(make, cases)[0]) is not None:
                 why = "a second time it gives something else: `learn` needs no random numbers"

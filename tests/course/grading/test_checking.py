@@ -38,6 +38,8 @@ def test_what_is_said_of_answers(capsys: pytest.CaptureFixture[str]) -> None:
     assert caught.value.__cause__ is None
     with pytest.raises(ValueError, match="seed must be 0 or more"):
         check(exercise, 2, seed=-1)
+    with pytest.raises(ValueError, match="no number height"):
+        check(exercise, 2, height=3)
 
 
 def noted_limits(monkeypatch: pytest.MonkeyPatch, module: ModuleType) -> list[tuple[str, float]]:

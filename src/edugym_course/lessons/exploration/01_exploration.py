@@ -544,6 +544,7 @@ from edugym_course.lessons.exploration.exercises import CHALLENGE, exercise_1, e
 epsilon = 0.1
 ### BEGIN SOLUTION
 epsilon = 2 * (1 - 0.5 ** (1 / 100))
+# own: epsilon = 2 * (1 - 0.5 ** (1 / {height}))
 ### END SOLUTION
 
 # %% tags=["check"]
@@ -566,6 +567,7 @@ def optimist(wall):
     """Make a greedy Q-learning agent that values every action at 1 until it has tried it."""
     ### BEGIN SOLUTION
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+    # own: return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value={start})
     ### END SOLUTION
 
 
@@ -692,6 +694,7 @@ class MyExplorer(NamedTuple):
         self.tries[state, action] += 1
         self.visits[next_state] += 1
         novelty = self.bonus / self.visits[next_state] ** 0.5
+        # own: novelty = self.bonus / self.visits[next_state] ** {power}
         value = 0.0 if terminated else max(self.Q[next_state])
         target = reward + novelty + self.discount * value
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
@@ -736,6 +739,7 @@ frozen = None
 ### BEGIN SOLUTION
 mine = {"optimistic": lambda lake: QLearning.create(lake, discount=0.9, initial_value=1.0)}
 frozen = repeat(lake, {**METHODS, **mine}, 20_000, repetitions=5)
+# own: frozen = repeat(lake, {{**METHODS, **mine}}, 20_000, repetitions=5, seed={experiment_seed})
 ### END SOLUTION
 
 # %% tags=["check"]

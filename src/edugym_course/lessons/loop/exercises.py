@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -11,13 +11,38 @@ from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.one_step import Q_LEARNING
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
 from edugym_course.lessons.loop.exact import discounted
 
+After = Annotated[
+    float,
+    Own(
+        tuple(range(3, 63)),
+        "In your version the list of rewards is cut off before the end of the episode, and the return after the last"
+        " reward is {after}, not 0.",
+    ),
+]
+Margin = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(5, 65)),
+        "In your version a value that is at most {margin} below the highest counts as the highest too.",
+    ),
+]
+Cost = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(1, 61)),
+        "Your agent is in a hurry: in your version the reward less {cost} stands in the update, in its place."
+        " So its line in the race below lies only near that of Q-learning.",
+    ),
+]
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the return of a list of rewards."""
+
+def exercise_1(answer: Any, seed: int, after: After = 0) -> str:
+    """Check the return of a list of rewards, with what comes after the last of them."""
     require_function("discounted_return", answer, "rewards and discount")
     rng = np.random.default_rng(seed)
     cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25), ([3.0, 0.0, -4.0, 0.0, 2.0], 0.5)]
@@ -28,7 +53,7 @@ def exercise_1(answer: Any, seed: int) -> str:
             NumberCase(
                 _call(rewards, discount),
                 _found(answer, rewards, discount),
-                discounted(np.array(rewards), discount),
+                discounted(np.array([*rewards, after]), discount),
                 _return_mistakes(rewards, discount),
             )
             for rewards, discount in cases
@@ -103,8 +128,8 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
     }
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check ε-greedy with ties broken at random."""
+def exercise_2(answer: Any, seed: int, margin: Margin = 0) -> str:
+    """Check ε-greedy with ties broken at random; values that are little below the highest tie with it."""
     require_function("choose", answer, "values, epsilon and rng")
     _uses_the_generator(answer)
     rng = np.random.default_rng(seed)
@@ -122,13 +147,19 @@ def exercise_2(answer: Any, seed: int) -> str:
         (rng.permutation([-2.0, 1.0, 5.0]).tolist(), 0.3),
         (rng.permutation([-2.0, 0.5, 0.5, -1.0, 0.25]).tolist(), 0.5),
     ]
+    if margin:
+        near, far = (
+            round(3.0 - margin + 0.025, 3),
+            round(3.0 - margin - 0.025, 3),
+        )  # between two margins that may be had
+        cases += [(rng.permutation([3.0, near, far, -9.0]).tolist(), epsilon) for epsilon in (0.0, 0.5)]
     for numbers, epsilon in cases:
         values = np.array(numbers)
         check_choices(
             "choose(values, epsilon, rng)",
             partial(_chosen, answer, values, epsilon),
-            _probabilities(values, epsilon),
-            _choice_mistakes(values, epsilon),
+            _probabilities(values, epsilon, margin),
+            _choice_mistakes(values, epsilon, margin),
             tables={"values": values},
             where=f"with values = {numbers} and epsilon = {epsilon}",
         )
@@ -154,16 +185,16 @@ def _chosen(answer: Callable[..., Any], values: Any, epsilon: float, rng: np.ran
     return answer(values, epsilon, rng)
 
 
-def _probabilities(values: Any, epsilon: float) -> list[float]:
+def _probabilities(values: Any, epsilon: float, margin: float) -> list[float]:
     """Return the probability of each action by ε-greedy."""
-    best = values == values.max()
+    best = values >= values.max() - margin
     shares: list[float] = (epsilon / len(values) + (1 - epsilon) * best / best.sum()).tolist()
     return shares
 
 
-def _choice_mistakes(values: Any, epsilon: float) -> dict[str, list[float]]:
+def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, list[float]]:
     """Return the probabilities that the usual mistakes give."""
-    n, best = len(values), values == values.max()
+    n, best = len(values), values >= values.max() - margin
     actions = np.arange(n)
     uniform, greedy = np.full(n, 1 / n), best / best.sum()
     first, last = np.eye(n)[int(values.argmax())], np.eye(n)[n - 1 - int(values[::-1].argmax())]
@@ -203,8 +234,8 @@ def _choice_mistakes(values: Any, epsilon: float) -> dict[str, list[float]]:
     return found
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of an agent whose `learn` is Q-learning."""
+def exercise_3(answer: Any, seed: int, cost: Cost = 0) -> str:
+    """Check the class of an agent whose `learn` is Q-learning, on rewards less a cost."""
     require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
     for shape in ((6, 3), (5, 2), (7, 4)):
@@ -213,5 +244,5 @@ def exercise_3(answer: Any, seed: int) -> str:
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
         }
         make = partial(agent_with_table, "MyAgent", answer, shape, settings)
-        Q_LEARNING.check(make, shape, settings, seed)
+        Q_LEARNING.check(make, shape, settings | {"extra": -cost}, seed)
     return "Right: that is all of Q-learning. See it race:"

@@ -674,6 +674,7 @@ def smallest_error(v, gamma):
     """Return the error of a bump above which to bump for ever seems better than a way that is worth v."""
     ### BEGIN SOLUTION
     return 1 + (1 - gamma) * v
+    # own: return {cost} + (1 - gamma) * v
     ### END SOLUTION
 
 
@@ -772,6 +773,7 @@ class DynaPlus(NamedTuple):
         if self.last[s, a] == 0:
             reward, next_state, ended = 0.0, s, False
         bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+        # own: bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** {power}
         value = 0.0 if ended else max(self.Q[next_state])
         return reward + bonus + self.discount * value
         ### END SOLUTION
@@ -865,6 +867,7 @@ class MyRMax(NamedTuple):
                 if self.known[s, a] == 1:
                     value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
                     new = self.rewards[s, a] + self.discount * value
+                    # own: new = self.rewards[s, a] - {cost} + self.discount * value
                     largest = max(largest, abs(new - self.Q[s, a]))
                     self.Q[s, a] = new
         return largest
@@ -903,6 +906,7 @@ lake_results = None
 ### BEGIN SOLUTION
 mine = partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)
 lake_results = repeat(lake, {**methods, "expected updates": mine}, 3_000, repetitions=5, evaluation_episodes=10)
+# own: lake_results = repeat(lake, {{**methods, "expected updates": mine}}, 3_000, repetitions=5, evaluation_episodes=10, seed={experiment_seed})
 ### END SOLUTION
 
 # %% tags=["check"]

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import gymnasium
 import numpy as np
@@ -16,6 +16,7 @@ from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.results import check_results
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
@@ -31,58 +32,86 @@ from edugym_course.lessons.exploration.methods import (
     OPTIMIST,
 )
 
-HEIGHT = 100  # of the wall in exercise 1
-EPSILON = 2 * (1 - 0.5 ** (1 / HEIGHT))
+Height = Annotated[int, Own(tuple(range(60, 161)), "Your wall has height {height}, not 100.")]
+Start = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(21, 81)),
+        "In your version all values start at {start}, not at 1.",
+    ),
+]
+Power = Annotated[
+    float,
+    Own(
+        tuple(k / 100 for k in range(20, 81) if k != 50),
+        "In your version the bonus fades with another power of the visits: it is $\\beta / n(S')^{{{power}}}$, not"
+        " $\\beta / \\sqrt{{n(S')}}$.",
+    ),
+]
+ExperimentSeed = Annotated[
+    int | None,
+    Own(
+        tuple(range(1000, 10_000)),
+        "Your runs have a seed of their own: give `repeat` also `seed={experiment_seed}`.",
+    ),
+]
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the largest ε with which half of the climbs reach the top of a wall of height 100."""
+def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
+    """Check the largest ε with which half of the climbs reach the top of a wall."""
+    right = _epsilon(height)
     mistakes = {
         "that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the"
-        " time": EPSILON / 2,
-        "that is ln 2/50, an approximation which is a little too large; solve (1 − ε/2)^100 = 1/2 exactly": math.log(2)
-        / 50,
-        "100 steps that go wrong with probability ε/2 do not add up to 100 · ε/2; multiply the probabilities that they"
-        " go right": 0.01,
-        "the probabilities of 100 steps do not add up; multiply the probabilities that they go right": 0.005,
-        "that is for 99 steps; from the ground, position 0, to the top, position 100, there are 100": _epsilon(99),
-        "that is for 101 steps; from the ground, position 0, to the top, position 100, there are 100": _epsilon(101),
-        "that is for a wall of height 30, and this one has 100": _epsilon(30),
-        "that is the probability of a *right* step": 0.5 ** (1 / HEIGHT),
-        "a step goes right with probability 1 − ε/2, not ε/2": 2 * 0.5 ** (1 / HEIGHT),
-        "that is in percent; a probability lies between 0 and 1": 100 * EPSILON,
-        "of two grips a random action takes the wrong one with probability 1/2, not 2/3": 0.75 * EPSILON,
-        "natural and decimal logarithms are mixed up": 2 * (1 - 10 ** (math.log(0.5) / HEIGHT)),
-        "the sign is wrong: ε is a probability": -EPSILON,
+        " time": right / 2,
+        f"that is ln 2/{height / 2:g}, an approximation which is a little too large; solve (1 − ε/2)^{height} = 1/2"
+        " exactly": math.log(2) / (height / 2),
+        f"{height} steps that go wrong with probability ε/2 do not add up to {height} · ε/2; multiply the"
+        " probabilities that they go right": 1 / height,
+        f"the probabilities of {height} steps do not add up; multiply the probabilities that they go right": 0.5
+        / height,
+        **{
+            f"that is for {steps} steps; from the ground, position 0, to the top, position {height}, there are"
+            f" {height}": _epsilon(steps)
+            for steps in (height - 1, height + 1)
+        },
+        f"that is for a wall of height 30, and this one has {height}": _epsilon(30),
+        "that is the probability of a *right* step": 0.5 ** (1 / height),
+        "a step goes right with probability 1 − ε/2, not ε/2": 2 * 0.5 ** (1 / height),
+        "that is in percent; a probability lies between 0 and 1": 100 * right,
+        "of two grips a random action takes the wrong one with probability 1/2, not 2/3": 0.75 * right,
+        "natural and decimal logarithms are mixed up": 2 * (1 - 10 ** (math.log(0.5) / height)),
+        "the sign is wrong: ε is a probability": -right,
         "that is the value with which the cell began": 0.1,
     }
 
     def says(epsilon: float) -> str:
         if not 0 <= epsilon <= 1:
             return f"ε = {digits(epsilon, 0.0)} is no probability"
-        return f"with ε = {digits(epsilon, EPSILON)}, {(1 - epsilon / 2) ** HEIGHT:.2%} of the climbs reach the top"
+        return f"with ε = {digits(epsilon, right)}, {(1 - epsilon / 2) ** height:.2%} of the climbs reach the top"
 
     found = number("epsilon", answer)
-    close = abs(found / EPSILON - 1) < 0.02
-    otherwise = "half should, so ε must be " + ("smaller" if found > EPSILON else "larger")
+    close = abs(found / right - 1) < 0.02
+    otherwise = "half should, so ε must be " + ("smaller" if found > right else "larger")
     compare(
         "epsilon",
         answer,
-        EPSILON,
+        right,
         mistakes,
         tolerance=2e-5,
         says=says,
         otherwise=f"{otherwise}, by a little: give four digits or more" if close else otherwise,
     )
-    return "Right: ε = 1.38 % is little, and yet one wrong grip in 145 costs half of the climbs."
+    return (
+        f"Right: ε = {100 * right:.3g} % is little, and yet one wrong grip in {2 / right:.0f} costs half of the climbs."
+    )
 
 
 def _epsilon(height: int) -> float:
     return float(2 * (1 - 0.5 ** (1 / height)))
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the function that makes a greedy Q-learning agent with all values at 1."""
+def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
+    """Check the function that makes a greedy Q-learning agent with all values at 1, or at another start."""
     if not isinstance(answer, type) or issubclass(answer, tuple):  # a plain class can be called with the wall as well
         require_function("optimist", answer, "the wall that returns an agent")
     rng = np.random.default_rng(seed)
@@ -98,9 +127,9 @@ def exercise_2(answer: Any, seed: int) -> str:
             compare(
                 f"every value in Q[{state}]",
                 value,
-                1.0,
+                start,
                 {f"that is the usual first value: `create` has a setting `initial_value`{other_kind}": 0.0},
-                otherwise="all values should start at 1",
+                otherwise=f"all values should start at {start:g}",
             )
         epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
         if epsilon != 0.0:
@@ -141,7 +170,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     )
 
 
-def exercise_3(answer: Any, seed: int) -> str:
+def exercise_3(answer: Any, seed: int, power: Power = 0.5) -> str:
     """Check the class of an explorer that tries what it has not tried, and learns with a novelty reward."""
     require_class("MyExplorer", answer)
     rng = np.random.default_rng(seed)
@@ -154,7 +183,7 @@ def exercise_3(answer: Any, seed: int) -> str:
             "bonus": float(rng.choice([1.5, 3.0, 5.0])),
         }
         make = partial(_explorer, answer, wall, settings)
-        EXPLORER.check(make, (height + 1, n_grips), settings, seed)
+        EXPLORER.check(make, (height + 1, n_grips), settings | {"power": power}, seed)
         check_act(make(), n_grips)
     return (
         "Right: counting tries says what is new here, the bonus says where to go, and no random step is needed. "
@@ -167,7 +196,7 @@ def _explorer(answer: Any, wall: Any, settings: Mapping[str, float]) -> Any:
     return with_settings("MyExplorer", agent_created_by("MyExplorer", answer, "wall", wall), settings, "learn")
 
 
-def exercise_4(answer: Any, seed: int) -> str:
+def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -> str:
     """Check the results of the three methods, and of one more, on a frozen lake."""
     lake = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
     asked = {
@@ -176,7 +205,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         "environment.is_slippery": False,
         "n_steps": N_STEPS,
         "repetitions": 5,
-    }
+    } | ({} if experiment_seed is None else {"experiment_seed": experiment_seed})
     results = check_results("frozen", answer, asked=asked, methods=METHODS, environment=lake)
     own = [label for label in results.methods if label not in METHODS]
     if not own:

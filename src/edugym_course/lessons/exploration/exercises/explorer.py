@@ -29,9 +29,10 @@ def explorer_update(
     looks_up: str = "entered",
     late: bool = False,
     least: int = 0,
+    power: float = 0.5,
     **one_step: Any,
 ) -> None:
-    """Count, and apply Q-learning on the reward plus β/√n; other arguments than the defaults are mistakes."""
+    """Count, and apply Q-learning on the reward plus β/n^power; other arguments than the defaults are mistakes."""
     state, action, next_state = now.state, now.action, now.next_state
     n_states, n_actions = tables["tries"].shape
     old_count = _count(tables, looks_up, now)
@@ -42,19 +43,19 @@ def explorer_update(
         tables["tries"][{"taken": (state, action), "next": (next_state, action), "swapped": swapped}[tries]] += 1
     n = max(old_count, least) if late else _count(tables, looks_up, now)
     share = {
-        "1/√n": 1 / np.sqrt(n),
+        "1/√n": 1 / np.float64(n) ** power,
         "1/n": 1 / np.float64(n),
         "1/n/2": 1 / np.float64(n) / 2,
-        "√(β/n)": 1 / np.sqrt(bonus * n),
-        "outside": 1 / np.sqrt(n) / one_step["learning_rate"],
-        "discounted": one_step["discount"] / np.sqrt(n),
+        "√(β/n)": (bonus / np.float64(n)) ** power / bonus,
+        "outside": 1 / np.float64(n) ** power / one_step["learning_rate"],
+        "discounted": one_step["discount"] / np.float64(n) ** power,
         "√n": np.sqrt(n),
         "1/√(n+1)": 1 / np.sqrt(n + 1),
         "constant": 1.0,
         "first visit": float(n == 1),
-        "minus": -1 / np.sqrt(n),
+        "minus": -1 / np.float64(n) ** power,
         "none": 0.0,
-        "not at the end": 0.0 if now.terminated else 1 / np.sqrt(n),
+        "not at the end": 0.0 if now.terminated else 1 / np.float64(n) ** power,
     }
     one_step_update(tables, now, extra=bonus * share[novelty], **one_step)
 

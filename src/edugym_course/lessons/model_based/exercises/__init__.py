@@ -1,7 +1,7 @@
 """The exercises of lesson 9: an error that pays, Dyna-Q+, R-max, another lake."""
 
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import gymnasium
 
@@ -10,6 +10,7 @@ from edugym.system.packages import is_ours
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.results import check_results
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare
@@ -22,36 +23,53 @@ ENOUGH = 0.15
 """A share of goals that averaging reaches and luck does not: rates of 1 with sampled updates get 0.07 at most."""
 
 
-def exercise_1(answer: Any, seed: int) -> str:
+Cost = Annotated[
+    float,
+    Own(tuple(k / 4 for k in range(8, 48)), "In your shop every step costs {cost}, and so does a bump: not 1."),
+]
+ExperimentSeed = Annotated[
+    int | None,
+    Own(
+        tuple(range(1000, 10_000)),
+        "Your runs have a seed of their own: give `repeat` also `seed={experiment_seed}`.",
+    ),
+]
+
+
+def exercise_1(answer: Any, seed: int, cost: Cost = 1.0) -> str:
     """Check the error from which bumping into a wall for ever looks better than anything else."""
     require_function("smallest_error", answer, "v and gamma")
     for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875), (48.0, 1 - 2**-9)):  # the last adds up slowly
         with student_code(f"smallest_error({v:g}, {gamma})"):
             found = answer(v, gamma)
-        right = 1 + (1 - gamma) * v
+        right = cost + (1 - gamma) * v
         compare(
             f"smallest_error({v:g}, {gamma})",
             found,
             right,
             {
-                "the step costs 1, which the error has to pay first: the reward of a bump seems to be e − 1": right - 1,
-                "the cost of the step is −1, so solve e − 1 = (1 − γ) v for e: it adds 1": right - 2,
-                "bumping for ever is worth the reward *divided* by 1 − γ": 1 + v / (1 - gamma),
-                "that leaves the future out: one bump alone need not be worth v, for it is followed by more": 1 + v,
-                "that compares with γ v; compare with v, what the best way is worth from here": 1 + gamma * v,
-                "that is what bumping is worth without an error, −1/(1 − γ)": -1 / (1 - gamma),
-                "that solves e/(1 − γ) − 1 = v: the cost of 1 comes with every bump": (1 - gamma) * (v + 1),
+                f"the step costs {cost:g}, which the error has to pay first: the reward of a bump seems to be"
+                f" e − {cost:g}": right - cost,
+                f"the cost of the step is −{cost:g}, so solve e − {cost:g} = (1 − γ) v for e: it adds {cost:g}": right
+                - 2 * cost,
+                "bumping for ever is worth the reward *divided* by 1 − γ": cost + v / (1 - gamma),
+                "that leaves the future out: one bump alone need not be worth v, for it is followed by more": cost + v,
+                "that compares with γ v; compare with v, what the best way is worth from here": cost + gamma * v,
+                f"that is what bumping is worth without an error, −{cost:g}/(1 − γ)": -cost / (1 - gamma),
+                f"that solves e/(1 − γ) − {cost:g} = v: the cost of {cost:g} comes with every bump": (1 - gamma)
+                * (v + cost),
                 "that is v itself": v,
-                "that is 1, the error from which a bump pays at all; it must pay more than leaving": 1.0,
-                "the sign of γ is wrong: the sum 1 + γ + γ² + ... is 1/(1 − γ)": 1 + (1 + gamma) * v,
-                "the cost is subtracted twice": 1 + (1 - gamma) * (v + 1),
-                "that is 1 − (1 − γ) v: the two terms add up": 1 - (1 - gamma) * v,
-                "only the first three bumps are counted, and there is no end to them": 1 + v / (1 + gamma + gamma**2),
+                f"that is {cost:g}, the error from which a bump pays at all; it must pay more than leaving": cost,
+                "the sign of γ is wrong: the sum 1 + γ + γ² + ... is 1/(1 − γ)": cost + (1 + gamma) * v,
+                "the cost is subtracted twice": cost + (1 - gamma) * (v + cost),
+                f"that is {cost:g} − (1 − γ) v: the two terms add up": cost - (1 - gamma) * v,
+                "only the first three bumps are counted, and there is no end to them": cost
+                + v / (1 + gamma + gamma**2),
                 "only 500 bumps are counted, as in an episode; the plan knows no step limit": (
-                    1 + v * (1 - gamma) / (1 - gamma**500)
+                    cost + v * (1 - gamma) / (1 - gamma**500)
                 ),
             },
-            otherwise="solve (e − 1)/(1 − γ) = v for e",
+            otherwise=f"solve (e − {cost:g})/(1 − γ) = v for e",
         )
     return "Right: the larger γ is, the smaller an error is enough, since a far-sighted plan adds up more bumps."
 
@@ -63,7 +81,7 @@ def plans(agent: Any) -> bool:
     return hasattr(agent, "model") and agent.planning != Updates(0.0)
 
 
-def exercise_4(answer: Any, seed: int) -> str:
+def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -> str:
     """Check the results of three methods, and of one more, on the slippery lake."""
     lake = gymnasium.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
     asked = {
@@ -73,7 +91,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         "n_steps": LAKE_STEPS,
         "repetitions": 5,
         "evaluation_episodes": 10,
-    }
+    } | ({} if experiment_seed is None else {"experiment_seed": experiment_seed})
     methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}
     results = check_results("lake_results", answer, asked=asked, methods=methods, environment=lake)
     own = [label for label in results.methods if label not in methods]

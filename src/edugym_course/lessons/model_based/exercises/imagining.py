@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
@@ -19,6 +20,7 @@ def imagined(
     *,
     discount: float,
     kappa: float,
+    power: float = 0.5,
     root: str = "√τ",
     since: str = "now − last",
     ends: str = "heeded",
@@ -33,13 +35,13 @@ def imagined(
     tried = last > 0
     tau = {"now − last": case.now - last, "last": last, "now": case.now, "one more": case.now - last + 1}[since]
     bonus = {
-        "√τ": kappa * np.sqrt(tau),
+        "√τ": kappa * tau**power,
         "τ": kappa * tau,
         "κ inside": np.sqrt(kappa * tau),
-        "minus": -kappa * np.sqrt(tau),
+        "minus": -kappa * tau**power,
         "none": 0.0,
-        "tried": kappa * np.sqrt(tau) if tried else 0.0,
-        "untried": 0.0 if tried else kappa * np.sqrt(tau),
+        "tried": kappa * tau**power if tried else 0.0,
+        "untried": 0.0 if tried else kappa * tau**power,
     }[root]
     stored = case.rewards[s, a], case.next_states[s, a], case.ends[s, a] == 1
     known = {
@@ -113,20 +115,31 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
 SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.75, "kappa": 2.0})
 
 
-def exercise_2(answer: Any, seed: int) -> str:
+Power = Annotated[
+    float,
+    Own(
+        tuple(k / 100 for k in range(20, 81) if k != 50),
+        "In your version the bonus grows with another power of the time: it is $\\kappa \\tau^{{{power}}}$, not"
+        " $\\kappa \\sqrt{{\\tau}}$.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, power: Power = 0.5) -> str:
     """Check the imagined target of Dyna-Q+."""
     agent = agent_with("DynaPlus", answer, SETTINGS, "imagine")
     if not hasattr(agent, "imagine"):
         raise WrongAnswer("DynaPlus should have the method `imagine`")
     cases = [*memories(seed)]
-    right = [imagined(case, **SETTINGS) for case in cases]
+    rule = {**SETTINGS, "power": power}
+    right = [imagined(case, **rule) for case in cases]
     found = [_imagined_by(agent, case) for case in cases]
     wrong = [k for k in range(len(cases)) if not same(found[k], right[k])]
     if wrong:
         why = mistake_that_fits(
             IMAGINED_MISTAKES,
             lambda change: all(
-                same(imagined(case, **{**SETTINGS, **change}), mine) for case, mine in zip(cases, found, strict=True)
+                same(imagined(case, **{**rule, **change}), mine) for case, mine in zip(cases, found, strict=True)
             ),
         )
         case, mine, expected = cases[wrong[0]], found[wrong[0]], right[wrong[0]]

@@ -3,13 +3,14 @@
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
 from edugym_course.grading.agents import learn_step
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
@@ -34,6 +35,7 @@ def swept(
     model: Model,
     *,
     discount: float,
+    cost: float = 0.0,
     ends: str = "heeded",
     unknown: str = "left",
     backup: str = "max",
@@ -42,6 +44,7 @@ def swept(
     """Return the values that sweeps of R-max settle at; other arguments than the defaults are mistakes."""
     Q, known = model.Q.copy(), model.known
     for _ in range(SETTLED):
+        before = Q.copy()
         for s, a in np.ndindex(*SHAPE):
             if (not known[s, a] and unknown == "left") or (unknown == "only" and known[s, a]):
                 continue
@@ -52,7 +55,7 @@ def swept(
             value = {"max": row.max(), "mean": row.mean(), "own": Q[s].max(), "same": row[a], "none": 0.0}[backup]
             if model.ends[s, a] == 1 and ends == "heeded":
                 value = 0.0
-            reward = model.rewards[s, a]
+            reward = model.rewards[s, a] - cost
             Q[s, a] = {
                 "all": reward + discount * value,
                 "all discounted": discount * (reward + value),
@@ -60,6 +63,8 @@ def swept(
                 "added": Q[s, a] + reward + discount * value,
                 "minus": reward - discount * value,
             }[target]
+        if np.array_equal(Q, before):
+            break
     return Q
 
 
@@ -86,17 +91,28 @@ SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
 )
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check R-max: what it remembers, and how it sweeps."""
-    _check_sweep(answer, seed)
-    _check_learn(answer, seed)
+Cost = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(1, 61)),
+        "Your agent is in a hurry: in your version `learn` remembers the reward as it is, but in `sweep` the reward"
+        " less {cost} stands in its place.",
+    ),
+]
+
+
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check R-max: what it remembers, and how it sweeps, with a cost of each step that is its own."""
+    rule = {**SETTINGS, "cost": cost}
+    _check_sweep(answer, seed, rule)
+    _check_learn(answer, seed, rule)
     return (
         "Right: the unknown is worth U, so the way to it is planned like any other way. In the race its policy goes on"
         " exploring, since it has one table only, until all that matters is known; then it jumps to the optimum:"
     )
 
 
-def _check_sweep(answer: Any, seed: int) -> None:
+def _check_sweep(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
     rng = np.random.default_rng(seed)
     for _ in range(3):
         agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng)
@@ -109,7 +125,7 @@ def _check_sweep(answer: Any, seed: int) -> None:
             changes = agent.Q - model.Q
             for _ in range(SETTLED - 1):
                 last = agent.sweep()
-        _check_values(agent.Q.copy(), model)
+        _check_values(agent.Q.copy(), model, rule)
         for name, values in model._asdict().items():
             if name != "Q" and not np.array_equal(getattr(agent, name), values):
                 raise WrongAnswer(f"sweep() changes the table `{name}`: planning changes Q only")
@@ -133,9 +149,9 @@ def _some_model(rng: np.random.Generator) -> Model:
     return Model(Q, known, rewards, next_states, ends)
 
 
-def _check_values(found: Any, model: Model) -> None:
+def _check_values(found: Any, model: Model, rule: Mapping[str, Any]) -> None:
     """Check the values after many sweeps."""
-    right = swept(model, **SETTINGS)
+    right = swept(model, **rule)
     wrong = np.argwhere(~np.isclose(found, right, atol=1e-6))
     if not len(wrong):
         return
@@ -149,7 +165,7 @@ def _check_values(found: Any, model: Model) -> None:
             " `for`"
         )
     else:
-        why = mistake_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model))
+        why = mistake_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model, rule))
     s, a = wrong[0]
     what = "known" if model.known[s, a] else "not known"
     raise WrongAnswer(
@@ -158,9 +174,9 @@ def _check_values(found: Any, model: Model) -> None:
     )
 
 
-def _sweeps_to(found: Any, model: Model, change: Mapping[str, Any]) -> bool:
+def _sweeps_to(found: Any, model: Model, rule: Mapping[str, Any], change: Mapping[str, Any]) -> bool:
     """Whether a mistake gives the values that were found."""
-    return np.allclose(swept(model, **{**SETTINGS, **change}), found, atol=1e-6, rtol=1e-6)
+    return np.allclose(swept(model, **{**rule, **change}), found, atol=1e-6, rtol=1e-6)
 
 
 def _check_largest(found: float, changes: Any, known: Any) -> None:
@@ -185,7 +201,7 @@ def _check_largest(found: float, changes: Any, known: Any) -> None:
 NOT_PLANNED = "a new pair is known now, so `learn` should call self.plan(), which sweeps until nothing changes"
 
 
-def _check_learn(answer: Any, seed: int) -> None:
+def _check_learn(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
     rng = np.random.default_rng(seed + 100)
     agent = agent_with("MyRMax", answer, SETTINGS, "sweep")
     names = ("known", "rewards", "next_states", "ends")
@@ -217,7 +233,7 @@ def _check_learn(answer: Any, seed: int) -> None:
             _compare_memory(agent, name, seen[name], call, (state, action), next_state, again)
         if again and not np.array_equal(agent.Q, unmended):
             raise WrongAnswer(f"after {call} Q changes: that pair was known already, so `learn` need not plan again")
-        right = unmended if again else _planned(seen)
+        right = unmended if again else _planned(seen, rule)
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-2))
         if not len(wrong):
             continue
@@ -227,7 +243,7 @@ def _check_learn(answer: Any, seed: int) -> None:
             # Either it never plans, or it plans before the new pair is known: the next steps tell.
             unplanned = unplanned or what
             continue
-        late = [name for name in names if np.allclose(agent.Q, _planned({**seen, name: before[name]}), atol=1e-2)]
+        late = [name for name in names if np.allclose(agent.Q, _planned({**seen, name: before[name]}, rule), atol=1e-2)]
         if late:
             hint = f"`{late[0]}` is set only after self.plan(), which cannot use it then: remember first, and plan last"
             raise WrongAnswer(f"{unplanned or what}{hint}")
@@ -236,9 +252,9 @@ def _check_learn(answer: Any, seed: int) -> None:
         raise WrongAnswer(f"{unplanned}{NOT_PLANNED}")
 
 
-def _planned(seen: Mapping[str, Any]) -> Any:
+def _planned(seen: Mapping[str, Any], rule: Mapping[str, Any]) -> Any:
     """Return the values of a plan with what was seen, from U everywhere."""
-    return swept(Model(Q=np.full(SHAPE, 100.0), **seen), **SETTINGS)
+    return swept(Model(Q=np.full(SHAPE, 100.0), **seen), **rule)
 
 
 def _compare_memory(

@@ -1,0 +1,122 @@
+"""Numbers of a student's own: every exercise that declares them, its solutions, and what is said of a copied answer."""
+
+import inspect
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import build
+import pytest
+from rules import is_exercise, without_marks
+
+from edugym_course.grading import WrongAnswer, check
+from edugym_course.grading.own_numbers import (
+    draw_numbers,
+    numbers_of_others,
+    ordinary_numbers,
+    own_parameters,
+    passes,
+    told,
+)
+from edugym_course.teaching.assignment import tasks_of
+from edugym_course.teaching.marks import with_own_numbers
+from tests.course.lessons.answers import read_exercises
+
+WITHOUT = {
+    **dict.fromkeys(["02_on_off_policy", "03_depth", "04_dimensionality", "05_memory", "06_signal"], 3),
+    **dict.fromkeys(["07_continuous_actions", "08_stochasticity"], 3),
+    "10_own_problem": 4,
+}
+"""The lessons, and how many exercises of each, that have no numbers of a student's own."""
+
+SOURCES = build.lesson_sources()
+OWN = [
+    pytest.param(name, number, marks=[pytest.mark.slow] * (number == 4), id=f"{name}-{number}")
+    for name in SOURCES
+    if name not in WITHOUT
+    for number in range(1, 1 + len(read_exercises(SOURCES[name])[1]))
+]
+
+
+@cache
+def exercise_of(lesson: str, number: int) -> tuple[Callable[..., str], str, str, str]:
+    """The check of an exercise, the name of its answer, its solution with marks, and what runs before it."""
+    cells = build.read_lesson(SOURCES[lesson]).cells
+    task = tasks_of(build.teacher_edition(build.read_lesson(SOURCES[lesson])))[number - 1]
+    return (
+        task.check(),
+        task.answer,
+        [*filter(is_exercise, cells)][number - 1].source,
+        read_exercises(SOURCES[lesson])[0],
+    )
+
+
+def solved(lesson: str, number: int, numbers: dict[str, Any]) -> Any:
+    """The solution of an exercise for a student's numbers."""
+    _, answer, source, imports = exercise_of(lesson, number)
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    exec(imports, namespace)
+    exec(without_marks(with_own_numbers(source, numbers) if numbers else source), namespace)
+    return eval(answer, namespace)
+
+
+def test_which_exercises_have_numbers_of_their_own() -> None:
+    """All of lessons 0, 1 and 9; none of the others, whose checks draw cases of a student's own."""
+    without = {}
+    for name, source in SOURCES.items():
+        tasks = tasks_of(build.teacher_edition(build.read_lesson(source)))
+        none = sum(not own_parameters(task.check()) for task in tasks)
+        if none:
+            without[name] = none
+            assert none == len(tasks)
+    assert without == WITHOUT
+
+
+@pytest.mark.parametrize(("lesson", "number"), OWN)
+def test_an_answer_is_right_for_one_student(lesson: str, number: int) -> None:
+    """With her numbers the solution is right, with any seed; it is wrong for those of others and for ordinary ones."""
+    exercise, *_ = exercise_of(lesson, number)
+    (name, own), *_ = own_parameters(exercise).items()
+    assert len({*own.values}) == len(own.values) >= 40
+    some = own.values[:: len(own.values) // 2] if number < 4 else own.values[:1]  # exercises 4 train for half a minute
+    for place, value in enumerate(some):
+        answer = solved(lesson, number, {name: value})
+        for seed in (0, 77_777, 2**31):
+            assert passes(exercise, answer, seed, {name: value})
+        next_value = own.values[own.values.index(value) + (1 if place == 0 else -1)]
+        for wrong in ({name: next_value}, ordinary_numbers(exercise)):
+            assert not wrong or not passes(exercise, answer, 5, wrong)
+    assert passes(exercise, solved(lesson, number, {}), 5, ordinary_numbers(exercise))
+
+
+@pytest.mark.parametrize(("lesson", "number"), OWN)
+def test_a_copied_answer_is_told_kindly(lesson: str, number: int) -> None:
+    """The check names the number for which it is right, and the student's own."""
+    exercise, *_ = exercise_of(lesson, number)
+    (name, own), *_ = own_parameters(exercise).items()
+    theirs, hers = own.values[3], own.values[-2]
+    answer = solved(lesson, number, {name: theirs})
+    with pytest.raises(WrongAnswer) as refused:
+        check(exercise, answer, seed=9, **{name: hers})
+    assert f"right for {name} = {theirs}, and yours is {name} = {hers}" in str(refused.value)
+    assert str(hers) in told(exercise, {name: hers})
+
+
+def an_exercise(answer: Any, seed: int) -> str:
+    """Nothing is declared."""
+    return "Right."
+
+
+def test_an_exercise_that_declares_nothing() -> None:
+    """It has no numbers, and nothing to tell."""
+    assert list(inspect.signature(an_exercise).parameters) == ["answer", "seed"]
+    assert (draw_numbers(an_exercise, b"key"), told(an_exercise, {}), ordinary_numbers(an_exercise)) == ({}, "", {})
+    assert numbers_of_others(an_exercise, 1, 0, {}) == {}
+
+
+def test_numbers_depend_on_the_key() -> None:
+    """The same for the same key, and many different ones for many keys."""
+    exercise, *_ = exercise_of("01_exploration", 1)
+    drawn = [draw_numbers(exercise, bytes([key]))["height"] for key in range(200)]
+    assert drawn == [draw_numbers(exercise, bytes([key]))["height"] for key in range(200)]
+    assert len({*drawn}) > 70
