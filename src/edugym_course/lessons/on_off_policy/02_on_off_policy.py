@@ -127,7 +127,7 @@ play("Roadrunner")
 # %%
 road, rng = tabular(gym.make("edugym/Roadrunner-v0")), np.random.default_rng(0)
 agent = SARSA.create(road, learning_rate=0.1, discount=1.0)
-for episode in range(500):
+for _ in range(500):
     (state, info), total, terminated, truncated = road.reset(), 0, False, False
     action = agent.act(state, rng)
     while not (terminated or truncated):

@@ -429,7 +429,8 @@ for level in (0.0, 0.015):
     for n_steps in (1_000, 30_000, 300_000):
         runs = methods.learn(level=level, risks=methods.NEUTRAL_ONLY, n_steps=n_steps)
         print(
-            f"level {level:5g}, after {n_steps:6} steps: {drive.near_optimum(runs, level).mean():4.0%} of 30 runs are near"
+            f"level {level:5g}, after {n_steps:6} steps: {drive.near_optimum(runs, level).mean():4.0%}"
+            " of 30 runs are near"
         )
 
 # %% [markdown]
