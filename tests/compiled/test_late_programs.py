@@ -210,7 +210,7 @@ def test_tasks_made_at_random(seeds: range) -> None:
 def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
     """It is given up with a sentence, and the run goes on."""
     monkeypatch.setattr(compiler, "MOST_SECONDS", 0.0)
-    notebook = cell(WALK)
+    notebook = cell(WALK.replace("-0.25", "-0.75"))  # which no other test has compiled
     with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
         run = train(notebook["Walk"](5), QLearning.create((6, 2)), 6_000)
     assert run.complete

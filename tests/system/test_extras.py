@@ -43,6 +43,7 @@ for package in (edugym, edugym_course):
 """
 NEED_ONE = {
     *(f"edugym.compiled.{name}" for name in ("arithmetic", "compiler_pipelines", "draws", "interrupt_polling")),
+    *(f"edugym.compiled.{name}" for name in ("finite", "mixed_numbers", "number_kinds", "operations")),
     *(f"edugym.compiled.{name}" for name in ("random_generators", "typed_checks", "untyped_checks")),
     *(f"edugym.deep.{name}" for name in ("baselines", "curves", "ppo", "vec_env")),
     *("edugym_course.lessons.dimensionality.layers", "edugym_course.notebook"),
