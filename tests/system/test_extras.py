@@ -50,7 +50,7 @@ NEED_ONE = {
 }
 """The modules that are about a library, and are imported where that is there."""
 ROOT = Path(__file__).parents[2]
-PACKAGES = {"PIL": "matplotlib", "sb3_contrib": "sb3-contrib"}
+PACKAGES = {"PIL": "matplotlib", "IPython": "ipywidgets", "sb3_contrib": "sb3-contrib"}
 """What brings a library whose name is another one."""
 
 
