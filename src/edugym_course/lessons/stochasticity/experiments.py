@@ -52,6 +52,7 @@ from edugym_course.lessons.stochasticity.methods import (
 from edugym_course.lessons.stochasticity.noise import (
     AT_LEVELS,
     CAUSES,
+    EASIER,
     NEAR_THE_CROSSING,
     Causes,
     cause_claims,
@@ -83,7 +84,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         level: tuple(
             play(one, level=level) for one in (patient(level=level, **long), learn(risks=SEEKS, level=level, **long))
         )
-        for level in (LEVEL, NEAR_THE_CROSSING[0])
+        for level in (LEVEL, EASIER)
     }
     played = (play(seen), play(noisy, level=TOO_NOISY), play(hidden, observe_hits=False))
     return seen, noisy, by_level, causes, patience, *played
@@ -257,7 +258,7 @@ def hidden_claims(played: Mapping[str, Played]) -> list[Claim]:
             paired_difference(seeking.mean, neutral.mean),
             Above(0.005),
             "β = 2 makes up for another fault: many neutral runs avoid the drive, which is the best swing here",
-            (COSTS, gains_nothing(LEVEL), gains_nothing(NEAR_THE_CROSSING[0])),
+            (COSTS, gains_nothing(LEVEL), gains_nothing(EASIER)),
         ),
         Claim(
             "Where the agent does not see its hits, seeking players lose more balls than neutral ones",

@@ -14,7 +14,9 @@ AT_LEVELS = (0.0, 0.01, LEVEL, TOO_NOISY)
 """The levels at which the speed of learning is measured."""
 SOON = 1_000
 """The steps after which most runs without noise are near the optimum."""
-CAUSES = ((LEVEL, LEARNING_RATE), (0.0125, LEARNING_RATE), (LEVEL, LEARNING_RATE / 2))
+EASIER = 0.0125
+"""A level at which the drive is ahead by more."""
+CAUSES = ((LEVEL, LEARNING_RATE), (EASIER, LEARNING_RATE), (LEVEL, LEARNING_RATE / 2))
 """The levels and learning rates at which the rest of the game is what keeps runs from the drive."""
 NEAR_THE_CROSSING = 0.0165, LEARNING_RATE
 """A level and a learning rate at which bad luck is enough."""
