@@ -326,6 +326,10 @@ def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwar
     return call_within(math.inf, function, *args, **kwargs)
 
 
+MOST_SECONDS_TO_END = 10.0
+"""How long a function that is ended is waited for."""
+
+
 def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
     """The same with a limit, in seconds of processor time: then the function is ended, once it runs Python again.
 
@@ -357,6 +361,7 @@ def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwarg
             ctypes.pythonapi.PyThreadState_SetAsyncExc(
                 ctypes.c_ulong(thread.ident or 0), ctypes.py_object(TimeoutError)
             )
+            done.wait(MOST_SECONDS_TO_END)  # it may have silenced the warnings of all threads, as Numba does
             raise TimeoutError
     if raised:
         raise raised.pop()
