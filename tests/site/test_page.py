@@ -4,11 +4,7 @@ import importlib.util
 import json
 import os
 import shutil
-import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +13,7 @@ import pytest
 from races import RACES
 
 from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
+from tests.site.serving import served
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
 WIDE, PHONE = (1400, 1000), (390, 844)
@@ -34,20 +31,6 @@ WATCH = """
     const watch = new PerformanceObserver(list => list.getEntries().forEach(add))
     watch.observe({ type: 'layout-shift', buffered: true })
 """
-
-
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *args: Any) -> None:
-        """A test needs no log."""
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[str]:
-    """Serve a folder on this machine, and yield its address."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=folder)) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
 
 
 @pytest.fixture(scope="module")

@@ -5,13 +5,9 @@ import json
 import re
 import shutil
 import subprocess
-import threading
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
 from html.parser import HTMLParser
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -20,6 +16,7 @@ import playground
 import pytest
 
 from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
+from tests.site.serving import served
 
 PAGES = [
     "index",
@@ -107,20 +104,6 @@ def test_pages_load_nothing_from_another_host(site: Path, pages: dict[Path, Foun
     loads = [load for found in pages.values() for load in found.loads]
     loads += re.findall(r"url\(\s*['\"]?([^'\")]+)", "".join(file.read_text() for file in site.rglob("*.css")))
     assert not [load for load in loads if urlsplit(load).netloc]
-
-
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *args: Any) -> None:
-        """A test needs no log."""
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[str]:
-    """Serve a folder on this machine, and yield its address."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=folder)) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ import inspect
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, get_args
+from typing import Annotated, Any, get_args
 
 from edugym_course.grading.errors import TooSlow, Unsolved, WrongAnswer, only_verdicts
 from edugym_course.grading.student_code import student_code
@@ -37,6 +37,16 @@ class Own:
 
     values: tuple[Any, ...]
     text: str
+
+
+ExperimentSeed = Annotated[
+    int | None,
+    Own(
+        tuple(range(1000, 10_000)),
+        "Your runs have a seed of their own: give `repeat` also `seed={experiment_seed}`.",
+    ),
+]
+"""The seed of the runs that an exercise asks for; None for any, as in the ordinary lesson."""
 
 
 def own_parameters(exercise: Exercise) -> dict[str, Own]:

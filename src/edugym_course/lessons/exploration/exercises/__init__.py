@@ -16,7 +16,7 @@ from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.own_numbers import Own
+from edugym_course.grading.own_numbers import ExperimentSeed, Own
 from edugym_course.grading.results import check_results
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
@@ -46,13 +46,6 @@ Power = Annotated[
         tuple(k / 100 for k in range(20, 81) if k != 50),
         "In your version the bonus fades with another power of the visits: it is $\\beta / n(S')^{{{power}}}$, not"
         " $\\beta / \\sqrt{{n(S')}}$.",
-    ),
-]
-ExperimentSeed = Annotated[
-    int | None,
-    Own(
-        tuple(range(1000, 10_000)),
-        "Your runs have a seed of their own: give `repeat` also `seed={experiment_seed}`.",
     ),
 ]
 

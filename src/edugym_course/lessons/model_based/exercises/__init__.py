@@ -10,7 +10,7 @@ from edugym.system.packages import is_ours
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.own_numbers import Own
+from edugym_course.grading.own_numbers import ExperimentSeed, Own
 from edugym_course.grading.results import check_results
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare
@@ -26,13 +26,6 @@ ENOUGH = 0.15
 Cost = Annotated[
     float,
     Own(tuple(k / 4 for k in range(8, 48)), "In your shop every step costs {cost}, and so does a bump: not 1."),
-]
-ExperimentSeed = Annotated[
-    int | None,
-    Own(
-        tuple(range(1000, 10_000)),
-        "Your runs have a seed of their own: give `repeat` also `seed={experiment_seed}`.",
-    ),
 ]
 
 
