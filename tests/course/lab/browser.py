@@ -25,6 +25,10 @@ PATIENCE = 120
 LESSON_SECONDS = 300
 """The most seconds that all cells of a lesson may take; CONTRIBUTING.md says so too."""
 
+FAILED = """cell => cell.cell_type === 'code' && !cell.metadata.tags?.includes('raises-exception')
+            && cell.outputs.some(output => output.output_type === 'error')"""
+"""What is true of a cell that failed and may not; cells of students may."""
+
 
 def until(condition: Callable[[], Any], what: str, seconds: float = PATIENCE) -> Any:
     """Wait until a condition holds, and return its value."""
@@ -133,7 +137,9 @@ class Page:
         self.command("notebook:run-all-cells")  # ends with the first error, while other cells still wait for their turn
         cells = f"{PANEL}.content.model.sharedModel.toJSON().cells"
         has_run = "cell => cell.cell_type !== 'code' || cell.execution_count !== null"
-        until(lambda: self(f"{cells}.every({has_run})"), "all cells", LESSON_SECONDS)
+        failed = f"{cells}.filter({FAILED}).map(cell => cell.source + JSON.stringify(cell.outputs))"
+        until(lambda: self(f"{cells}.every({has_run})") or self(failed), "all cells", LESSON_SECONDS)
+        assert self(failed) == []  # an error in a cell that may not fail keeps all later ones from running
         until(lambda: self(f"{SESSION}.session.kernel.status === 'idle'"), "the kernel")
         return list(self(cells))
 

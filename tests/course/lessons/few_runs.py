@@ -74,7 +74,7 @@ def make_runs_up() -> None:
     measured = Prediction.measured
 
     def one_of_the_options(asked: Prediction, value: Any, explanation: str = "") -> Comparison:
-        options = asked.options or [value]
+        options = asked.options or [value if np.isfinite(value) else 0.0]  # the mean over no runs is not a number
         return measured(asked, value if value in options else options[0], explanation)
 
     warnings.simplefilter("ignore", RuntimeWarning)
