@@ -20,6 +20,7 @@ import agent_pages
 import lesson_pages
 import mathematics
 import playground
+import projected_pages
 import reference_pages
 from races import RACES
 from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
@@ -40,6 +41,7 @@ def sources() -> dict[str, bytes]:
         **_copied(),
         **{f"lessons/{lesson.name}": lesson.text for lesson in lessons},
         **agent_pages.pages(lessons),
+        **projected_pages.pages(lessons),
         **reference_pages.pages(),
     }
     for folder, title in (("guides", "Guides"), ("lessons", "The lessons")):

@@ -7,6 +7,7 @@ from typing import Any
 import agent_pages
 import docstrings
 import lesson_pages
+import projected_pages
 import pytest
 import reference_pages
 import repository
@@ -166,3 +167,19 @@ def test_an_agents_page_has_equation_code_lessons_and_returns(lessons: list[less
     page = agent_pages.page("QLearning", edugym.QLearning, lessons)
     for part in ("max_a Q(S', a)", "def learn(", "def one_step_target(", "lessons/01_exploration.md", "| [Boulder]"):
         assert part in page
+
+
+def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[lesson_pages.Lesson]) -> None:
+    """It has a picture, equations and a bet; the rest of the lesson is not there, and programs neither."""
+    pages = projected_pages.pages(lessons)
+    for lesson in lessons:
+        before, fold, after = pages.pop(f"project/{lesson.name}").partition('<details class="measured">')
+        assert all(part in before for part in ("![", "$$", "<fieldset")), lesson.name
+        assert "Measured: " not in before, lesson.name
+        assert "Measured: " in after, lesson.name
+        for path in re.findall(r"\(\.\./(lessons/figures/[^)]*)\)", before + fold + after):
+            assert path in lesson.figures
+        assert "```python" not in after
+        assert len(before.split()) < 400, lesson.name  # a lesson has thousands
+    assert list(pages) == ["project/index"]
+    assert pages["project/index"].count("](/project/") == len(lessons)

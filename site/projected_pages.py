@@ -1,0 +1,68 @@
+"""One page a lesson to project in class: the challenge, the picture, the equations, a bet, and what was measured.
+
+All of it is taken from the lesson, by the headings and marks that every lesson has.
+"""
+
+import re
+from itertools import pairwise
+
+from lesson_pages import Lesson
+
+CHALLENGE = re.compile(r"\*\*The challenge\.\*\* (.*?)\n\n", re.DOTALL)
+PICTURE = re.compile(r"^!\[.*\)(?:\{\.wide\})?$", re.MULTILINE)
+EQUATION = re.compile(r"^### [^\n]*$|^\$\$\n.*?^\$\$$", re.MULTILINE | re.DOTALL)
+QUESTION = re.compile(r'^<fieldset class="prediction">.*</fieldset>$', re.MULTILINE)
+MEASURED = re.compile(r'<details class="measured">.*?</details>', re.DOTALL)
+PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
+
+
+def pages(lessons: list[Lesson]) -> dict[str, str]:
+    """Return the pages by their place, and the page that lists them."""
+    listed = [f"- [{lesson.title}](/{_place(lesson)}.md)\n" for lesson in lessons]
+    return {
+        "project/index": "# To project in class\n\nOne page a lesson. Show the task and the equations, let the class "
+        "bet, count the hands, and only then open what was measured.\n\n" + "".join(listed),
+        **{_place(lesson): page(lesson) for lesson in lessons},
+    }
+
+
+def page(lesson: Lesson) -> str:
+    """Return what to project of a lesson."""
+    sections = {part.partition(":")[0]: part for part in re.split(r"^## ", lesson.text, flags=re.MULTILINE)}
+    task, idea = sections["Meet the environment"], sections["The idea"]
+    bet = next(part for part in sections.values() if QUESTION.search(part) and MEASURED.search(part))
+    question, measured = _first(QUESTION, bet), _first(MEASURED, bet)
+    return "\n\n".join([
+        f"# {lesson.title}, to project",
+        _first(CHALLENGE, lesson.text, 1),
+        f"## {_heading(task)}",
+        _first(PICTURE, task).replace("](figures/", "](../lessons/figures/"),
+        f"## {_heading(idea)}",
+        *_equations(idea),
+        "## Place your bets",
+        question.replace("Your prediction. ", "", 1),
+        PROGRAM.sub("", measured).replace("](figures/", "](../lessons/figures/").replace("what this cell measured", "what was measured"),
+        f"[The whole lesson](/lessons/{lesson.name}.md)",
+        "",
+    ])  # fmt: skip
+
+
+def _place(lesson: Lesson) -> str:
+    return f"project/{lesson.name}"
+
+
+def _first(pattern: re.Pattern[str], text: str, group: int = 0) -> str:
+    found = pattern.search(text)
+    assert found is not None, (pattern.pattern, text[:200])
+    return found[group]
+
+
+def _heading(section: str) -> str:
+    heading = section.split("\n")[0].partition(": ")[2]
+    return heading[0].upper() + heading[1:]
+
+
+def _equations(section: str) -> list[str]:
+    """Return the equations of a section, each below its heading."""
+    found = [*EQUATION.findall(section), "### the end"]
+    return [one for one, after in pairwise(found) if not (one[0] == after[0] == "#")]
