@@ -31,7 +31,8 @@ def page(lesson: Lesson) -> str:
     sections = {part.partition(":")[0]: part for part in re.split(r"^## ", lesson.text, flags=re.MULTILINE)}
     task, idea = sections["Meet the environment"], sections["The idea"]
     bet = next(part for part in sections.values() if QUESTION.search(part) and MEASURED.search(part))
-    question, measured = _first(QUESTION, bet), _first(MEASURED, bet)
+    question = _first(QUESTION, bet).replace("Your prediction. ", "", 1)
+    measured = PROGRAM.sub("", _first(MEASURED, bet)).replace("what this cell measured", "what was measured")
     return "\n\n".join([
         f"# {lesson.title}, to project",
         _first(CHALLENGE, lesson.text, 1),
@@ -40,8 +41,8 @@ def page(lesson: Lesson) -> str:
         f"## {_heading(idea)}",
         *_equations(idea),
         "## Place your bets",
-        question.replace("Your prediction. ", "", 1),
-        PROGRAM.sub("", measured).replace("](figures/", "](../lessons/figures/").replace("what this cell measured", "what was measured"),
+        question,
+        measured.replace("](figures/", "](../lessons/figures/"),
         f"[The whole lesson](/lessons/{lesson.name}.md)",
         "",
     ])  # fmt: skip
