@@ -326,6 +326,38 @@ def assign(
 
 
 @app.command()
+def handout(
+    lesson: Annotated[
+        str,
+        typer.Argument(help="In a checkout a name, such as 01_exploration; else the path of the teacher's notebook."),
+    ],
+    system: Annotated[Literal["otter", "classroom"], typer.Option("--for", help="Otter-Grader, or GitHub Classroom.")],
+    output: Annotated[Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder to write to.")] = Path(
+        "handout"
+    ),
+) -> None:
+    """For teachers: make a lesson for Otter-Grader or GitHub Classroom.
+
+    For Otter it is OUTPUT/LESSON.ipynb, a master notebook for `otter assign`; it has the solutions. For GitHub
+    Classroom OUTPUT is a template repository whose workflow grades every push; it has no solutions.
+    """
+    from edugym_course.teaching import handouts
+    from edugym_course.teaching.assignment import read_lesson, teacher_edition
+
+    try:
+        notebook = teacher_edition(lesson)
+        if system == "classroom":
+            handouts.classroom_repository(read_lesson(notebook), notebook.stem, output)
+            typer.echo(f"{output} is a template repository for GitHub Classroom.")
+        else:
+            master = handouts.otter_master(read_lesson(notebook), notebook.stem)
+            write_whole(output / notebook.name, master.encode())
+            typer.echo(f"Now: otter assign {output / notebook.name} FOLDER")
+    except (OSError, ValueError) as error:
+        raise typer.BadParameter(str(error)) from error
+
+
+@app.command()
 def grade(
     assigned: Annotated[
         Path, typer.Argument(parser=_path, help="What `edugym assign` wrote: assigned/teacher/01_exploration.json.")

@@ -148,6 +148,21 @@ def teacher_edition(lesson: str) -> Path:
     )
 
 
+def read_lesson(notebook: Path) -> Any:
+    """Read the notebook of a lesson.
+
+    Raises:
+        ValueError: it is no notebook.
+    """
+    require("teach", "nbformat")
+    import nbformat
+
+    try:
+        return nbformat.read(notebook, as_version=4)
+    except Exception:
+        raise ValueError(f"{notebook} must be a notebook, but cannot be read as one") from None
+
+
 def assign(notebook: Path, students: list[Student], output: Path) -> Assignment:
     """Make the lesson of each student.
 
@@ -163,13 +178,9 @@ def assign(notebook: Path, students: list[Student], output: Path) -> Assignment:
         ValueError: the notebook is none of a lesson.
         OSError: something cannot be read or written.
     """
-    require("teach", "nbformat")
+    lesson = read_lesson(notebook)
     import nbformat
 
-    try:
-        lesson = nbformat.read(notebook, as_version=4)
-    except Exception:
-        raise ValueError(f"{notebook} must be a notebook, but cannot be read as one") from None
     path = output / TEACHER / f"{notebook.stem}.json"
     secret = Assignment.read(path).secret if path.exists() else secrets.token_hex(16)
     tasks = tasks_of(lesson)
