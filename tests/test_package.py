@@ -4,10 +4,13 @@ import importlib.util
 import re
 import subprocess
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 
 import pytest
+
+import edugym
 
 ROOT = Path(__file__).parents[1]
 
@@ -33,3 +36,14 @@ def test_the_wheel_has_every_file_and_the_students_notebooks(tmp_path: Path) -> 
     notebooks = {f"edugym_course/lab/notebooks/{path.name}" for path in (ROOT / "notebooks").glob("*.ipynb")}
     assert notebooks
     assert inside == expected | notebooks
+
+
+def test_the_version_is_the_same_everywhere() -> None:
+    """A release changes it in the code, in the package, in the citation and in the changelog, there with its date."""
+    project, citation, changelog = (
+        (ROOT / name).read_text(encoding="utf-8") for name in ("pyproject.toml", "CITATION.cff", "CHANGELOG.md")
+    )
+    cited = dict(re.findall(r"^(version|date-released): (\S+)$", citation, re.MULTILINE))
+    released, date = re.findall(r"^## \[(\d\S*)\] - (\S+)$", changelog, re.MULTILINE)[0]
+    assert {edugym.__version__, cited["version"], released} == {tomllib.loads(project)["project"]["version"]}
+    assert cited["date-released"] == date

@@ -19,7 +19,7 @@ with SignalGuard():  # Python ignores a Ctrl-C that comes at certain moments of 
     from edugym._old_names import install
     from edugym.adapters.registration import in_snake_case, register_environments
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 register_environments()
 install()

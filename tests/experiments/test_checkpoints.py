@@ -126,10 +126,10 @@ def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], m
     older = path.read_bytes()
     trained.clear()
 
-    def write(file: Path, contents: bytes) -> Path:
+    def write(file: Path, contents: bytes, *, synced: bool) -> Path:
         if len(trained) == 2:
             raise OSError("no space left")
-        return write_whole(file, contents)
+        return write_whole(file, contents, synced=synced)
 
     monkeypatch.setattr(checkpoints, "write_whole", write)
     with pytest.raises(OSError, match="no space left"):

@@ -26,11 +26,16 @@ def check_writable(path: str | os.PathLike[str]) -> Path:
     return Path(path)
 
 
-def write_whole(path: str | os.PathLike[str], contents: bytes) -> Path:
+def write_whole(path: str | os.PathLike[str], contents: bytes, *, synced: bool = True) -> Path:
     """Write a file so that nobody ever finds a part of it, and so that a failure leaves the old file as it was.
 
     A symbolic link stays, and the file to which it points is written. A file that is replaced keeps its mode and, where
     permitted, its owner. A device or a pipe is written to, not replaced.
+
+    Args:
+        path: of the file.
+        contents: what is to be in it.
+        synced: whether to wait until the disk has it, some milliseconds. If not, a power failure may damage it.
 
     Raises:
         OSError: the file cannot be written. The error says why.
@@ -39,7 +44,7 @@ def write_whole(path: str | os.PathLike[str], contents: bytes) -> Path:
         target, is_ordinary = _target(path)
         if is_ordinary:
             target.parent.mkdir(parents=True, exist_ok=True)
-            _replace(target, contents)
+            _replace(target, contents, synced)
         else:
             with open(os.open(target, os.O_WRONLY), "wb") as device:
                 device.write(contents)
@@ -70,8 +75,8 @@ def _target(path: str | os.PathLike[str]) -> tuple[Path, bool]:
     return target, True
 
 
-def _replace(target: Path, contents: bytes) -> None:
-    """Write a new file beside the old one, and put it into its place when it is complete and on the disk."""
+def _replace(target: Path, contents: bytes, synced: bool) -> None:
+    """Write a new file beside the old one, and put it into its place when it is complete and, if asked, on the disk."""
     unfinished = target.with_name(f".unfinished-{secrets.token_hex(8)}")
     old = target.stat() if target.exists() else None
     mode = 0o666 if old is None else 0o600  # nobody else may read a private file meanwhile
@@ -79,7 +84,8 @@ def _replace(target: Path, contents: bytes) -> None:
         with open(unfinished, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             file.write(contents)
             file.flush()
-            os.fsync(file.fileno())
+            if synced:
+                os.fsync(file.fileno())
         if old is not None:
             if hasattr(os, "chown"):
                 with contextlib.suppress(OSError):  # only root may give files away
