@@ -9,8 +9,20 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
+from gymnasium.wrappers import FlattenObservation
 
-from edugym import EpsilonGreedy, load, make_mdp, save, train
+from edugym import (
+    ENVIRONMENTS,
+    EpsilonGreedy,
+    Hashed,
+    MDPEnv,
+    TabularObservation,
+    load,
+    make_mdp,
+    save,
+    table_size,
+    train,
+)
 from edugym.agents.settings import settings_of
 from edugym.agents.traces import Replacing
 from edugym.checks.contract import is_on_policy, learner
@@ -53,7 +65,9 @@ class Cycle(gymnasium.Env[Any, Any]):
         return int(self.ends), 1.0, self.ends, not self.ends, {}
 
 
-def play_by_hand(env: gymnasium.Env[Any, Any], agent: Any, n_steps: int, agent_rng: Random, first_seed: int) -> Any:
+def play_by_hand(
+    env: gymnasium.Env[Any, Any], agent: Any, n_steps: int, agent_rng: Random, first_seed: int | None
+) -> Any:
     """The loop as one writes it for any Gymnasium environment; gives the last observation."""
     on = is_on_policy(agent)
     told = learner(agent)
@@ -120,6 +134,55 @@ def test_train_in_a_gymnasium_environment_is_a_loop_written_by_hand(case: Case, 
             agent.greedy(observation, np.random.default_rng(0))
         assert same(trained, by_hand)
     env.close()
+
+
+def as_a_student_makes_it(case: Case, entry: Any) -> Any:
+    """An environment of the course for a loop of one's own: one visible step after `gymnasium.make`."""
+    if case.vectors:
+        return FlattenObservation(gymnasium.make(entry.id))
+    if entry.name == "Catch":  # a table over its images has a row for each that has occurred
+        env = MDPEnv(Hashed.create(make_mdp("Catch"), capacity=250))
+        state, rng = env.reset(seed=0)[0], np.random.default_rng(0)
+        while env.mdp.used < 210:  # all that are possible, so that an evaluation adds none
+            state, _, terminated, truncated, _ = env.step(int(rng.integers(3)))
+            state = env.reset()[0] if terminated or truncated else state
+        return env
+    return TabularObservation(gymnasium.make(entry.id))
+
+
+@pytest.mark.parametrize("entry", ENVIRONMENTS, ids=lambda entry: entry.name)
+@every_agent
+def test_the_plain_loop_gives_the_tables_of_train_in_every_environment_of_the_course(case: Case, entry: Any) -> None:
+    """Bit for bit, where the environment draws from the random stream that `train` gives to it."""
+    if case.real_actions != isinstance(entry.load_mdp().create().action_space, spaces.Box):
+        pytest.skip("real numbers for actions, or not")
+    env, again = as_a_student_makes_it(case, entry), as_a_student_makes_it(case, entry)
+    by_hand, trained = experienced(case, env), experienced(case, env)
+    before = copy.deepcopy(by_hand)
+    env.unwrapped.np_random, agent_rng, _, _ = map(np.random.default_rng, np.random.SeedSequence(5).spawn(4))
+    observation = play_by_hand(env, by_hand, 150, agent_rng, first_seed=None)
+    train(
+        again.unwrapped if isinstance(again.unwrapped.mdp, Hashed) else entry.id,
+        trained,
+        150,
+        seed=5,
+        evaluate_every=150,
+    )
+    for agent in (trained, by_hand) if case.vectors else ():  # its room for features, as it was used last
+        agent.greedy(observation, np.random.default_rng(0))
+    assert same(trained, by_hand)
+    assert not same(by_hand, before)
+
+
+@pytest.mark.parametrize("name", ["Roadrunner", "Study", "Golf", "Tamagotchi"])
+def test_an_action_from_a_table_that_was_indexed_with_an_observation_is_refused_with_the_remedy(name: str) -> None:
+    """The argmax over several rows at once is a number beyond the last action."""
+    env = gymnasium.make(f"edugym/{name}-v0")
+    env.reset(seed=0)
+    observation, Q = np.arange(len(env.observation_space.nvec)), np.zeros(table_size(env))
+    Q[1, -1] = 1.0
+    with pytest.raises(ValueError, match=r"^action .* is not in .* env = edugym.TabularObservation\(env\)"):
+        env.step(np.argmax(Q[observation]))
 
 
 class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):

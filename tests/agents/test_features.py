@@ -40,6 +40,14 @@ def test_features_of_something_else_are_refused() -> None:
             check_features(wrong, 50)
 
 
+@pytest.mark.parametrize("kind", [Identity, TileCoding])
+@pytest.mark.parametrize("state", [np.zeros(2), np.zeros((3, 1, 1))[:1], np.zeros(4)], ids=np.shape)
+def test_an_observation_of_another_length_is_refused(kind: Any, state: Any) -> None:
+    """In a loop without the wrapper the values would be those of other numbers, and nobody would see it."""
+    with pytest.raises(ValueError, match=r"number for each input .*FlattenObservation"):
+        kind.create((3, 2)).see(state)
+
+
 def tiles_of(features: TileCoding, *state: float) -> list[int]:
     """The tiles of a state."""
     features.see(np.array(state))

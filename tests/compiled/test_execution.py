@@ -1,7 +1,5 @@
 """What a student meets when code runs fast: the same results, ordinary tracebacks, and one plain warning at most."""
 
-import io
-import sys
 import traceback
 import warnings
 from itertools import count as count_up
@@ -17,7 +15,10 @@ import edugym
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.compiled import compiler, execution
+from edugym.compiled.code import code_of
 from edugym.compiled.execution import COMPILE_FROM, executable
+from edugym.system import waiting
+from edugym.training import loops
 from tests.compiled.cells import LEARNER, WALK, cell
 from tests.compiled.processes import printed
 
@@ -190,32 +191,22 @@ def test_what_cannot_be_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
         assert executable(count, arguments) is count
 
 
-class Terminal(io.StringIO):
-    """A stream that a person looks at."""
-
-    def isatty(self) -> bool:
-        """It is one."""
-        return True
-
-
-@pytest.mark.parametrize("shell", ["ZMQInteractiveShell", "TerminalInteractiveShell", "no IPython"])
-@pytest.mark.parametrize("stderr", [Terminal, io.StringIO])
-def test_where_it_is_announced(shell: str, stderr: type[io.StringIO], monkeypatch: pytest.MonkeyPatch) -> None:
-    """In a notebook in the output, as stderr looks like an error there; elsewhere only in a terminal; and once."""
-    out, err = io.StringIO(), stderr()
-    ipython = SimpleNamespace(get_ipython=lambda: type(shell, (), {})())
-    monkeypatch.setitem(sys.modules, "IPython", None if shell == "no IPython" else ipython)
-    monkeypatch.setattr(sys, "stdout", out)
-    monkeypatch.setattr(sys, "stderr", err)
+def test_it_is_announced_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the names that a student knows, and taken away when it is done; not where there is nothing to compile."""
+    lines: list[str] = []
+    monkeypatch.setattr(waiting, "show", lines.append)
+    monkeypatch.setattr(waiting, "clear", lambda text: lines.append(f"no {text}"))
     monkeypatch.setattr(execution, "is_on_disk", lambda code: False)
-    monkeypatch.setattr(execution, "_warned", set())
-    code: Any = SimpleNamespace(names=lambda: "Walk")
-    for quiet in ("1", "", ""):
-        monkeypatch.setenv("EDUGYM_QUIET", quiet)
-        execution._announce(code)
-    notebook, terminal = shell.startswith("ZMQ"), stderr is Terminal
-    lines = [stream.getvalue().count("compiling Walk") for stream in (out, err)]
-    assert lines == [int(notebook), int(terminal and not notebook)]
+    task = edugym.NoisyObservation.create(edugym.make_mdp("Catch"), 3)
+    code = code_of(loops.off_policy, (task, edugym.LinearQLearning.create(task)))
+    monkeypatch.setattr(execution, "is_built", lambda loop, code: False)
+    with execution._announced(loops.off_policy, code):
+        assert lines == ["edugym: compiling CatchGrid and LinearQLearning (once, a second or two) ..."]
+    assert lines[1:] == [f"no {lines[0]}"]
+    monkeypatch.setattr(execution, "is_built", lambda loop, code: True)
+    with execution._announced(loops.off_policy, code):
+        pass
+    assert len(lines) == 2
 
 
 EVERYWHERE = """
@@ -225,6 +216,8 @@ if sys.argv[1] == "no numba":
     sys.modules["numba"] = None
 import numpy as np
 import edugym
+from edugym.system import waiting
+from edugym.training import loops
 from tests.compiled.cells import LEARNER, WALK, cell
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv

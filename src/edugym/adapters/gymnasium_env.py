@@ -309,7 +309,15 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """The action as the MDP takes it."""
         if type(action) is int and 0 <= action < self._n_actions:
             return action
-        return checked_action(self.action_space, action)
+        try:
+            return checked_action(self.action_space, action)
+        except ValueError as error:
+            if self._n_actions and isinstance(self.observation_space, spaces.MultiDiscrete | spaces.Tuple):
+                raise ValueError(
+                    f"{error}; if a table gave it: an observation of this environment is several numbers, and"
+                    " env = edugym.TabularObservation(env) makes of them the one number of a row"
+                ) from None
+            raise
 
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the window, to be pickled or copied."""

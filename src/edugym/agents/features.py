@@ -15,6 +15,11 @@ from edugym.agents.vectors import vector_size
 from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Integers, Reals
 
+NO_VECTOR = (
+    "state must be a flat vector with a number for each input of the features: in a loop of your own wrap the"
+    " environment, gymnasium.wrappers.FlattenObservation(env)"
+)
+
 
 class Features(Protocol):
     """A function from observations to features, x(s), with room for its latest result."""
@@ -85,7 +90,13 @@ class Identity(NamedTuple):
         return int(self.length[0])
 
     def see(self, state: Any) -> None:
-        """List the numbers that are not 0."""
+        """List the numbers that are not 0.
+
+        Raises:
+            ValueError: the state is no vector with a number for each input.
+        """
+        if len(state) != len(self.active) - 1:
+            raise ValueError(NO_VECTOR)
         n = 0
         for i in range(len(state)):
             if state[i] != 0.0:

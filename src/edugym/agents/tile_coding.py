@@ -7,6 +7,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
+from edugym.agents.features import NO_VECTOR
 from edugym.agents.settings import Table, check
 from edugym.agents.vectors import UNBOUNDED, vector_bounds, vector_size
 from edugym.checks.parameters import an_array, in_short, whole_number
@@ -67,7 +68,13 @@ class TileCoding(NamedTuple):
         return len(self.active)
 
     def see(self, state: Any) -> None:
-        """Find the tile of each tiling in which an observation is, number by number: tile = tile · n + place."""
+        """Find the tile of each tiling in which an observation is, number by number: tile = tile · n + place.
+
+        Raises:
+            ValueError: the state is no vector with a number for each input.
+        """
+        if len(state) != len(self.low):
+            raise ValueError(NO_VECTOR)
         n_tilings = len(self.active)
         for k in range(n_tilings):
             self.active[k] = k

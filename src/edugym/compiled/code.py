@@ -122,6 +122,17 @@ class Code:
         own = [kind.__name__ for kind in self.classes if is_foreign(kind)]
         return ", ".join(own or [kind.__name__ for kind in self.classes])
 
+    def known_names(self) -> str:
+        """The tasks and agents in it, whose classes a student has met; the student's own alone, if there are any."""
+        met = [
+            kind
+            for kind in self.classes
+            if is_foreign(kind) or (kind.__module__.startswith(("edugym.envs.", "edugym.agents.")))
+            if hasattr(kind, "transition") or hasattr(kind, "learn")
+        ]
+        own = [kind.__name__ for kind in met if is_foreign(kind)]
+        return " and ".join(own or [kind.__name__ for kind in met]) or self.names()
+
     def place_of(self, method: str) -> str:
         """The place of a student's method, in brackets, for a message; nothing if there is none of this name."""
         found = next((one for one in self.functions if is_foreign(one) and one.__name__ == method), None)

@@ -12,12 +12,12 @@ would take longer than compiling.
 
 import inspect
 import math
-import os
 import sys
 import time
 import warnings
 import weakref
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from enum import Enum
 from typing import Any
 
@@ -34,6 +34,7 @@ from edugym.compiled.compiler import (
 )
 from edugym.compiled.snapshot import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
+from edugym.system import waiting
 from edugym.system.interrupts import Stopped, deferring_signals
 from edugym.system.packages import OURS
 
@@ -93,8 +94,8 @@ def executable(
             raise CompilationError(reason)
         if not foreign:
             check_compiler()
-            _announce(code)
-            return compiled(loop, rehearsed, *arguments, code=code)
+            with _announced(loop, code):
+                return compiled(loop, rehearsed, *arguments, code=code)
         rehearsed = min(rehearsed, REHEARSED)
         interpreted = _rehearse(replay or loop, rehearsed, arguments, code)
         if not (is_ready or is_on_disk(code) or _pays(loop, arguments, code, expected, rehearsed)):
@@ -156,8 +157,8 @@ def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, 
         CompilationError: it cannot be compiled, or it does something else.
     """
     check_compiler()
-    _announce(code)
-    machine_code = compiled(loop, n, *arguments, code=code)
+    with _announced(loop, code):
+        machine_code = compiled(loop, n, *arguments, code=code)
     copies = copied(arguments)
     try:
         with deferring_signals():
@@ -232,17 +233,18 @@ def _with_replay(machine_code: Loop, loop: Loop, code: Code, replay: Loop) -> Lo
     return run
 
 
-def _announce(code: Code) -> None:
-    """Tells a person who waits, once, that something new is being compiled."""
-    ipython = sys.modules.get("IPython")
-    in_notebook = ipython is not None and type(ipython.get_ipython()).__name__ == "ZMQInteractiveShell"
-    names = code.names()
-    watched = in_notebook or sys.stderr.isatty()
-    if names in _warned or is_on_disk(code) or os.environ.get("EDUGYM_QUIET") or not watched:
+@contextmanager
+def _announced(loop: Loop, code: Code) -> Iterator[None]:
+    """Tells a person who waits what is being compiled."""
+    if is_built(loop, code) or is_on_disk(code):
+        yield
         return
-    _warned.add(names)
-    out = sys.stdout if in_notebook else sys.stderr  # a notebook shows the latter as if something were wrong
-    print(f"edugym: compiling {names} (once, a second or two) ...", file=out)
+    text = f"edugym: compiling {code.known_names()} (once, a second or two) ..."
+    waiting.show(text)
+    try:
+        yield
+    finally:
+        waiting.clear(text)
 
 
 def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 from edugym.checks.parameters import in_short, true_or_false, whole_number
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.own_numbers import belongs_to_others, own_parameters
+from edugym_course.grading.printed import few_lines
 from edugym_course.grading.student_code import student_code
 from edugym_course.lab.progress import record_passed
 
@@ -35,7 +36,8 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
     true_or_false("quiet", quiet)
     for name in numbers.keys() - own_parameters(exercise).keys():
         raise ValueError(f"{exercise.__name__} has no number {name} of a student's own, but {name} is given")
-    with student_code("your code", limit=math.inf):  # calls inside it have limits of their own
+    with few_lines() as printed, student_code("your code", limit=math.inf):  # calls inside it have limits of their own
+        lines_before = printed.lines
         try:
             worth_knowing = exercise(answer, seed, **numbers)
         except WrongAnswer as wrong:
@@ -46,3 +48,17 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
         record_passed(lesson, int(number[1]))
     if not quiet:
         print(f"✓ {worth_knowing}")
+        if why := _cannot_be_compiled(answer, prints=printed.lines > lines_before):
+            print(
+                f"But {answer.__name__} {why}: it cannot be compiled, so that what trains it below may take minutes"
+                " instead of seconds. A race with fewer runs, `repetitions=2`, shows enough to find a mistake."
+            )
+
+
+def _cannot_be_compiled(answer: Any, prints: bool) -> str:
+    """Say why a class of an agent or a task runs as plain Python, where that shows at once."""
+    if not (isinstance(answer, type) and (hasattr(answer, "learn") or hasattr(answer, "transition"))):
+        return ""
+    if not issubclass(answer, tuple):
+        return "is an ordinary class, no NamedTuple"
+    return "prints (take the `print` out)" if prints else ""

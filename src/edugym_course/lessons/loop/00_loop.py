@@ -21,7 +21,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import EpsilonGreedy, QLearning, train
+from edugym import EpsilonGreedy, QLearning, TabularObservation, train
 from edugym.agents.tables import greedy_action
 from edugym_course.lessons.loop import exact, figures, methods
 from edugym_course.notebook import frames, play, predict, sliders, source
@@ -230,6 +230,25 @@ frames(env, agent, max_steps=40)
 
 # %% [markdown]
 # Now it takes all three items and leaves after 30 steps, with 95 points.
+#
+# **In other environments.** The loop stays the same. But a table has numbered rows, and other tasks do not observe one
+# number. The road of lesson 2 observes two, the place of a runner and its speed. `TabularObservation` makes them the number
+# of a row. (`train` does so by itself. Images have too many values for a table: lesson 4.)
+
+# %%
+road = gym.make("edugym/Roadrunner-v0")
+print("the road observes", road.reset(seed=0)[0], "in", road.observation_space)
+road = TabularObservation(road)  # the only new line
+state, info = road.reset(seed=0)
+print("its row in a table:", state, "in", road.observation_space)
+
+runner = QLearning.create(road, learning_rate=0.5, discount=0.99, exploration=EpsilonGreedy(0.1))
+for _ in range(5_000):
+    action = runner.act(state, rng)
+    next_state, reward, terminated, truncated, info = road.step(action)
+    runner.learn(state, action, reward, next_state, terminated)
+    state = road.reset()[0] if terminated or truncated else next_state
+print("values of the three actions in the first state:", runner.Q[0].round(2))
 
 # %% [markdown]
 # ## The experiment: who learns the way?

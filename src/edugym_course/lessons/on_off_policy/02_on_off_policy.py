@@ -24,13 +24,13 @@ from edugym import (
     EpsilonGreedy,
     ExpectedSARSA,
     QLearning,
+    TabularObservation,
     finite_model,
     make_mdp,
     policy_evaluation,
     table_size,
     value_iteration,
 )
-from edugym.adapters.fitting import tabular
 from edugym.agents.tables import best_value, epsilon_greedy_value, greedy_action, one_step_target
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.on_off_policy import exact, figures, methods
@@ -122,10 +122,11 @@ play("Roadrunner")
 # ### SARSA: the action that comes next
 # It needs $S, A, R, S', A'$ for one update, and that is its name. So the loop must choose $A'$ *before* the agent learns,
 # and then really take it. (The loop of Q-learning and expected SARSA is that of lesson 0.) The road shows a position and a
-# speed, and a table has numbered rows: `tabular` turns the one into the other. `train` and `repeat` do so by themselves.
+# speed, and a table has numbered rows: `TabularObservation` turns the one into the other, as in lesson 0. `train` and
+# `repeat` do so by themselves.
 
 # %%
-road, rng = tabular(gym.make("edugym/Roadrunner-v0")), np.random.default_rng(0)
+road, rng = TabularObservation(gym.make("edugym/Roadrunner-v0")), np.random.default_rng(0)
 agent = SARSA.create(road, learning_rate=0.1, discount=1.0)
 for _ in range(500):
     (state, info), total, terminated, truncated = road.reset(), 0, False, False
