@@ -38,7 +38,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellControlSignal, DeadKernelError
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
-from rules import is_check, is_code, is_exercise, problems, where, without_marks, without_solutions
+from rules import is_check, is_code, is_exercise, is_project, problems, where, without_marks, without_solutions
 
 ROOT = Path(__file__).resolve().parent.parent
 LESSONS = Path("src", "edugym_course", "lessons")  # the folders of the lessons, below the root of a checkout
@@ -89,6 +89,7 @@ what helped, what did not, and what you would change."""
 COLAB = REPOSITORY.replace("https://github.com/", "https://colab.research.google.com/github/") + "/blob/main/notebooks"
 
 CHECK_TAGS = ["check", "raises-exception"]  # the second lets `Run All` go on when an exercise is not solved yet
+PROJECT_TAGS = ["project", "raises-exception"]
 
 
 class LessonError(Exception):
@@ -144,6 +145,8 @@ def student_edition(lesson: NotebookNode, name: str) -> NotebookNode:
         cell.metadata.pop("points", None)
         if is_check(cell):
             cell.metadata.tags = CHECK_TAGS
+        if is_project(cell):
+            cell.metadata.tags = PROJECT_TAGS
         cell.source = without_solutions(cell.source)
     return notebook
 
@@ -174,6 +177,8 @@ def teacher_edition(lesson: NotebookNode) -> NotebookNode:
             role = {"grade_id": f"check-{number}", "grade": True, "solution": False, "locked": True, "points": points}
             cell.metadata.tags = CHECK_TAGS
         else:
+            if is_project(cell):  # nbgrader knows nothing of it, and would leave the program in
+                cell.source, cell.metadata.tags = without_solutions(cell.source), PROJECT_TAGS
             continue
         cell.metadata.nbgrader = {"schema_version": 3, "task": False} | role
     return notebook

@@ -14,6 +14,7 @@ from edugym_course.teaching.marks import MARKED
 from edugym_course.teaching.marks import is_check as is_check
 from edugym_course.teaching.marks import is_code as is_code
 from edugym_course.teaching.marks import is_exercise as is_exercise
+from edugym_course.teaching.marks import is_project as is_project
 from edugym_course.teaching.marks import without_marks as without_marks
 from edugym_course.teaching.marks import without_solutions as without_solutions
 
@@ -43,7 +44,7 @@ def problems(cells: Sequence[NotebookNode]) -> list[str]:
     """Everything that is wrong with a lesson; rules about several cells are looked at once each cell is in order."""
     found = [problem for cell in cells for problem in cell_problems(cell)]
     if not found:
-        for rule in (section_problems, exercise_problems, prediction_problems, widget_problems):
+        for rule in (section_problems, exercise_problems, project_problems, prediction_problems, widget_problems):
             found.extend(rule(cells))
     return found
 
@@ -104,6 +105,16 @@ def exercise_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:
                 yield f"{where(cell)}: an exercise is followed by its check, a code cell with the tag 'check'"
         if is_check(cell) and (before is None or not is_exercise(before)):
             yield f"{where(cell)}: a check follows the exercise that it checks"
+
+
+def project_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:
+    """Yields cells of a project that are not the program and, next, its check."""
+    found = [index for index, cell in enumerate(cells) if is_project(cell)]
+    marks = [
+        mark in cells[index].source for index, mark in zip(found, ("### BEGIN PROGRAM", "check(project_"), strict=False)
+    ]
+    if found and not (len(found) == 2 and found[1] == found[0] + 1 and all(marks)):
+        yield "a project is two cells with the tag 'project': '### BEGIN PROGRAM', and next check(project_...)"
 
 
 def prediction_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:

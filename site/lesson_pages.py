@@ -59,7 +59,7 @@ def lesson(path: Path) -> Lesson:
             continue
         text.append(_fenced(source, "python"))
         same, shown = outputs[cell["id"]]
-        if same == source and "check" not in cell["metadata"].get("tags", []):
+        if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):
             text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures).replace(LIVE, _live(source)))
     text.append("[Answer the three statements on this site](../survey.md), which sends nothing anywhere.")
     title = text[0].split("\n")[0].removeprefix("# ")

@@ -5,7 +5,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-MARKED = ("SOLUTION", "HIDDEN TESTS")
+MARKED = ("SOLUTION", "HIDDEN TESTS", "PROGRAM")
 """Regions between `### BEGIN ...` and `### END ...`."""
 
 OWN = "# own: "
@@ -27,6 +27,11 @@ def is_check(cell: Any) -> bool:
     return is_code(cell) and ("check" in cell.metadata.get("tags", []) or "### BEGIN HIDDEN TESTS" in cell.source)
 
 
+def is_project(cell: Any) -> bool:
+    """Whether a cell is a program from a blank file, or its check. They are no exercise, and nobody grades them."""
+    return is_code(cell) and "project" in cell.metadata.get("tags", [])
+
+
 def without_marks(source: str) -> str:
     """Takes the lines that are marks out of a source, and leaves what they mark."""
     return "\n".join(
@@ -40,7 +45,7 @@ def with_own_numbers(source: str, numbers: Mapping[str, Any]) -> str:
 
 
 def without_solutions(source: str) -> str:
-    """Takes solutions and hidden tests out of the source of a code cell.
+    """Takes solutions, programs and hidden tests out of the source of a code cell.
 
     What is left is valid Python: in a function a solution becomes `raise NotImplementedError`, so that the check can
     say that it is not solved yet; elsewhere it becomes `pass`, so that the cell still runs and shows nothing.

@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 
 import build
 from nbformat import NotebookNode
-from rules import is_check, is_code, is_exercise, without_marks, without_solutions
+from rules import is_check, is_code, is_exercise, is_project, without_marks, without_solutions
 
 from edugym_course.grading import WrongAnswer
 
-NAME = re.compile(r"exercise_(?P<exercise>\d+)_(?P<verdict>right|wrong)")
+NAME = re.compile(r"(exercise_(?P<exercise>\d+)|project)_(?P<verdict>right|wrong)")
 SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
 
 
@@ -24,7 +24,7 @@ class Answer(NamedTuple):
     """An answer to an exercise, such as 1 in the lesson "01_exploration", and what is special about it."""
 
     lesson: str
-    exercise: int
+    exercise: int  # 0 is the project
     right: bool
     name: str
     says: tuple[str, ...]  # what the message must contain; if the answer is right, the line that is printed
@@ -48,14 +48,14 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
             setup = text
             continue
         found = NAME.fullmatch(path.stem)
-        assert found, f"{path}: its name should be like 'exercise_1_wrong.py'"
+        assert found, f"{path}: its name should be like 'exercise_1_wrong.py' or 'project_right.py'"
         right = found["verdict"] == "right"
         for part in re.split(r"^# %% ", text, flags=re.MULTILINE)[1:]:
             name, _, body = part.partition("\n")
             says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
             assert right or says, f"{path}: {name!r}: a wrong answer has a line '# says: ...'"
             code = SAYS.sub("", body).strip() + "\n"
-            answers.append(Answer(lesson, int(found["exercise"]), right, name, says, code))
+            answers.append(Answer(lesson, int(found["exercise"] or 0), right, name, says, code))
     return setup, answers
 
 
@@ -67,6 +67,12 @@ def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
     return imports, [
         Exercise(without_solutions(cell.source), without_marks(cell.source), _checks(below)) for cell, below in pairs
     ]
+
+
+def read_project(lesson: Path) -> Exercise | None:
+    """Return the program from a blank file that a lesson asks for, and its check; None if it asks for none."""
+    cells = [cell.source for cell in build.read_lesson(lesson).cells if is_project(cell)]
+    return Exercise(without_solutions(cells[0]), without_marks(cells[0]), cells[1]) if cells else None
 
 
 def is_imports(cell: NotebookNode) -> bool:

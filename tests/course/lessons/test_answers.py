@@ -11,14 +11,15 @@ import build
 import pytest
 
 from edugym.training.train import train
-from edugym_course.grading import agents, choices, mistakes, results, updates, values
+from edugym_course.grading import agents, choices, curves, mistakes, programs, replay, results, updates, values
 from edugym_course.grading.one_step import Q_LEARNING
-from tests.course.lessons.answers import Answer, Exercise, read_answers, read_exercises, verdict
+from tests.course.lessons.answers import Answer, Exercise, read_answers, read_exercises, read_project, verdict
 
 LESSONS = [*build.lesson_sources()]
 ANSWERS = [answer for lesson in LESSONS for answer in read_answers(lesson)[1]]
 GRADING = build.ROOT / "tests" / "course" / "grading"
 FEWEST_WRONG, FEWEST_RIGHT = 5, 2
+FEWEST_WRONG_PROGRAMS, FEWEST_RIGHT_PROGRAMS = 4, 1  # besides the one in the lesson
 FEWEST_LETTERS = 10  # shorter texts, and those without a space, are names and codes
 PART = 16  # shorter parts of a sentence with numbers in it are too common to be looked for
 
@@ -50,7 +51,7 @@ def _no_hints(node: ast.AST) -> Iterator[ast.AST]:
             yield from filter(None, keys)
         case ast.Compare(comparators=parts) | ast.arguments(kw_defaults=parts):
             yield from (end for part in parts if part for end in ast.walk(part))
-        case ast.FunctionDef(name=name) if name.startswith("exercise_"):
+        case ast.FunctionDef(name=name) if name.startswith(("exercise_", "project_")):
             yield from (part for end in ast.walk(node) if isinstance(end, ast.Return) for part in ast.walk(end))
         case ast.Assign([ast.Name("CHALLENGE")]) | ast.Call(func=ast.Name("Own")):
             yield from ast.walk(node)
@@ -69,19 +70,27 @@ def exercises_of(lesson: str) -> tuple[tuple[str, str], list[Exercise]]:
     return (imports, read_answers(lesson)[0]), exercises
 
 
+def checked_by(answer: Answer) -> Exercise:
+    """The exercise, or the project, that an answer is for."""
+    if answer.exercise:
+        return exercises_of(answer.lesson)[1][answer.exercise - 1]
+    project = read_project(build.lesson_sources()[answer.lesson])
+    assert project, f"{answer.lesson} has answers to a project, and no project"
+    return project
+
+
 @cache
 def hints_of(lesson: str) -> dict[str, bool]:
     """All that the checks of a lesson may say of a wrong answer, and whether it is a whole sentence."""
     folder = build.lesson_sources()[lesson].parent
-    paths = [*folder.glob("exercises.py"), *folder.glob("exercises/*.py")]
+    paths = [*folder.glob("exercises.py"), *folder.glob("exercises/*.py"), *folder.glob("project.py")]
     return {hint: whole for path in paths for hint, whole in hints(path).items()}
 
 
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: f"{answer.lesson}-{answer.exercise}-{answer.name}")
 def test_an_answer(answer: Answer, capsys: pytest.CaptureFixture[str]) -> None:
     """A right one passes, with one line; a wrong one is refused in one sentence that says which mistake it is."""
-    before, exercises = exercises_of(answer.lesson)
-    said = verdict(answer, exercises[answer.exercise - 1], before)
+    said = verdict(answer, checked_by(answer), exercises_of(answer.lesson)[0])
     printed = capsys.readouterr().out
     assert (said == "") == answer.right, said or "the check accepts it"
     assert [line.startswith("✓ ") for line in printed.splitlines()].count(True) == int(answer.right)
@@ -107,6 +116,9 @@ def test_every_exercise_has_answers(path: Path) -> None:
         assert counts[number, False] >= FEWEST_WRONG
         assert counts[number, True] >= FEWEST_RIGHT
         assert any(answer.says for answer in answers if answer.exercise == number and answer.right)
+    if read_project(path):
+        assert counts[0, False] >= FEWEST_WRONG_PROGRAMS
+        assert counts[0, True] >= FEWEST_RIGHT_PROGRAMS
     assert len({(answer.exercise, answer.code) for answer in answers}) == len(answers)
 
 
@@ -120,12 +132,15 @@ def test_every_hint_is_told(lesson: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "module", [agents, choices, mistakes, results, updates, values], ids=lambda module: module.__name__
+    "module",
+    [agents, choices, curves, mistakes, programs, replay, results, updates, values],
+    ids=lambda module: module.__name__.rpartition(".")[2],
 )
 def test_every_shared_hint_is_told(module: ModuleType) -> None:
     """What the checks of several lessons say stands behind a `# says:`, or in the tests of `edugym_course.grading`."""
     told = [words for answer in ANSWERS for words in answer.says]
-    told += [path.read_text(encoding="utf-8").replace("\\", "") for path in GRADING.glob("test_*.py")]
+    for text in (path.read_text(encoding="utf-8") for path in GRADING.glob("test_*.py")):
+        told += [text.replace("\\", ""), *map(str, (getattr(node, "value", "") for node in ast.walk(ast.parse(text))))]
     all_of_it = "\n".join(told)
     assert not {hint for hint in hints(Path(str(module.__file__))) if hint not in all_of_it}
 
@@ -151,3 +166,13 @@ def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeyp
         said = verdict(empty, exercise, before)
         assert "Not solved yet" in said or "began" in said
         assert ({*counted}, len(counted)) == ({(lesson.partition("_")[2], number)}, n_counted)  # the empty one does not
+
+
+@pytest.mark.parametrize("lesson", [name for name, path in build.lesson_sources().items() if read_project(path)])
+def test_programs_pass_and_empty_cells_are_not_solved_yet(lesson: str) -> None:
+    """The lesson's own program is right; its empty cell is told that it is empty."""
+    project = read_project(build.lesson_sources()[lesson])
+    assert project
+    before = exercises_of(lesson)[0]
+    assert verdict(Answer(lesson, 0, True, "program", (), project.solution), project, before) == ""
+    assert "Not solved yet" in verdict(Answer(lesson, 0, False, "empty", (), project.placeholder), project, before)

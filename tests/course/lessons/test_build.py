@@ -148,6 +148,36 @@ def test_editions(source: Path) -> None:
     ]
 
 
+PROJECT = """\
+# %% tags=["project"]
+my_program = ...
+### BEGIN PROGRAM
+my_program = "a long secret"
+### END PROGRAM
+# %% tags=["project"]
+check(project_1, my_program)
+# %% [markdown]
+# ## What you saw
+"""
+
+
+def test_a_program_from_a_blank_file(source: Path) -> None:
+    """Students and teachers get the empty cell, whose check may fail; the program is in the solution alone."""
+    source.write_text(LESSON.replace("# %% [markdown]\n# ## What you saw\n", PROJECT), encoding="utf-8")
+    made = all_editions(source)
+    for name, notebook in made.items():
+        program, check = (cell for cell in notebook.cells if "project" in cell.metadata.get("tags", []))
+        assert ("secret" in program.source) == (name == "solution")
+        assert program.source.startswith("my_program = ...")
+        assert check.source == "check(project_1, my_program)"
+        assert ("raises-exception" in check.metadata.tags) == (name != "solution")
+        assert "nbgrader" not in program.metadata
+    broken = PROJECT.replace("check(project_1, my_program)", "1")
+    source.write_text(LESSON.replace("# %% [markdown]\n# ## What you saw\n", broken), encoding="utf-8")
+    with pytest.raises(build.LessonError, match="a project is two cells with the tag 'project'"):
+        build.read_lesson(source)
+
+
 def test_what_takes_the_place_of_a_solution() -> None:
     """In a function the placeholder raises, even inside a method's loop; elsewhere it does nothing."""
     region = "### BEGIN SOLUTION\n{0}x = 1\n{0}### END SOLUTION"

@@ -11,7 +11,7 @@ import build
 import nbformat
 import pytest
 from nbformat import NotebookNode
-from rules import is_check, is_code, is_exercise, without_marks
+from rules import is_check, is_code, is_exercise, is_project, without_marks
 
 from tests.course.lessons.test_build import LESSON
 
@@ -53,9 +53,10 @@ def test_solutions_get_full_marks_and_blanks_none(lesson: str, tmp_path: Path) -
     exercises = {cell.id: without_marks(cell.source) for cell in filter(is_exercise, notebook.cells)}
     assert {cell.id for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")} == exercises.keys()
 
+    programs = {cell.id: without_marks(cell.source) for cell in filter(is_project, notebook.cells)}
     blank, solved = deepcopy(released), deepcopy(released)
     for cell in filter(is_code, solved.cells):
-        cell.source = exercises.get(cell.id, cell.source)
+        cell.source = (exercises | programs).get(cell.id, cell.source)
     submit(tmp_path, "blank", blank, name)
     submit(tmp_path, "solved", solved, name)
 

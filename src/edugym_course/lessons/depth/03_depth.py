@@ -872,6 +872,75 @@ def my_agent(study):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its loop, some 40
+# lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the episode. After step $t$
+# the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended, all pairs have the rewards that there are.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from them. In the end it returns its *policy*: a function that takes a state and returns the
+# action with the highest value. All else is up to you: functions, classes, any names.
+#
+# - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
+#   many there are. They differ from one environment to the next.
+# - Take $n = 3$, $\alpha = 0.5$, $\gamma = 0.99$, $\varepsilon = 0.1$ and first values of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own and in Study with eight days and numbered states. It sees the steps that your program takes, and no
+# line of it. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by n-step SARSA for `n_steps` steps, and return the greedy policy."""
+    n, alpha, gamma, epsilon = 3, 0.5, 0.99, 0.1
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+
+    def learn(tau):
+        """Update the pair of step τ, from the definition of the n-step return."""
+        G = sum(gamma**k * reward for k, reward in enumerate(rewards[tau : tau + n]))
+        if tau + n < len(states):
+            G += gamma**n * Q[states[tau + n], actions[tau + n]]
+        Q[states[tau], actions[tau]] += alpha * (G - Q[states[tau], actions[tau]])
+
+    steps, first = 0, True
+    while steps < n_steps:
+        state, _ = environment.reset(seed=seed if first else None)
+        first, over = False, False
+        states, actions, rewards = [state], [choose_action(Q[state], epsilon, rng)], []
+        while not over and steps < n_steps:
+            state, reward, terminated, truncated, _ = environment.step(actions[-1])
+            rewards.append(reward)
+            steps, over = steps + 1, terminated or truncated
+            if not terminated:
+                states.append(state)
+                actions.append(choose_action(Q[state], epsilon, rng))
+            if len(rewards) >= n:
+                learn(len(rewards) - n)
+        for tau in range(max(len(rewards) - n + 1, 0), len(rewards)):
+            learn(tau)
+    return lambda state: choose_action(Q[state], 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.depth.project import project_3
+
+check(project_3, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about

@@ -524,6 +524,60 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 # or the 0.1 in `act`, and race again.
 
 # %% [markdown]
+# ### From a blank file
+# So far you have put lines into code of ours. Now write it all yourself, from an empty cell, with NumPy and Gymnasium only:
+# the loop and Q-learning, some 30 lines.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
+# action with the highest value. All else is up to you: functions, classes, any names.
+#
+# - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
+#   many there are. They differ from one environment to the next.
+# - Take $lpha = 0.5$, $\gamma = 0.99$, $arepsilon = 0.1$ and first values of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own and in the shop. It sees the steps that your program takes, and no line of
+# it. So when it names a mistake, this is the likely cause. Print what you like on the way, such as the return of
+# each episode, and plot it: a learning curve of your own is the best tool to find a mistake.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by Q-learning for `n_steps` steps, and return the greedy policy."""
+    alpha, gamma, epsilon = 0.5, 0.99, 0.1
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        action = choose_action(Q[state], epsilon, rng)
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        target = reward if terminated else reward + gamma * Q[next_state].max()
+        Q[state, action] += alpha * (target - Q[state, action])
+        state = next_state
+        if terminated or truncated:
+            state, _ = environment.reset()
+    return lambda state: choose_action(Q[state], 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.loop.project import project_0
+
+check(project_0, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # An agent wants a high return, the discounted sum of all rewards from now on: $G_t = R_{t+1} + \gamma G_{t+1}$. A

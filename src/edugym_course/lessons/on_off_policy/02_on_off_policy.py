@@ -750,6 +750,61 @@ def my_agent(road):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: SARSA and its loop, some 35 lines. The loop is the
+# difficult part. It chooses $A'$ before it learns, and then really takes it.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
+# action with the highest value. All else is up to you: functions, classes, any names.
+#
+# - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
+#   many there are. They differ from one environment to the next.
+# - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ and first values of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the steps that your program takes, and no
+# line of it. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by SARSA for `n_steps` steps, and return the greedy policy."""
+    alpha, gamma, epsilon = 0.5, 1.0, 0.1
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    state, _ = environment.reset(seed=seed)
+    action = choose_action(Q[state], epsilon, rng)
+    for _ in range(n_steps):
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        next_action = choose_action(Q[next_state], epsilon, rng)
+        target = reward if terminated else reward + gamma * Q[next_state, next_action]
+        Q[state, action] += alpha * (target - Q[state, action])
+        if terminated or truncated:
+            next_state, _ = environment.reset()
+            next_action = choose_action(Q[next_state], epsilon, rng)
+        state, action = next_state, next_action
+    return lambda state: choose_action(Q[state], 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.on_off_policy.project import project_2
+
+check(project_2, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - Q-learning learned the fast run, SARSA the safe one. Each is the best run for the policy that the method evaluates.

@@ -1,0 +1,239 @@
+"""A program from a blank file: it is run on environments that note every step, and judged by these steps alone.
+
+The contract is the same in all lessons. `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium
+environment by a loop of its own, and returns its policy: a function from an observation to the best action by what it
+has learned. Everything else is the student's.
+"""
+
+import math
+import operator
+import re
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym.checks.parameters import in_short
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
+
+Environment = gymnasium.Env[Any, Any]
+Policy = Callable[[Any], Any]
+Program = Callable[[Environment, int, int], Policy]
+
+NAME = "my_program"
+ENOUGH = 0.9
+"""The share of the steps that a program must take."""
+GYMNASIUM = {
+    "only integers|unhashable type: 'dict'": "reset gives two things: state, info = environment.reset()",
+    "values to unpack": "step gives five things: state, reward, terminated, truncated, info = environment.step(action)",
+}.items()
+"""What often lies behind an error in a program that uses Gymnasium, by what its message contains."""
+
+
+class Step(NamedTuple):
+    """A step, as the environment saw it."""
+
+    state: Any
+    action: Any
+    reward: float
+    next_state: Any
+    terminated: bool
+    truncated: bool
+
+
+class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """An environment that notes every step, and refuses those that no environment allows.
+
+    Attributes:
+        steps: the steps so far.
+        slip: the sentence of the first thing that was refused, "" if there is none.
+    """
+
+    def __init__(
+        self, environment: Environment, n_steps: float, seed: int, who: str = NAME, fixed: int | None = None
+    ) -> None:
+        """Note the steps of `who`, at most `n_steps` and those to the end of the episode.
+
+        The environment draws from the seed that the first reset gives, or from `seed` if it gives none; with `fixed`,
+        always from that.
+        """
+        super().__init__(environment)
+        environment.action_space.seed(seed)
+        self.steps: list[Step] = []
+        self.slip = ""
+        self._most, self._seed, self._who, self._fixed = n_steps, seed, who, fixed
+        self._state: Any = None
+        self._is_new, self._is_over, self._has_begun = False, True, False
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        """Begin an episode."""
+        if self._has_begun and seed is not None:
+            self._refuse(
+                "calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the"
+                " seed at the first reset only, and call reset() after that"
+            )
+        if not self._is_over and not self._is_new:
+            self._refuse("calls reset() in the middle of an episode: go on until `terminated` or `truncated` is True")
+        if not self._has_begun:
+            seed = self._fixed if self._fixed is not None else self._seed if seed is None else seed
+        state, info = self.env.reset(seed=seed, options=options)
+        self._state, self._has_begun, self._is_new, self._is_over = state, True, True, False
+        return state, info
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        """Take a step."""
+        if not self._has_begun:
+            self._refuse("takes a step before the first reset(): begin with state, info = environment.reset(seed=seed)")
+        if self._is_over:
+            self._refuse(
+                "takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True, and"
+                " go on from the state that it gives"
+            )
+        if self._is_new and len(self.steps) >= self._most:
+            self._refuse(f"begins another episode after its {self._most} steps: count the steps of all episodes")
+        taken = self._allowed(action)
+        state, reward, terminated, truncated, info = self.env.step(taken)
+        self.steps.append(Step(self._state, taken, float(reward), state, bool(terminated), bool(truncated)))
+        self._state, self._is_new, self._is_over = state, False, bool(terminated or truncated)
+        return state, float(reward), bool(terminated), bool(truncated), info
+
+    def _allowed(self, action: Any) -> Any:
+        """Return an action that the environment can take, or refuse it."""
+        space = self.env.action_space
+        if action is None:
+            self._refuse("chooses None as an action: is a `return` missing?")
+        assert isinstance(space, spaces.Discrete)
+        most = int(space.n) - 1
+        if isinstance(action, list | tuple) or np.ndim(action):
+            self._refuse(
+                f"chooses {in_short(action)} as an action, and it should be one whole number from 0 to {most}: take an"
+                " entry of it"
+            )
+        try:
+            number = operator.index(action)
+        except TypeError:
+            self._refuse(f"chooses {in_short(action)} as an action: it should be a whole number from 0 to {most}")
+        if not 0 <= number <= most:
+            self._refuse(f"chooses the action {number}: there are the actions 0 to {most}")
+        return number
+
+    def _refuse(self, what: str) -> Any:
+        self.slip = self.slip or f"{self._who} {what}"
+        raise WrongAnswer(self.slip)
+
+
+class Run(NamedTuple):
+    """What a program did in an environment.
+
+    Attributes:
+        steps: all its steps.
+        policy: what it returned.
+    """
+
+    steps: Sequence[Step]
+    policy: Policy
+
+    @property
+    def returns(self) -> Reals:
+        """The returns of the episodes that ended, without a discount."""
+        totals, total = [], 0.0
+        for step in self.steps:
+            total += step.reward
+            if step.terminated or step.truncated:
+                totals.append(total)
+                total = 0.0
+        return np.array(totals)
+
+    def late(self, share: float = 0.25) -> float:
+        """The mean return of the last episodes, a share of all; NaN if none ended."""
+        returns = self.returns
+        return float(returns[-math.ceil(share * len(returns)) :].mean()) if len(returns) else math.nan
+
+
+def run_program(
+    program: Any, environment: Environment, n_steps: int, seed: int, environment_seed: int | None = None
+) -> Run:
+    """Run a program, with the seed that it gives to the environment or with another one.
+
+    Raises:
+        WrongAnswer: it breaks the contract, raises an error or does not end.
+    """
+    require_function(NAME, program, "environment, n_steps and seed")
+    call, recorder = (
+        f"{NAME}(environment, {n_steps}, {seed})",
+        Recorder(environment, n_steps, seed, fixed=environment_seed),
+    )
+    try:
+        with student_code(call):
+            policy = program(recorder, n_steps, seed)
+    except WrongAnswer as wrong:
+        told = [hint for pattern, hint in GYMNASIUM if re.search(pattern, str(wrong))]
+        raise type(wrong)("; ".join([str(wrong), *told])) from None
+    if recorder.slip:  # the program caught it, and went on
+        raise WrongAnswer(recorder.slip)
+    if len(recorder.steps) < ENOUGH * n_steps:
+        raise WrongAnswer(
+            f"{NAME} takes {len(recorder.steps)} of its {n_steps} steps: go on, episode after episode, until all are"
+            " taken"
+        )
+    _require_policy(call, policy)
+    return Run(recorder.steps, policy)
+
+
+def _require_policy(call: str, policy: Any) -> None:
+    """Refuse what is no function of an observation."""
+    if policy is None:
+        raise WrongAnswer(f"{call} gives None: return the policy, a function from a state to an action")
+    if isinstance(policy, type) or not callable(policy):
+        kind = f"the class {policy.__name__}" if isinstance(policy, type) else f"of the type {type(policy).__name__}"
+        raise WrongAnswer(
+            f"{call} should return a function from a state to an action, but what it returns is {kind}: for a table Q"
+            " that is `lambda state: int(Q[state].argmax())`"
+        )
+
+
+def returns_of(policy: Policy, environment: Environment, episodes: int, seed: int) -> Reals:
+    """Play episodes by a policy, and return their returns.
+
+    Raises:
+        WrongAnswer: the policy fails, or chooses no action that there is.
+    """
+    recorder = Recorder(environment, math.inf, seed, "the policy that my_program returns")
+    for _ in range(episodes):
+        state, _ = recorder.reset()
+        over = False
+        while not over:
+            with student_code(f"the policy that {NAME} returns"):
+                action = policy(state)
+            state, _, terminated, truncated, _ = recorder.step(action)
+            over = terminated or truncated
+    return Run(recorder.steps, policy).returns
+
+
+def require_reproducible(program: Any, make: Callable[[], Environment], n_steps: int, seed: int) -> None:
+    """Refuse a program whose seed changes nothing, or that does not repeat itself with the same seed.
+
+    Raises:
+        WrongAnswer: so it is, or it breaks the contract.
+    """
+
+    def actions(number: int) -> list[Any]:
+        return [step.action for step in run_program(program, make(), n_steps, number, seed).steps]
+
+    first, again, other = actions(seed), actions(seed), actions(seed + 1)
+    if first != again:
+        raise WrongAnswer(
+            f"{NAME} does not repeat itself: two runs with seed {seed} take different actions. Draw every random number"
+            " from rng = np.random.default_rng(seed), and make all that it learns inside the function, so that nothing"
+            " is left of the run before"
+        )
+    if first == other:
+        raise WrongAnswer(
+            f"{NAME} takes the same actions with seed {seed} and with seed {seed + 1}: it should try actions at random,"
+            " and draw them from rng = np.random.default_rng(seed)"
+        )

@@ -1,0 +1,262 @@
+"""Which equation explains the actions that a program chose: its own steps are learned from once more.
+
+What a tabular method has learned follows from its steps. So the steps of a program are given to an agent of ours, which
+says before each of them which actions look best. A program with the same equation takes one of these, but for ε of its
+steps. Every other one was a surprise. For a program with too many surprises the same is tried with each of the usual
+mistakes.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym.agents.tables import best_value, tied
+from edugym.checks.contract import learns_from
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import NAME, Step, require_reproducible, run_program
+
+N_STEPS = 2000
+WORLDS = 2
+"""How many small worlds a program is tried in."""
+TRIAL = 300
+"""The steps of the runs that must repeat each other."""
+SLACK = 0.3
+"""The share by which a right program may explore more or less often, as one that draws among the *other* actions."""
+SIGMAS = 4.0
+"""How many standard deviations are more than chance."""
+LAYERS, WIDTH, ACTIONS = 6, 2, 4
+LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
+
+
+class SmallWorld(gymnasium.Env[Any, Any]):
+    """A small random MDP in layers, with noise: no state comes twice in an episode.
+
+    An episode may end after any step. The number that is observed then is that of an ordinary state, as Gymnasium
+    allows, so a program that looks up the value of a terminal state finds one.
+
+    Args:
+        seed: the number from which the MDP is drawn.
+        truncates: whether episodes may also be truncated.
+    """
+
+    def __init__(self, seed: int, truncates: bool = True) -> None:
+        """Draw an MDP."""
+        n, rng = LAYERS * WIDTH, np.random.default_rng(seed)
+        self.observation_space = spaces.Discrete(n)
+        self.action_space = spaces.Discrete(ACTIONS)
+        self._names = rng.permutation(n)
+        self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, ACTIONS))
+        self._ends = rng.choice([0.03, 0.2], (n, ACTIONS))
+        self._next = rng.integers(WIDTH, size=(n, ACTIONS, 2))
+        self._truncates = truncates
+        self._place = 0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin in the first layer."""
+        super().reset(seed=seed)
+        self._place = int(self.np_random.integers(WIDTH))
+        return int(self._names[self._place]), {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Go to the next layer, or end."""
+        reward = float(self._rewards[self._place, action] + self.np_random.integers(-2, 3))
+        is_last = self._place >= (LAYERS - 1) * WIDTH
+        terminated = bool(is_last or self.np_random.random() < self._ends[self._place, action])
+        layer = (self._place // WIDTH + 1) % LAYERS
+        self._place = layer * WIDTH + int(self._next[self._place, action, self.np_random.integers(2)])
+        truncated = bool(self._truncates and not terminated and self.np_random.random() < 0.3)
+        return int(self._names[self._place]), reward, terminated, truncated, {}
+
+
+Maker = Callable[[tuple[int, int]], Any]
+"""Makes an agent of the package for the shape of a table."""
+
+
+class Learner(NamedTuple):
+    """A method, or a mistake.
+
+    Attributes:
+        make: makes an agent of the package, for the shape of a table.
+        alter: what it takes a step for, after what it took the step before for (None at the first).
+        skips: from which steps it does not learn.
+    """
+
+    make: Maker
+    alter: Callable[[Step, Step | None], Step] = lambda step, before: step
+    skips: Callable[[Step], bool] = lambda step: False
+
+
+def _goes_on(step: Step, before: Step | None) -> Step:
+    return step._replace(terminated=False)
+
+
+def _ends(step: Step, before: Step | None) -> Step:
+    return step._replace(terminated=step.terminated or step.truncated)
+
+
+def _old_start(step: Step, before: Step | None) -> Step:
+    return step._replace(state=before.next_state) if before and (before.terminated or before.truncated) else step
+
+
+def _stays(step: Step, before: Step | None) -> Step:
+    return step if before is None or before.terminated or before.truncated else step._replace(state=before.state)
+
+
+def _costs(step: Step, before: Step | None) -> Step:
+    return step._replace(reward=-step.reward)
+
+
+def mistakes_of_loops(make: Maker, on_policy: bool = False) -> dict[str, Learner]:
+    """Return the mistakes that any loop can have, by their sentences.
+
+    Args:
+        make: makes the right agent.
+        on_policy: whether it learns from the next action. What such a program learns beyond an end cannot be told from
+            its steps, for it hangs on an action that is never taken.
+    """
+    beyond_an_end = {
+        "the value of a state after the end is looked up; a terminal state has no future, so its target is the reward"
+        " alone": Learner(make, _goes_on),
+        "a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has"
+        " its value": Learner(make, _ends),
+    }
+    return ({} if on_policy else beyond_an_end) | {
+        "what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and"
+        " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
+        "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
+        " gives the first state of the new one": Learner(make, _old_start),
+        "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, _stays),
+        LOW: Learner(make, _costs),
+    }
+
+
+class Surprises(NamedTuple):
+    """In which steps the action was not one that looked best.
+
+    Attributes:
+        found: for each step, 1 if it was so, else 0.
+        chances: for each step, how likely that was by ε.
+    """
+
+    found: Reals
+    chances: Reals
+
+    @property
+    def expected(self) -> float:
+        """How many are to be expected."""
+        return float(self.chances.sum())
+
+    @property
+    def is_usual(self) -> bool:
+        """Whether there are about as many as are to be expected."""
+        deviation = math.sqrt(float((self.chances * (1 - self.chances)).sum()))
+        return abs(float(self.found.sum()) - self.expected) <= SIGMAS * deviation + SLACK * self.expected
+
+    def explains_better_than(self, other: "Surprises") -> bool:
+        """Whether it has fewer, by more than chance, where the two differ (sign test)."""
+        differs = self.found != other.found
+        return bool((other.found - self.found).sum() > SIGMAS * math.sqrt(differs.sum()))
+
+
+def surprises(steps: Sequence[Step], learner: Learner, epsilon: float) -> Surprises:
+    """Let an agent learn from the steps of a program, and note the actions that did not look best to it."""
+    agent = learner.make((LAYERS * WIDTH, ACTIONS))
+    names = learns_from(agent)
+    found, chances = np.zeros(len(steps)), np.zeros(len(steps))
+    waiting: Step | None = None
+    before: Step | None = None
+    for t, real in enumerate(steps):
+        step = before = learner.alter(real, before)
+        best = [tied(value, best_value(agent.Q, step.state)) for value in agent.Q[step.state]]
+        found[t], chances[t] = not best[step.action], epsilon * (1 - sum(best) / len(best))
+        if waiting is not None:
+            _learn(agent, names, waiting, step.action)
+        waiting = None
+        if learner.skips(real):
+            getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
+        elif "next_action" in names and not real.terminated:
+            waiting = step
+        else:
+            _learn(agent, names, step, step.action)
+    return Surprises(found, chances)
+
+
+def _learn(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:
+    told = step._asdict() | {"next_action": next_action}
+    agent.learn(**{name: told[name] for name in names})
+
+
+@dataclass(frozen=True)
+class Rule:
+    """The equation that a program should learn by.
+
+    Attributes:
+        right: the method.
+        mistakes: the usual mistakes, by the sentence that tells of each.
+        epsilon: how often the program should try a random action.
+        truncates: whether episodes are truncated in the small worlds; not for a method that needs the action after the
+            last.
+        otherwise: what to ask where no mistake fits.
+    """
+
+    right: Learner
+    mistakes: Mapping[str, Learner]
+    epsilon: float
+    truncates: bool = True
+    otherwise: str = ""
+
+    def check(self, program: Any, seed: int) -> None:
+        """Check that the actions of a program follow from its steps by the equation.
+
+        Args:
+            program: the program.
+            seed: the number from which the worlds are drawn.
+
+        Raises:
+            WrongAnswer: they do not; or the program breaks the contract.
+        """
+        seeds = range(WORLDS * seed, WORLDS * seed + WORLDS)
+        require_reproducible(program, lambda: SmallWorld(seeds[0], self.truncates), TRIAL, seed)
+        runs = [run_program(program, SmallWorld(number, self.truncates), N_STEPS, number).steps for number in seeds]
+        right = self._surprises(runs, self.right)
+        counted = {sentence: self._surprises(runs, mistake) for sentence, mistake in self.mistakes.items()}
+        better = [sentence for sentence in counted if counted[sentence].explains_better_than(right)]
+        if right.is_usual and not better:
+            return
+        likely = min(better, key=lambda sentence: counted[sentence].found.sum(), default="")
+        fits = likely and counted[likely].is_usual
+        cause = f"They fit a usual mistake: {likely}" if fits else self._cause(right)
+        raise WrongAnswer(
+            f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
+            " that its own steps make look best by the equation of this lesson, and with ε ="
+            f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
+        )
+
+    def _surprises(self, runs: Sequence[Sequence[Step]], learner: Learner) -> Surprises:
+        """Return the surprises of several runs, each with a new agent."""
+        return Surprises(
+            *map(np.concatenate, zip(*(surprises(run, learner, self.epsilon) for run in runs), strict=True))
+        )
+
+    def _cause(self, right: Surprises) -> str:
+        """Return the likely cause of surprises that no usual mistake explains."""
+        found, by_chance = float(right.found.sum()), right.expected / self.epsilon
+        if found < right.expected:
+            return "So it seldom tries an action at random: is ε that of the text, up to the last step?"
+        if found > 1.2 * by_chance:
+            return f"The likely cause: {LOW}"
+        if found > 0.9 * by_chance:
+            return (
+                "So many come from chance alone, or from a table that never changes: are the actions chosen by the"
+                " values, with probability 1 − ε, and does the update change these values?"
+            )
+        return (
+            f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare α, γ and the first"
+            f" values with those of the text, and the update with its equation, term by term{self.otherwise}"
+        )

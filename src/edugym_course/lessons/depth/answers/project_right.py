@@ -1,0 +1,24 @@
+# %% when the episode is over
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng, t = np.random.default_rng(seed), 0
+    s, _ = environment.reset(seed=seed)
+    while t < n_steps:
+        episode, over = [], False
+        while not over and t < n_steps:
+            a = rng.integers(Q.shape[1]) if rng.random() < 0.1 else Q[s].argmax()
+            s2, r, over, _, _ = environment.step(a)
+            episode.append((s, a, r))
+            s, t = s2, t + 1
+        if not over:
+            break
+        for tau in range(len(episode)):
+            G, weight = 0.0, 1.0
+            for _, _, r in episode[tau : tau + 3]:
+                G, weight = G + weight * r, 0.99 * weight
+            if tau + 3 < len(episode):
+                G += weight * Q[episode[tau + 3][:2]]
+            s, a, _ = episode[tau]
+            Q[s, a] += 0.5 * (G - Q[s, a])
+        s, _ = environment.reset()
+    return lambda s: int(Q[s].argmax())

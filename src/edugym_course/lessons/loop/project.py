@@ -1,0 +1,44 @@
+"""The project of lesson 0: Q-learning and its loop, from a blank file."""
+
+from functools import partial
+from typing import Any
+
+import gymnasium
+
+from edugym.agents.q_learning import QLearning
+from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
+
+N_STEPS = 10_000
+
+
+def agent(shape: tuple[int, int], learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT) -> QLearning:
+    """Make an agent with the settings of the project."""
+    return QLearning.create(shape, learning_rate=learning_rate, discount=discount)
+
+
+RULE = Rule(
+    Learner(agent),
+    mistakes_of_loops(agent)
+    | {
+        "γ max_a Q(S', a), the value of the next state, is missing in the target": Learner(
+            partial(agent, discount=0.0)
+        ),
+        "the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)": Learner(
+            agent, lambda step, before: step._replace(next_state=step.state)
+        ),
+        "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
+        "the old value is lost, as with a learning rate of 1: it should move halfway to the target": Learner(
+            partial(agent, learning_rate=1.0)
+        ),
+    },
+    EPSILON,
+)
+SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))
+
+
+def project_0(answer: Any, seed: int) -> str:
+    """Check a program with Q-learning."""
+    RULE.check(answer, seed)
+    return f"Right: that is all of it, the loop and the learner. {compare_with_ours(answer, SHOP, seed)}"

@@ -1,0 +1,48 @@
+"""The project of lesson 2: SARSA with its A', from a blank file."""
+
+from functools import partial
+from typing import Any
+
+import gymnasium
+
+from edugym.agents.q_learning import QLearning
+from edugym.agents.sarsa import SARSA
+from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISCOUNT, EPSILON
+
+N_STEPS, LEARNING_RATE = 10_000, 0.5
+
+
+def agent(
+    shape: tuple[int, int], kind: Any = SARSA, learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT
+) -> Any:
+    """Make an agent with the settings of the project."""
+    return kind.create(shape, learning_rate=learning_rate, discount=discount)
+
+
+RULE = Rule(
+    Learner(agent),
+    mistakes_of_loops(agent, on_policy=True)
+    | {
+        "the target has max_a Q(S', a), the value of the *best* next action: that is Q-learning": Learner(
+            partial(agent, kind=QLearning)
+        ),
+        "Q(S', A') is missing in the target": Learner(partial(agent, discount=0.0)),
+        "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
+    },
+    EPSILON,
+    truncates=False,
+    otherwise="; look at two places: A', whose value is in the target, is the action that is taken next, and is not"
+    " drawn a second time; at the end of an episode the target is the reward alone",
+)
+CLIFF_WALK = Race(
+    partial(gymnasium.make, CLIFF, max_episode_steps=CLIFF_STEPS), N_STEPS, program_of(agent), judged=("late",)
+)
+"""What counts is what it earns while it explores: that is what SARSA learns."""
+
+
+def project_2(answer: Any, seed: int) -> str:
+    """Check a program with SARSA."""
+    RULE.check(answer, seed)
+    return f"Right: A' is both in the target and on the road. {compare_with_ours(answer, CLIFF_WALK, seed)}"

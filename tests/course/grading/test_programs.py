@@ -1,0 +1,273 @@
+"""Programs from a blank file: what is said of one that breaks the contract, and of a curve that is too low."""
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import QLearning
+from edugym_course.grading import WrongAnswer
+from edugym_course.grading.curves import Race, Result, compare_with_ours, lowest, our_results, program_of, symptom
+from edugym_course.grading.programs import Recorder, Run, Step, require_reproducible, returns_of, run_program
+from edugym_course.grading.replay import SmallWorld
+
+N_STEPS = 60
+
+
+def plays(
+    environment: Any,
+    n_steps: int,
+    seed: int,
+    *,
+    act: Callable[[Any], Any] = int,
+    policy: Any = lambda state: 0,
+    reset: Callable[[Any], Any] = lambda environment: environment.reset(),
+) -> Any:
+    """A program that follows the contract, but for what is given."""
+    rng = np.random.default_rng(seed)
+    environment.reset(seed=seed)
+    for _ in range(n_steps):
+        _, _, terminated, truncated, _ = environment.step(act(rng.integers(3)))
+        if terminated or truncated:
+            reset(environment)
+    return policy
+
+
+def swallows(environment: Any, n_steps: int, seed: int) -> Any:
+    """It catches what it is told."""
+    try:
+        environment.step(0)
+    except Exception:
+        return plays(environment, n_steps, seed)
+
+
+def twice(environment: Any, n_steps: int, seed: int) -> Any:
+    """It takes too many steps."""
+    plays(environment, n_steps, seed)
+    return plays(environment, n_steps, seed, reset=lambda environment: environment.reset())
+
+
+def reads_both(environment: Any, n_steps: int, seed: int) -> Any:
+    """It takes what reset gives for the state."""
+    return np.zeros((12, 4))[environment.reset()]
+
+
+def unpacks_four(environment: Any, n_steps: int, seed: int) -> Any:
+    """It unpacks what an old Gym gave."""
+    environment.reset()
+    _, _, _, _ = environment.step(0)
+
+
+RIGHT: dict[str, Any] = {
+    "as asked": plays,
+    "NumPy's whole numbers": partial(plays, act=np.int64),
+    "an array without axes": partial(plays, act=np.array),
+}
+WRONG: dict[str, tuple[Any, str]] = {
+    "nothing": (..., "Not solved yet: my_program is still `...`"),
+    "a class": (
+        SmallWorld,
+        "my_program should be a function of environment, n_steps and seed, but is the class SmallW",
+    ),
+    "what it gave": (3, "my_program should be a function of environment, n_steps and seed, but is of the type int"),
+    "two parameters": (lambda environment, n_steps: None, "takes 2 positional arguments but 3 were given"),
+    "no reset": (
+        lambda environment, n_steps, seed: environment.step(0),
+        "my_program takes a step before the first reset(): begin with state, info = environment.reset(seed=seed)",
+    ),
+    "no reset, caught": (swallows, "my_program takes a step before the first reset()"),
+    "no second reset": (
+        partial(plays, reset=lambda environment: None),
+        "my_program takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True,"
+        " and go on from the state that it gives",
+    ),
+    "the seed again": (
+        partial(plays, reset=lambda environment: environment.reset(seed=0)),
+        "my_program calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the"
+        " seed at the first reset only, and call reset() after that",
+    ),
+    "twice": (twice, "calls reset(seed=...) more than once"),
+    "too few steps": (
+        lambda environment, n_steps, seed: plays(environment, 7, seed),
+        f"my_program takes 7 of its {N_STEPS} steps: go on, episode after episode, until all are taken",
+    ),
+    "too many steps": (
+        lambda environment, n_steps, seed: plays(environment, 1000, seed),
+        f"my_program begins another episode after its {N_STEPS} steps: count the steps of all episodes",
+    ),
+    "a list": (
+        partial(plays, act=lambda action: [action]),
+        "as an action, and it should be one whole number from 0 to 3: take an entry of it",
+    ),
+    "an array": (partial(plays, act=lambda action: np.array([action])), "it should be one whole number from 0 to 3"),
+    "a float": (partial(plays, act=float), "as an action: it should be a whole number from 0 to 3"),
+    "a text": (partial(plays, act=str), "as an action: it should be a whole number from 0 to 3"),
+    "None": (partial(plays, act=lambda action: None), "chooses None as an action: is a `return` missing?"),
+    "counted from 1": (partial(plays, act=lambda action: 4), "chooses the action 4: there are the actions 0 to 3"),
+    "below 0": (partial(plays, act=lambda action: -1), "chooses the action -1: there are the actions 0 to 3"),
+    "no return": (
+        partial(plays, policy=None),
+        "my_program(environment, 60, 0) gives None: return the policy, a function from a state to an action",
+    ),
+    "a table": (
+        partial(plays, policy=np.zeros((2, 2))),
+        "should return a function from a state to an action, but what it returns is of the type ndarray: for a table Q"
+        " that is `lambda state: int(Q[state].argmax())`",
+    ),
+    "a class as a policy": (partial(plays, policy=SmallWorld), "what it returns is the class SmallWorld"),
+    "both": (reads_both, "reset gives two things: state, info = environment.reset()"),
+    "four things": (
+        unpacks_four,
+        "step gives five things: state, reward, terminated, truncated, info = environment.step(action)",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_a_program_that_keeps_to_the_contract(name: str) -> None:
+    """All its steps are there, each with the state that it began in."""
+    run = run_program(RIGHT[name], SmallWorld(0), N_STEPS, 0)
+    assert len(run.steps) == N_STEPS
+    pairs = zip(run.steps, run.steps[1:], strict=False)
+    assert all(now.next_state == then.state for now, then in pairs if not (now.terminated or now.truncated))
+    assert len(run.returns) == sum(step.terminated or step.truncated for step in run.steps)
+    assert all(type(step.action) is int for step in run.steps)
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_program_that_breaks_the_contract(name: str) -> None:
+    """One sentence names what it did, and what is allowed."""
+    program, says = WRONG[name]
+    with pytest.raises(WrongAnswer) as refused:
+        run_program(program, SmallWorld(0), N_STEPS, 0)
+    assert says in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_reset_in_the_middle_of_an_episode() -> None:
+    """It is refused; two resets without a step between them are not."""
+    recorder = Recorder(SmallWorld(0), N_STEPS, 0)
+    recorder.reset(seed=3)
+    recorder.reset()
+    assert recorder.step(0)[2:4] == (False, False)
+    says = r"calls reset\(\) in the middle of an episode: go on until `terminated` or `truncated` is True"
+    with pytest.raises(WrongAnswer, match=says):
+        recorder.reset()
+
+
+def remembers(runs: list[int], environment: Any, n_steps: int, seed: int) -> Any:
+    """A program that knows how often it has run."""
+    runs.append(0)
+    return plays(environment, n_steps, seed + len(runs))
+
+
+@pytest.mark.parametrize(
+    ("program", "says"),
+    [
+        (
+            partial(remembers, []),
+            "my_program does not repeat itself: two runs with seed 5 take different actions. Draw every random number"
+            " from rng = np.random.default_rng(seed), and make all that it learns inside the function, so that nothing"
+            " is left of the run before",
+        ),
+        (
+            partial(plays, act=lambda action: 0),
+            "my_program takes the same actions with seed 5 and with seed 6: it should try actions at random, and draw"
+            " them from rng = np.random.default_rng(seed)",
+        ),
+    ],
+)
+def test_what_a_seed_must_do(program: Any, says: str) -> None:
+    """The same seed gives the same run, and another one another run."""
+    require_reproducible(plays, partial(SmallWorld, 0), N_STEPS, 5)
+    with pytest.raises(WrongAnswer) as refused:
+        require_reproducible(program, partial(SmallWorld, 0), N_STEPS, 5)
+    assert says in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("policy", "says"),
+    [
+        (lambda state: 7, "the policy that my_program returns chooses the action 7: there are the actions 0 to 3"),
+        (lambda: 0, "takes 0 positional arguments but 1 was given"),
+        (lambda state: 1 / 0, "raises ZeroDivisionError"),
+    ],
+)
+def test_a_policy_that_fails(policy: Any, says: str) -> None:
+    """It is told that it is the policy."""
+    assert len(returns_of(lambda state: 1, SmallWorld(0), 3, 0)) == 3
+    with pytest.raises(WrongAnswer) as refused:
+        returns_of(policy, SmallWorld(0), 3, 0)
+    assert says in str(refused.value)
+
+
+def run_with(returns: list[float]) -> Run:
+    """A run of episodes of one step each."""
+    return Run([Step(0, 0, reward, 0, True, False) for reward in returns], lambda state: 0)
+
+
+CURVES: list[tuple[list[float], float, str]] = [
+    ([], 0.0, "hardly an episode ended: does the state that your program chooses from change after each step?"),
+    (
+        [0.0] * 30 + [9.0] * 60 + [1.0] * 30,
+        1.0,
+        "the returns rise to 9.0 and then fall to 1.0: likely values that grow without end, or a target that goes on"
+        " after the end of an episode",
+    ),
+    (
+        [0.1 * k for k in range(120)],
+        15.0,
+        "the returns rise from 1.4 to 10.4, but slowly: likely a learning rate that is too small, or too much"
+        " exploration",
+    ),
+    (
+        [2.0] * 120,
+        2.0,
+        "the returns do not rise (2.0 in the first quarter, 2.0 in the last): likely an update that changes nothing, or"
+        " actions that are not chosen by what was learned",
+    ),
+    (
+        [2.0] * 120,
+        -5.0,
+        "while it learned, its last episodes brought 2.0, and the policy that it returns brings -5.0: does this policy"
+        " look up the state that it is given, and take the *best* action?",
+    ),
+]
+
+
+@pytest.mark.parametrize(("returns", "played", "says"), CURVES)
+def test_symptoms_of_a_curve(returns: list[float], played: float, says: str) -> None:
+    """Each says what was seen, and the likely cause."""
+    assert symptom(run_with(returns), played) == says
+
+
+def learner(shape: tuple[int, int]) -> QLearning:
+    """An agent that learns a small world."""
+    return QLearning.create(shape, learning_rate=0.1)
+
+
+RACE = Race(partial(SmallWorld, 1), 2000, program_of(learner), episodes=200)
+
+
+def test_a_race() -> None:
+    """Our own program passes with other seeds; one that acts at random does not, and both figures are told."""
+    assert compare_with_ours(RACE.ours, RACE, 3).startswith("In the middle one of 5 runs, the last quarter")
+    with pytest.raises(WrongAnswer) as refused:
+        compare_with_ours(plays, RACE, 0)
+    for says in (
+        "in the middle one of 5 runs, the last quarter of its training episodes brings ",
+        ", which is too low:",
+    ):
+        assert says in str(refused.value)
+    better = max(our_results(RACE), key=lambda result: result.late)
+    assert isinstance(better, Result)
+    assert better.late > lowest([result.late for result in our_results(RACE)])
+
+
+def test_how_low_a_run_may_be() -> None:
+    """A standard deviation below the worst of ours; a curve without an episode is below any."""
+    assert lowest([1.0, 2.0, 3.0]) == pytest.approx(0.0)
+    assert math.isnan(run_with([]).late())

@@ -1,0 +1,93 @@
+"""Which equation explains the actions of a program: every mistake of a lesson, done on purpose, is told as this one."""
+
+from importlib import import_module
+from typing import Any
+
+import build
+import numpy as np
+import pytest
+
+from edugym.checks.contract import learns_from
+from edugym_course.grading import WrongAnswer
+from edugym_course.grading.programs import Program, Step
+from edugym_course.grading.replay import Learner, Rule, SmallWorld
+
+RULES: dict[str, Rule] = {
+    lesson: project.RULE
+    for lesson, path in build.lesson_sources().items()
+    if (path.parent / "project.py").exists()
+    and hasattr(project := import_module(f"edugym_course.lessons.{path.parent.name}.project"), "RULE")
+}
+CASES = [(lesson, sentence) for lesson, rule in RULES.items() for sentence in rule.mistakes]
+
+
+def program_with(learner: Learner) -> Program:
+    """A program that makes a mistake in its loop."""
+
+    def program(environment: Any, n_steps: int, seed: int) -> Any:
+        agent: Any = learner.make((int(environment.observation_space.n), int(environment.action_space.n)))
+        names, rng = learns_from(agent), np.random.default_rng(seed)
+        state, before, waiting = environment.reset(seed=seed)[0], None, None
+
+        def learn(step: Step, next_action: int) -> None:
+            told = step._asdict() | {"next_action": next_action}
+            agent.learn(**{name: told[name] for name in names})
+
+        for _ in range(n_steps):
+            thought = learner.alter(Step(state, 0, 0.0, state, False, False), before).state
+            action = agent.act(thought, rng)
+            if waiting is not None:
+                learn(waiting, action)
+            next_state, reward, terminated, truncated, _ = environment.step(action)
+            real = Step(state, action, reward, next_state, terminated, truncated)
+            before = learner.alter(real, before)
+            waiting = None
+            if learner.skips(real):
+                getattr(agent, "forget_episode", bool)()
+            elif "next_action" in names and not terminated:
+                waiting = before
+            else:
+                learn(before, action)
+            state = environment.reset()[0] if terminated or truncated else next_state
+        return lambda state: agent.greedy(state, rng)
+
+    return program
+
+
+@pytest.mark.parametrize(("lesson", "sentence"), CASES)
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow)])
+def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
+    """No two of a lesson are taken for each other."""
+    with pytest.raises(WrongAnswer) as refused:
+        RULES[lesson].check(program_with(RULES[lesson].mistakes[sentence]), seed)
+    said = str(refused.value)
+    assert said.endswith(f"They fit a usual mistake: {sentence}")
+    for words in ("in small worlds with 40", "it should be some ", " make look best by the equation of this"):
+        assert words in said
+
+
+@pytest.mark.parametrize("lesson", RULES)
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow)])
+def test_a_right_program_has_no_surprises(lesson: str, seed: int) -> None:
+    """Whatever the seed is."""
+    RULES[lesson].check(program_with(RULES[lesson].right), seed)
+
+
+@pytest.mark.parametrize("truncates", [False, True])
+def test_a_small_world(truncates: bool) -> None:
+    """No state comes twice in an episode, but the terminal one is an ordinary state elsewhere."""
+    world, rng = SmallWorld(0, truncates), np.random.default_rng(0)
+    state, seen, ends, cut_off = world.reset(seed=0)[0], set[int](), set[int](), 0
+    visited = set[int]()
+    for _ in range(2000):
+        assert state not in seen
+        seen.add(state)
+        visited.add(state)
+        state, _, terminated, truncated, _ = world.step(int(rng.integers(4)))
+        assert not (terminated and truncated)
+        if terminated or truncated:
+            ends |= {state} if terminated else set()
+            cut_off += truncated
+            state, seen = world.reset()[0], set()
+    assert ends <= visited == {*range(12)}
+    assert (cut_off > 0) == truncates
