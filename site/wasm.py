@@ -44,8 +44,6 @@ def install() -> None:
 
     def begin(self: Any, name: str) -> None:
         codegen.initialize_llvm()
-        binding.initialize_all_targets()
-        binding.initialize_all_asmprinters()
         self._rtlinker = codegen.RuntimeLinker()
         self._tm_features = FEATURES
         self._tm = _machine()
@@ -80,6 +78,8 @@ def install() -> None:
 
 
 def _machine() -> Any:
+    binding.initialize_all_targets()
+    binding.initialize_all_asmprinters()
     target = binding.Target.from_triple(TRIPLE)
     return target.create_target_machine(cpu="generic", features=FEATURES, opt=3, reloc="static", codemodel="default")
 
@@ -103,6 +103,24 @@ def compiled(loop: Callable[..., Any], arguments: tuple[Any, ...], fingerprint: 
     kernel = _Kernel(made, tuple(inspect.signature(loop).parameters))
     note = {"fingerprint": fingerprint, "slots": kernel.slots, "results": kernel.n_arguments}
     return linked(kernel.object_file(), ("run",), {NOTE: json.dumps(note).encode()})
+
+
+def optimised(source: str, exported: tuple[str, ...]) -> bytes:
+    """The object file of a text of LLVM and the runtime, optimised; functions that are not exported go away."""
+    module = binding.parse_assembly(source + RUNTIME.read_text())
+    for value in [*module.functions, *module.global_variables]:  # what only CPython calls goes away with this
+        if not value.is_declaration and value.name not in exported:
+            value.linkage = "internal"
+    module.verify()
+    machine = _machine()
+    for _ in range(2):
+        options = binding.create_pipeline_tuning_options(speed_level=3)
+        options.loop_vectorization = options.slp_vectorization = False
+        options.inlining_threshold = 100_000
+        builder = binding.create_pass_builder(machine, options)
+        builder.getModulePassManager().run(module, builder)
+    made: bytes = machine.emit_object(module)
+    return made
 
 
 def signature_of(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -153,20 +171,7 @@ class _Kernel:
         source = str(binding.parse_assembly(str(self._made.library._final_module)))
         source = source.replace("@edugym_asked_to_stop(", "@asked_to_stop(")
         source = re.sub(r"^declare [^\n]*@asked_to_stop\([^\n]*$", "", source, flags=re.MULTILINE)
-        module = binding.parse_assembly(source + RUNTIME.read_text() + self._run())
-        for value in [*module.functions, *module.global_variables]:  # what only CPython calls goes away with this
-            if not value.is_declaration and value.name != "run":
-                value.linkage = "internal"
-        module.verify()
-        machine = _machine()
-        for _ in range(2):
-            options = binding.create_pipeline_tuning_options(speed_level=3)
-            options.loop_vectorization = options.slp_vectorization = False
-            options.inlining_threshold = 100_000
-            builder = binding.create_pass_builder(machine, options)
-            builder.getModulePassManager().run(module, builder)
-        made: bytes = machine.emit_object(module)
-        return made
+        return optimised(source + self._run(), ("run",))
 
     def _run(self) -> str:
         body = "\n  ".join(self._lines)

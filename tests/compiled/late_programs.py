@@ -298,6 +298,8 @@ def bits(value: Any) -> Any:
         return value.tobytes()
     if isinstance(value, np.random.Generator):
         return str(value.bit_generator.state)
+    if isinstance(value, int) and abs(value) >= 2**53:
+        return hex(value)
     is_number = isinstance(value, int | float | np.number)
     return float(value).hex() if is_number and abs(float(value)) < 2**53 else str(value)
 

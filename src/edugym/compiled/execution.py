@@ -32,6 +32,8 @@ from edugym.compiled.compiler import (
     may_compile,
     seconds_to_build,
 )
+from edugym.compiled.javascript import program as javascript
+from edugym.compiled.javascript.kinds import Untranslatable
 from edugym.compiled.snapshot import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
 from edugym.system import waiting
@@ -86,12 +88,15 @@ def executable(
     foreign, is_ready = code.foreign, is_built(loop, code)
     if not is_ready and expected < (REHEARSALS_PER_RUN * rehearsed if foreign else COMPILE_FROM):
         return loop
-    if not may_compile():
+    if javascript.engine is None and not may_compile():
         return loop
     try:
         names = tuple(inspect.signature(loop).parameters)[1:]
         if reason := refusal(code, arguments, names):
             raise CompilationError(reason)
+        if javascript.engine is not None:
+            made = _rehearsed_javascript(loop, arguments, code, min(rehearsed, REHEARSED), replay or loop)
+            return _with_replay(made, loop, code, replay or loop)
         if not foreign:
             check_compiler()
             with _announced(loop, code):
@@ -168,6 +173,27 @@ def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, 
     if found := difference(interpreted, (result, copies), "the result"):
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
     return machine_code
+
+
+def _rehearsed_javascript(loop: Loop, arguments: tuple[Any, ...], code: Code, n: int, replay: Loop) -> Loop:
+    """Returns JavaScript that did in `n` steps, on copies, what the interpreter did, to the last bit.
+
+    Raises:
+        CompilationError: it cannot be translated, or it does something else.
+        Exception: any mistake in the first steps, at its line.
+    """
+    assert javascript.engine is not None
+    interpreted, copies = _rehearse(replay, n, arguments, code), copied(arguments)
+    try:
+        made = javascript.translated(loop, arguments, javascript.engine)
+        result = made(n, *copies)
+    except Untranslatable as error:
+        raise CompilationError(str(error)) from error
+    except javascript.Doubt as error:
+        raise CompilationError(f"JavaScript stops where Python goes on ({error})") from error
+    if found := difference(interpreted, (result, copies), "the result", close=0.0):
+        raise CompilationError(f"JavaScript comes to something else than Python in the first steps ({found})")
+    return made
 
 
 def _machine_code_failed(error: Exception) -> str:

@@ -1,6 +1,7 @@
 """NamedTuple classes that are generated for a shape or a signature, since machine code has to know it beforehand."""
 
 import hashlib
+import linecache
 import sys
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -23,8 +24,10 @@ def generated_class(name: str, lines: list[str], kinds: dict[str, type]) -> Any:
     if module is None or module.__dict__["KINDS"] != kinds:
         module = ModuleType(f"edugym.compiled.{full_name}")
         module.__dict__.update(kinds, NamedTuple=NamedTuple, KINDS=kinds)
-        source = "\n".join([f"class {full_name}(NamedTuple):", *lines])
-        exec(source, module.__dict__)
+        source = "\n".join([f"class {full_name}(NamedTuple):", *lines, ""])
+        file = f"<{full_name}>"
+        linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)  # for who reads its source
+        exec(compile(source, file, "exec"), module.__dict__)
         module.__dict__[full_name].__reduce__ = lambda value: (_value, (name, lines, kinds, tuple(value)))
         sys.modules[module.__name__] = module
     return module.__dict__[full_name]

@@ -1,0 +1,297 @@
+"""Expressions in JavaScript, but for operations and calls."""
+
+import ast
+from types import FunctionType, ModuleType
+from typing import Any, NamedTuple
+
+from edugym.compiled.code import inside
+from edugym.compiled.javascript.calls import call, own_function
+from edugym.compiled.javascript.kinds import (
+    INT,
+    NEVER,
+    Array,
+    Code,
+    Kind,
+    List,
+    Static,
+    Tuple,
+    described,
+)
+from edugym.compiled.javascript.operations import Operations
+
+
+class Iteration(NamedTuple):
+    """How a `for` goes through something.
+
+    Attributes:
+        begin: declarations of JavaScript, which read it once.
+        more: whether there is more.
+        advance: what leads to the next.
+        value: the present one.
+    """
+
+    begin: str
+    more: str
+    advance: str
+    value: Code
+
+
+class Expressions(Operations):
+    """Writes the expressions of one function.
+
+    Attributes:
+        program: of which it is a part.
+        function: the function.
+        key: the function and the kinds of its arguments.
+    """
+
+    # Expressions
+
+    def _of_Call(self, node: ast.Call) -> Code:
+        return call(self, node)
+
+    def _of_Written(self, node: "Written") -> Code:
+        return node.code
+
+    def _of_Constant(self, node: ast.Constant) -> Code:
+        return self.constant(node, node.value, ast.unparse(node))
+
+    def _of_Name(self, node: ast.Name) -> Code:
+        for scope in reversed(self.scopes):
+            if node.id in scope:
+                return Code(f"${node.id}", scope[node.id])
+        code = self.function.__code__
+        if node.id in self.local:
+            if node.id not in self.assigned:
+                raise self.refused(node, f"the variable {node.id} may have no value")
+            return Code(f"${node.id}", self.kind_of_name(node.id))
+        if node.id in code.co_freevars:
+            cell = (self.function.__closure__ or ())[code.co_freevars.index(node.id)]
+            return self.constant(node, inside(cell), node.id)
+        missing = object()
+        builtins: Any = self.function.__globals__.get("__builtins__", {})
+        space = builtins if isinstance(builtins, dict) else vars(builtins)
+        value = self.function.__globals__.get(node.id, space.get(node.id, missing))
+        if value is missing:
+            raise self.refused(node, f"there is no {node.id}")
+        return self.constant(node, value, node.id)
+
+    def _of_Attribute(self, node: ast.Attribute) -> Code:
+        owner = self.visit(node.value)
+        kind = owner.kind
+        if isinstance(kind, Static):
+            if isinstance(kind.value, ModuleType) and kind.value.__name__.startswith("numpy.random"):
+                raise self.refused(node, "it draws from np.random, which no seed of a run reaches: draw from rng")
+            if not hasattr(kind.value, node.attr):
+                raise self.refused(node, f"it uses {ast.unparse(node)}")
+            return self.constant(node, getattr(kind.value, node.attr), ast.unparse(node))
+        if isinstance(kind, Tuple) and kind.type is not None:
+            return self.member(node, owner, kind)
+        if isinstance(kind, Array) and node.attr == "shape":
+            shape = Tuple(None, (INT,) * kind.ndim)
+            held = self.fresh()
+            sizes = ",".join(f"{held}[{k}]" for k in range(kind.ndim))
+            return Code(f"({held}={owner.text}.shape,new {self.program.tuple_class(shape)}({sizes}))", shape)
+        if isinstance(kind, Array) and node.attr == "size":
+            return Code(f"{owner.text}.size", INT)
+        if isinstance(kind, Array) and node.attr == "ndim":
+            return Code(str(kind.ndim), INT)
+        if kind == NEVER:
+            return owner
+        raise self.refused(node, f"it uses .{node.attr} of {described(kind)}")
+
+    def member(self, node: ast.Attribute, owner: Code, kind: Tuple) -> Code:
+        """A field, a property or a constant of a NamedTuple."""
+        fields: Any = getattr(kind.type, "_fields", ())
+        found = self.program.member(kind.type, node.attr)
+        if node.attr in fields:
+            k = fields.index(node.attr)
+            return Code(f"{owner.text}.a{k}", kind.parts[k])
+        if isinstance(found, property) and isinstance(found.fget, FunctionType):
+            return own_function(self, node, found.fget, [owner], {})
+        if found is None or isinstance(found, FunctionType | classmethod | staticmethod):
+            raise self.refused(node, f"it uses {ast.unparse(node)}")
+        return self.constant(node, found, ast.unparse(node))
+
+    def _of_Tuple(self, node: ast.Tuple) -> Code:
+        return self.tuple_of(None, [self.visit(one) for one in node.elts])
+
+    def _of_List(self, node: ast.List) -> Code:
+        site = self.list_at(node)
+        parts = [self.visit(one) for one in node.elts]
+        for part in parts:
+            self.widen(node, site, part.kind)
+        return Code(f"[{','.join(part.text for part in parts)}]", site)
+
+    def _of_ListComp(self, node: ast.ListComp) -> Code:
+        if len(node.generators) != 1:
+            raise self.refused(node, "it has two for in one [ ]")
+        (generator,), site = node.generators, self.list_at(node)
+        through = self.iteration(generator.iter)
+        scope: dict[str, Kind] = {}
+        bound = self._bind_in(node, generator.target, through.value, scope)
+        self.scopes.append(scope)
+        tests = "".join(f"if(!{self.truth(node, self.visit(one))})continue;" for one in generator.ifs)
+        element = self.visit(node.elt)
+        self.scopes.pop()
+        self.widen(node, site, element.kind)
+        loop = f"for(;{through.more};{through.advance}){{{bound}{tests}gathered.push({element.text});}}"
+        return Code(f"(()=>{{const gathered=[];{through.begin}{loop}return gathered}})()", site)
+
+    def _bind_in(self, node: ast.AST, target: ast.expr, value: Code, scope: dict[str, Kind]) -> str:
+        """Declares the variables of a comprehension."""
+        if isinstance(target, ast.Name):
+            scope[target.id] = value.kind
+            return f"const ${target.id}={value.text};"
+        kinds = value.kind.parts if isinstance(value.kind, Tuple) else ()
+        if not isinstance(target, ast.Tuple) or len(target.elts) != len(kinds):
+            raise self.refused(node, f"it takes {described(value.kind)} apart")
+        held = self.fresh()
+        parts = enumerate(zip(target.elts, kinds, strict=True))
+        return f"{held}={value.text};" + "".join(
+            self._bind_in(node, one, Code(f"{held}.a{k}", kind), scope) for k, (one, kind) in parts
+        )
+
+    def _of_IfExp(self, node: ast.IfExp) -> Code:
+        test, then, other = self.truth(node, self.visit(node.test)), self.visit(node.body), self.visit(node.orelse)
+        kind = self.joined(node, then.kind, other.kind)
+        return Code(f"({test}?{then.text}:{other.text})", kind)
+
+    # Parts of arrays, lists and tuples
+
+    def _of_Subscript(self, node: ast.Subscript) -> Code:
+        return self.item(node, self.visit(node.value), node.slice)
+
+    def item(self, node: ast.AST, owner: Code, index: ast.expr) -> Code:
+        """A part of something."""
+        kind = owner.kind
+        if isinstance(kind, Tuple):
+            return self._part_of_tuple(node, owner, kind, index)
+        if isinstance(kind, List):
+            if isinstance(index, ast.Slice):
+                bounds = ",".join("null" if one is None else self.index(one) for one in (index.lower, index.upper))
+                step = "1" if index.step is None else self.index(index.step)
+                return Code(f"listSlice({owner.text},{bounds},{step})", kind)
+            return Code(f"item({owner.text},{self.index(index)})", self.program.part(kind))
+        if isinstance(kind, Array):
+            indices = self.indices(index)
+            if len(indices) == kind.ndim <= 3 and not any(isinstance(one, ast.Slice) for one in indices):
+                return Code(f"{owner.text}.at{kind.ndim}({','.join(map(self.index, indices))})", kind.of)
+            return self.part(owner, indices)
+        if kind == NEVER:
+            return owner
+        raise self.refused(node, f"it takes a part of {described(kind)}")
+
+    def _part_of_tuple(self, node: ast.AST, owner: Code, kind: Tuple, index: ast.expr) -> Code:
+        known = _literal(index)
+        if known is not None and -len(kind.parts) <= known < len(kind.parts):
+            k = known % len(kind.parts)
+            return Code(f"{owner.text}.a{k}", kind.parts[k])
+        found = kind.parts[0] if kind.parts else NEVER
+        for one in kind.parts:
+            found = self.joined(node, found, one)
+        return Code(f"item({self.as_list(owner)},{self.index(index)})", found)
+
+    def indices(self, index: ast.expr) -> list[ast.expr]:
+        """The indices between brackets."""
+        return list(index.elts) if isinstance(index, ast.Tuple) else [index]
+
+    def index(self, node: ast.expr) -> str:
+        """A whole number between brackets."""
+        code = self.visit(node)
+        if code.kind != INT and code.kind != NEVER:
+            raise self.refused(node, f"its index is {described(code.kind)}, not a whole number")
+        return code.text
+
+    def part(self, owner: Code, indices: list[ast.expr]) -> Code:
+        """A part of an array that is an array."""
+        kind: Any = owner.kind
+        texts, left = list[str](), kind.ndim
+        for one in indices:
+            if isinstance(one, ast.Slice):
+                bounds = ["null" if bound is None else self.index(bound) for bound in (one.lower, one.upper)]
+                texts.append(f"[{bounds[0]},{bounds[1]},{'1' if one.step is None else self.index(one.step)}]")
+            else:
+                texts.append(self.index(one))
+                left -= 1
+        if len(indices) > kind.ndim:
+            raise self.refused(indices[-1], "it has more indices than the array has dimensions")
+        method = "row" if len(indices) == 1 and left < kind.ndim else "part"
+        return Code(f"{owner.text}.{method}({','.join(texts)})", Array(kind.of, left, kind.frozen))
+
+    # Going through things
+
+    def iteration(self, node: ast.expr) -> Iteration:
+        """How a `for` goes through what stands after `in`."""
+        if isinstance(node, ast.Call):
+            called = self.visit(node.func).kind if isinstance(node.func, ast.Name) else None
+            if isinstance(called, Static) and called.value in (range, enumerate, zip):
+                return self._special(node, called.value)
+        return self.through(node, self.visit(node))
+
+    def through(self, node: ast.AST, code: Code) -> Iteration:
+        """How a `for` goes through a list, a tuple or an array."""
+        held, k = self.fresh(), self.fresh()
+        kind = code.kind
+        if isinstance(kind, Tuple):
+            found: Kind = NEVER
+            for one in kind.parts:
+                found = self.joined(node, found, one)
+            value, text, size = Code(f"{held}[{k}]", found), self.as_list(code), f"{held}.length"
+        elif isinstance(kind, List):
+            value, text, size = Code(f"{held}[{k}]", self.program.part(kind)), code.text, f"{held}.length"
+        elif isinstance(kind, Array):
+            of = kind.of if kind.ndim == 1 else Array(kind.of, kind.ndim - 1, kind.frozen)
+            get = f"{held}.at1({k})" if kind.ndim == 1 else f"{held}.part({k})"
+            value, text, size = Code(get, of), code.text, f"{held}.shape[0]"
+        elif kind == NEVER:
+            value, text, size = Code(f"{held}[{k}]", NEVER), f"({code.text},[])", f"{held}.length"
+        else:
+            raise self.refused(node, f"it goes through {described(kind)}")
+        return Iteration(f"{held}={text};{k}=0;", f"{k}<{size}", f"{k}++", value)
+
+    def _special(self, node: ast.Call, called: Any) -> Iteration:
+        if called is range:
+            if node.keywords or not 1 <= len(node.args) <= 3:
+                raise self.refused(node, "it calls range with other arguments")
+            bounds = [self.index(one) for one in node.args]
+            begin, end, step = {1: ["0", *bounds, "1"], 2: [*bounds, "1"], 3: bounds}[len(bounds)]
+            k, last, by = self.fresh(), self.fresh(), self.fresh()
+            first = f"{k}={begin};{last}={end};{by}={step};"
+            if len(bounds) < 3:
+                return Iteration(first, f"{k}<{last}", f"{k}++", Code(k, INT))
+            check = f"if({by}===0)doubt('a range of step 0');"
+            return Iteration(first + check, f"({by}>0?{k}<{last}:{k}>{last})", f"{k}+={by}", Code(k, INT))
+        if called is enumerate:
+            start = [*node.args[1:], *(keyword.value for keyword in node.keywords)]
+            inner, k = self.iteration(node.args[0]), self.fresh()
+            begin = f"{k}={self.index(start[0]) if start else '0'};"
+            value = self.tuple_of(None, [Code(k, INT), inner.value])
+            return Iteration(inner.begin + begin, inner.more, f"{inner.advance},{k}++", value)
+        if node.keywords or not node.args:
+            raise self.refused(node, "it calls zip with strict")
+        parts = [self.iteration(one) for one in node.args]
+        return Iteration(
+            "".join(part.begin for part in parts),
+            "&&".join(part.more for part in parts),
+            ",".join(part.advance for part in parts),
+            self.tuple_of(None, [part.value for part in parts]),
+        )
+
+
+class Written(ast.expr):
+    """An expression that is written already."""
+
+    def __init__(self, code: Code) -> None:
+        """See the class."""
+        super().__init__()
+        self.code = code
+
+
+def _literal(node: ast.expr) -> int | None:
+    """A whole number that stands in the code."""
+    try:
+        value = ast.literal_eval(node)
+    except ValueError:
+        return None
+    return value if type(value) is int else None

@@ -1,0 +1,360 @@
+// What translated code calls: Python's and NumPy's operations, bit for bit. Where JavaScript might come to something
+// else, or where Python raises an error, it throws `Doubt`: the interpreter then repeats the call.
+
+class Doubt extends Error {}
+const doubt = why => { throw new Doubt(why) }
+const MOST = Number.MAX_SAFE_INTEGER
+
+// Whole numbers. They are exact up to 53 bits.
+const whole = x => x >= -MOST && x <= MOST ? x : doubt('a whole number of more than 53 bits')
+const quotient = (a, b) => {
+  if (b === 0) doubt('division by zero')
+  const rest = whole(a) % whole(b), exact = (a - rest) / b
+  return (rest !== 0 && rest < 0 !== b < 0 ? exact - 1 : exact) + 0
+}
+const remainder = (a, b) => {
+  if (b === 0) doubt('modulo by zero')
+  const rest = whole(a) % whole(b)
+  return (rest !== 0 && rest < 0 !== b < 0 ? rest + b : rest) + 0
+}
+const productModulo = (a, b, m) => {
+  const product = a * b
+  if (product >= -MOST && product <= MOST) return remainder(product + 0, m)
+  if (a < 0 || a >= 4294967296 || b < 0 || b >= 4294967296 || m <= 0 || m > 4294967296) doubt('a product of more than 53 bits')
+  const high = Math.floor(b / 65536), low = b % 65536
+  return (a * high % m * 65536 + a * low) % m
+}
+const power = (base, exponent) => {
+  if (exponent < 0) doubt('a negative power')
+  let result = 1
+  for (let left = exponent; ;) {
+    if (left % 2) result = whole(result * base + 0)
+    left = Math.floor(left / 2)
+    if (!left) return result
+    base = whole(base * base)
+  }
+}
+const shifted = (a, n) => n < 0 ? doubt('a negative shift') : a === 0 ? 0 : whole(a * power(2, n))
+const shiftedBack = (a, n) => n < 0 ? doubt('a negative shift') : n > 53 ? (a < 0 ? -1 : 0) : Math.floor(whole(a) / power(2, n))
+const small = x => (x | 0) === x ? x : doubt('more than 32 bits')
+const both = (a, b) => small(a) & small(b), either = (a, b) => small(a) | small(b), one = (a, b) => small(a) ^ small(b)
+
+// Real numbers.
+const finite = x => Number.isFinite(x) ? x : doubt('not a finite number')
+const divided = (a, b) => b === 0 ? doubt('division by zero') : a / b
+const signed = (size, like) => like < 0 || Object.is(like, -0) ? -size : size
+const modulo = (a, b) => {
+  if (b === 0) doubt('modulo by zero')
+  const rest = finite(a) % finite(b)
+  return rest !== 0 ? (b < 0 !== rest < 0 ? rest + b : rest) : signed(0, b)
+}
+const floored = (a, b) => {
+  if (b === 0) doubt('division by zero')
+  let rest = finite(a) % finite(b), result = (a - rest) / b
+  if (rest !== 0 && b < 0 !== rest < 0) result -= 1
+  if (result === 0) return signed(0, a / b)
+  const below = Math.floor(result)
+  return result - below > 0.5 ? below + 1 : below
+}
+const root = x => x >= 0 ? Math.sqrt(x) : doubt('the root of a negative number')
+const truncated = x => whole(Math.trunc(x)) + 0
+const rounded = x => {
+  const below = Math.floor(whole(x)), rest = x - below
+  return (rest > 0.5 || (rest === 0.5 && below % 2 !== 0) ? below + 1 : below) + 0
+}
+const finiteOf = x => Number.isFinite(x) ? x : doubt('an infinite result')
+
+// A number that may be whole or real: results that differ between the two are in doubt.
+const mixed = x => x >= -MOST && x <= MOST && !Object.is(x, -0) ? x : doubt('a large number, or -0, that may be whole')
+
+const sameReal = (a, b) => a === b || (a !== a && b !== b && doubt('NaN in tuples that are compared'))
+
+// Numbers of both kinds.
+const larger = (a, b) => b > a ? b : a
+const smaller = (a, b) => b < a ? b : a
+const clipped = (x, low, high) => x !== x ? x : low !== low ? low : high !== high ? high : smaller(larger(x, low), high)
+
+// Arrays: `data` from `offset`, with `strides` in elements. Whole numbers of 64 bits are two of 32.
+const out = (i, n) => doubt(`index ${i} is out of bounds for size ${n}`)
+const at = (i, n) => i >= 0 && i < n ? i : i < 0 && i >= -n ? i + n : out(i, n)
+const views = buffer => ({ reals: new Float64Array(buffer), halves: new Int32Array(buffer), bytes: new Uint8Array(buffer) })
+const steps = shape => shape.map((_, axis) => shape.slice(axis + 1).reduce((a, b) => a * b, 1))
+class Strided {
+  constructor(data, offset, shape, strides) {
+    this.data = data
+    this.offset = offset
+    this.shape = shape
+    this.strides = strides
+    this.length = shape[0]
+    this.stride = strides[0]
+    this.columns = shape.length > 1 ? shape[1] : 0
+    this.next = shape.length > 1 ? strides[1] : 0
+  }
+  get size() { return this.shape.reduce((a, b) => a * b, 1) }
+  at3(i, j, k) { return this.part(i).at2(j, k) }
+  put3(i, j, k, value) { this.part(i).put2(j, k, value) }
+  row(i) {
+    return new this.constructor(this.data, this.offset + at(i, this.length) * this.stride, this.shape.slice(1), this.strides.slice(1))
+  }
+  // The part that numbers and slices [begin, end, step] pick, one for each of the first axes.
+  part(...picked) {
+    let { offset } = this
+    const shape = [], strides = []
+    picked.forEach((one, axis) => {
+      const n = this.shape[axis], stride = this.strides[axis]
+      if (typeof one === 'number') {
+        offset += at(one, n) * stride
+        return
+      }
+      const step = one[2] ?? 1, back = step < 0
+      if (step === 0) doubt('a slice of step 0')
+      const bound = (i, last) => i === null ? last : i < 0 ? Math.max(i + n, back ? -1 : 0) : Math.min(i, back ? n - 1 : n)
+      const begin = bound(one[0], back ? n - 1 : 0), end = bound(one[1], back ? -1 : n)
+      shape.push(Math.max(0, Math.ceil((end - begin) / step)))
+      strides.push(stride * step)
+      offset += begin * stride
+    })
+    const rest = picked.length
+    return new this.constructor(this.data, offset, [...shape, ...this.shape.slice(rest)], [...strides, ...this.strides.slice(rest)])
+  }
+  // Its elements in order.
+  *places(axis = 0, offset = this.offset) {
+    if (axis === this.shape.length) yield offset
+    else for (let i = 0; i < this.shape[axis]; i++) yield* this.places(axis + 1, offset + i * this.strides[axis])
+  }
+  flat() {
+    const list = []
+    if (this.shape.length === 1) for (let i = 0; i < this.shape[0]; i++) list.push(this.get(this.offset + i * this.strides[0]))
+    else for (const place of this.places()) list.push(this.get(place))
+    return list
+  }
+  fill(values) {
+    let k = 0
+    for (const place of this.places()) this.set(place, values[k++])
+  }
+}
+// The methods of each class are written out, since V8 is quick only with those that meet one class.
+class Real extends Strided {
+  static room(n) { return new Float64Array(n) }
+  get(place) { return this.data[place] }
+  set(place, value) { this.data[place] = value }
+  at1(i) { return this.data[this.offset + at(i, this.length) * this.stride] }
+  at2(i, j) { return this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] }
+  put1(i, value) { this.data[this.offset + at(i, this.length) * this.stride] = value }
+  put2(i, j, value) { this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] = value }
+}
+const whole64 = (halves, place) => whole(halves[2 * place + 1] * 4294967296 + (halves[2 * place] >>> 0))
+const put64 = (halves, place, value) => {
+  halves[2 * place] = value
+  halves[2 * place + 1] = Math.floor(value / 4294967296)
+}
+class Whole extends Strided {
+  static room(n) { return new Int32Array(2 * n) }
+  get(place) { return whole64(this.data, place) }
+  set(place, value) { put64(this.data, place, value) }
+  at1(i) { return whole64(this.data, this.offset + at(i, this.length) * this.stride) }
+  at2(i, j) { return whole64(this.data, this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next) }
+  put1(i, value) { put64(this.data, this.offset + at(i, this.length) * this.stride, value) }
+  put2(i, j, value) { put64(this.data, this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next, value) }
+}
+class Flags extends Strided {
+  static room(n) { return new Uint8Array(n) }
+  get(place) { return this.data[place] !== 0 }
+  set(place, value) { this.data[place] = value }
+  at1(i) { return this.data[this.offset + at(i, this.length) * this.stride] !== 0 }
+  at2(i, j) { return this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] !== 0 }
+  put1(i, value) { this.data[this.offset + at(i, this.length) * this.stride] = value }
+  put2(i, j, value) { this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] = value }
+}
+const made = (kind, shape, values) => {
+  if (shape.some(n => n < 0)) doubt('a negative dimension')
+  const size = shape.reduce((a, b) => a * b, 1), array = new kind(kind.room(size), 0, shape, steps(shape))
+  if (values) for (let k = 0; k < size; k++) array.set(k, values[k])
+  return array
+}
+const filled = (kind, shape, value) => made(kind, shape, new Array(shape.reduce((a, b) => a * b, 1)).fill(value))
+const counted = n => Array.from({ length: Math.max(0, n) }, (_, k) => k)
+const broadcast = (a, b) => {
+  const n = Math.max(a.length, b.length), shape = []
+  for (let k = 1; k <= n; k++) {
+    const one = a[a.length - k] ?? 1, other = b[b.length - k] ?? 1
+    if (one !== other && one !== 1 && other !== 1) doubt('arrays of other shapes')
+    shape.unshift(one === 1 ? other : one)
+  }
+  return shape
+}
+const spread = (a, shape) => {
+  if (!(a instanceof Strided)) return new Array(shape.reduce((x, y) => x * y, 1)).fill(a)
+  const extra = shape.length - a.shape.length
+  const strides = shape.map((n, axis) => axis < extra || (a.shape[axis - extra] === 1 && n !== 1) ? 0 : a.strides[axis - extra])
+  return new a.constructor(a.data, a.offset, shape, strides).flat()
+}
+const shapeOf = a => a instanceof Strided ? a.shape : []
+const paired = (kind, operation, a, b) => {
+  const shape = broadcast(shapeOf(a), shapeOf(b)), first = spread(a, shape), second = spread(b, shape)
+  return made(kind, shape, first.map((x, k) => operation(x, second[k])))
+}
+const mapped = (kind, operation, a) => made(kind, [...a.shape], a.flat().map(x => operation(x)))
+// Assigns an array or a number to all of an array. Where they overlap, all is read before anything is written.
+const assign = (array, value) => {
+  const shape = broadcast(array.shape, shapeOf(value))
+  if (shape.length !== array.shape.length || shape.some((n, k) => n !== array.shape[k])) doubt('an array of another shape')
+  array.fill(spread(value, shape))
+}
+const copied = (kind, a) => made(kind, [...a.shape], a.flat())
+
+// Reductions of lists of numbers.
+const extreme = (list, better) => {
+  if (!list.length) doubt('the largest of nothing')
+  let found = list[0]
+  for (const x of list) {
+    if (x !== x) return x
+    if (better(x, found)) found = x
+  }
+  return found === 0 ? zeroOf(list) : found
+}
+// Which of 0 and -0 NumPy takes for the largest is the processor's business.
+const zeroOf = list => {
+  const zeros = list.filter(x => x === 0)
+  return zeros.every(x => Object.is(x, zeros[0])) ? zeros[0] : doubt('0 and -0')
+}
+const greater = (a, b) => a > b, less = (a, b) => a < b
+const largest = a => a.shape.length === 1 && a instanceof Real ? largestOf(a) : extreme(a.flat(), greater)
+const largestOf = ({ data, offset, length, stride }) => {
+  if (!length) doubt('the largest of nothing')
+  let found = data[offset]
+  for (let k = 0, place = offset; k < length; k++, place += stride) {
+    const x = data[place]
+    if (x !== x) return x
+    if (x > found) found = x
+    else if (x === 0 && found === 0 && !Object.is(x, found)) doubt('0 and -0')
+  }
+  return found
+}
+const smallest = a => extreme(a.flat(), less)
+const place = (list, better) => {
+  if (!list.length) doubt('argmax of nothing')
+  let found = 0
+  for (let k = 0; k < list.length; k++) {
+    if (list[k] !== list[k]) return k
+    if (better(list[k], list[found])) found = k
+  }
+  return found
+}
+const placeOfLargest = a => a.shape.length === 1 && a instanceof Real ? placeOfLargestOf(a) : place(a.flat(), greater)
+const placeOfLargestOf = ({ data, offset, length, stride }) => {
+  if (!length) doubt('argmax of nothing')
+  let best = 0, found = data[offset]
+  for (let k = 0, place = offset; k < length; k++, place += stride) {
+    const x = data[place]
+    if (x !== x) return k
+    if (x > found) {
+      found = x
+      best = k
+    }
+  }
+  return best
+}
+const placeOfSmallest = a => place(a.flat(), less)
+const listExtreme = (list, better) => {
+  if (!list.length) doubt('the largest of nothing')
+  return list.reduce((found, x) => better(x, found) ? x : found)
+}
+// NumPy's order of additions.
+const pairwise = (list, from, n) => {
+  if (n < 8) {
+    let sum = -0
+    for (let k = 0; k < n; k++) sum += list[from + k]
+    return sum
+  }
+  if (n <= 128) {
+    const r = list.slice(from, from + 8)
+    let k = 8
+    for (; k < n - n % 8; k += 8) for (let j = 0; j < 8; j++) r[j] += list[from + k + j]
+    let sum = ((r[0] + r[1]) + (r[2] + r[3])) + ((r[4] + r[5]) + (r[6] + r[7]))
+    for (; k < n; k++) sum += list[from + k]
+    return sum
+  }
+  const half = Math.floor(n / 2) - Math.floor(n / 2) % 8
+  return pairwise(list, from, half) + pairwise(list, from + half, n - half)
+}
+const sumOfReals = a => {
+  let expected = 1 // in memory in the order of the elements: otherwise NumPy adds in another order
+  for (let axis = a.shape.length - 1; axis >= 0; axis--) {
+    if (a.shape.length > 1 && a.shape[axis] !== 1 && a.strides[axis] !== expected) doubt('the sum of a part of a table')
+    expected *= a.shape[axis]
+  }
+  const list = a.flat()
+  if (!list.length) return 0
+  return pairwise(list, 0, list.length)
+}
+const meanOf = a => divided(sumOfReals(a), a.size)
+const sumOfWholes = list => list.reduce((sum, x) => whole(sum + x), 0)
+const sumInTurn = list => list.length ? list.reduce((sum, x) => sum + x, 0) : doubt('the sum of no real numbers')
+// From Python 3.12 on `sum` keeps what rounding loses, but not for numbers of NumPy's.
+const sumInDoubt = list => {
+  let sum = 0, lost = 0
+  for (const x of list) {
+    const next = sum + x
+    lost += Math.abs(sum) >= Math.abs(x) ? (sum - next) + x : (x - next) + sum
+    sum = next
+  }
+  return list.length && sum + lost === sum ? sum : doubt('a sum whose last digit is in doubt')
+}
+const whereNotZero = a => {
+  const found = []
+  a.flat().forEach((x, k) => { if (x !== 0 && x !== false) found.push(k) })
+  return made(Whole, [found.length], found)
+}
+const countOf = list => list.reduce((sum, x) => sum + (x ? 1 : 0), 0)
+const median = list => {
+  const n = list.length, sorted = Float64Array.from(list).sort()
+  if (!n) doubt('the median of nothing')
+  if (list.some(x => x !== x)) return NaN
+  const found = n % 2 ? sorted[(n - 1) / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2
+  return found === 0 && list.some(x => Object.is(x, -0)) ? doubt('0 and -0') : found
+}
+const ordered = list => {
+  if (list.some(x => x !== x)) doubt('NaN in what is sorted')
+  return [...list].sort((a, b) => a < b ? -1 : a > b ? 1 : 0) // stable, as Python's: 0 and -0 stay in order
+}
+
+// Lists.
+const item = (list, i) => list[at(i, list.length)]
+const putItem = (list, i, value) => { list[at(i, list.length)] = value }
+const popped = list => list.length ? list.pop() : doubt('pop from an empty list')
+const repeated = (list, n) => Array.from({ length: Math.max(0, n) * list.length }, (_, k) => list[k % list.length])
+const listSlice = (list, begin, end, step) => {
+  const view = new Real(null, 0, [list.length], [1]).part([begin, end, step])
+  return Array.from({ length: view.shape[0] }, (_, k) => list[view.offset + k * view.strides[0]])
+}
+const differsFromAll = (list, x) => list.every(y => y !== x)
+
+// Draws, from NumPy's own state: `draw` is WebAssembly that works on it.
+const bounded = (state, low, high) => {
+  const last = whole(high - low) - 1
+  if (last < 0) doubt('low >= high')
+  if (last === 0) return low
+  if (last >= 4294967295) doubt('a draw of more than 32 bits')
+  return low + (draw.bounded(state, last | 0) >>> 0)
+}
+const uniform = (state, low, high) => {
+  const range = high - low
+  if (!(range >= 0 && range < Infinity)) doubt('high - low < 0')
+  return low + range * draw.next_double(state)
+}
+const weighted = (state, n, p) => {
+  if (p.length !== n) doubt('a and p must have the same size')
+  let total = 0
+  for (const one of p) {
+    if (!(one >= 0)) doubt('probabilities must not be negative')
+    total += one
+  }
+  if (!(Math.abs(total - 1) <= 1e-8)) doubt('probabilities must sum to 1')
+  // as NumPy: the sums so far, divided by the last of them, and where in them the draw would stand
+  let sum = 0
+  const sums = p.map((x, k) => sum = k ? sum + x : x), drawn = draw.next_double(state)
+  let k = 0
+  while (k < n && sums[k] / sum <= drawn) k++
+  return k < n ? k : doubt('no draw')
+}
