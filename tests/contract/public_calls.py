@@ -125,7 +125,8 @@ def claimed(expected: Any) -> Any:
 
 def walks(**given: Any) -> Any:
     """A ladder of walks, which `profile` checks."""
-    fields = {"name": "Walks", "challenge": "a", "strength": "size", "strengths": (3,), "make": limited_walk}
+    fields: dict[str, Any] = {"name": "Walks", "challenge": "a", "strength": "size", "strengths": (3,)}
+    fields |= {"make": limited_walk}
     return edugym.Ladder(**(fields | {"n_steps": 9, "evaluation_episodes": 1} | given))
 
 
@@ -213,7 +214,8 @@ CALLS: dict[str, Callable[[], Case]] = {
         edugym.RiskSensitiveQLearning.create, {"environment": (4, 2)}, {"risk": NUMBER}),
     "Ladder": lambda: Case(
         lambda **given: profiled([walks(**given)]), walks()._asdict(),
-        {"name": "text", "challenge": "text", "strength": "text", "source": "text", "bounds": "None", "n_steps": "None"},
+        {"name": "text", "challenge": "text", "strength": "text", "source": "text", "bounds": "None",
+         "n_steps": "None"},
         {"n_steps": "strengths"}),
     "Profile.breaks": lambda: Case(profiled([walks()]).breaks, {"agent": "a", "challenge": "Walks"}),
     "Profile.ladder": lambda: Case(profiled([walks()]).ladder, {"challenge": "Walks"}),

@@ -1,6 +1,7 @@
 """The ladders: for each challenge tasks from easy to hopeless, with the returns of random and of best play."""
 
 import inspect
+import math
 from collections.abc import Callable, Mapping
 from functools import cache, partial
 from types import MappingProxyType
@@ -10,7 +11,6 @@ import numpy as np
 
 from edugym.adapters.registration import find, make_mdp
 from edugym.checks.parameters import (
-    a_number,
     a_text,
     in_short,
     number_of_steps,
@@ -79,11 +79,11 @@ def checked(ladder: Ladder) -> Ladder:
     """
     for name in ("name", "challenge", "strength", "source"):
         a_text(name, getattr(ladder, name))
-    strengths = several("strengths", ladder.strengths, int | float, "a tuple of one or more numbers")
-    for strength in strengths:
-        a_number("strengths", strength)
-    if not strengths or len({*strengths}) < len(strengths):
-        raise ValueError(f"strengths must be different numbers, one or more, but are {in_short(ladder.strengths)}")
+    needed = "a tuple of one or more finite numbers, each of them once"
+    strengths: list[Any] = several("strengths", ladder.strengths, object, needed)
+    finite = all(isinstance(strength, int | float) and math.isfinite(strength) for strength in strengths)
+    if not strengths or not finite or len({*strengths}) < len(strengths):
+        raise ValueError(f"strengths must be {needed}, but is {in_short(ladder.strengths)}")
     if ladder.n_steps is None:
         for strength in strengths:
             number_of_steps("strengths", strength)
