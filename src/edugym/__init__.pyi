@@ -53,6 +53,9 @@ from edugym.exact.tables import Outcome as Outcome
 from edugym.exact.tables import Sample as Sample
 from edugym.exact.value_iteration import value_iteration as value_iteration
 from edugym.exact.values import Values as Values
+from edugym.experiments.profiles.ladders import Ladder as Ladder
+from edugym.experiments.profiles.profile import profile as profile
+from edugym.experiments.profiles.scores import Profile as Profile
 from edugym.experiments.repeat import repeat as repeat
 from edugym.experiments.results.claims import Above as Above
 from edugym.experiments.results.claims import Below as Below

@@ -123,6 +123,23 @@ def claimed(expected: Any) -> Any:
     return edugym.Claim("a", "b", known().interval, expected).holds
 
 
+def walks(**given: Any) -> Any:
+    """A ladder of walks, which `profile` checks."""
+    fields: dict[str, Any] = {"name": "Walks", "challenge": "a", "strength": "size", "strengths": (3,)}
+    fields |= {"make": limited_walk}
+    return edugym.Ladder(**(fields | {"n_steps": 9, "evaluation_episodes": 1} | given))
+
+
+def limited_walk(size: float, layout_seed: int) -> Any:
+    """A walk with a step limit."""
+    return type("LimitedWalk", (Walk,), {"max_steps": 9, "__slots__": ()})(int(size))
+
+
+def profiled(challenges: Any, **given: Any) -> Any:
+    """A profile of a small agent."""
+    return edugym.profile({"a": edugym.QLearning.create}, challenges=challenges, repetitions=1, jobs=1, **given)
+
+
 def results(name: str, **given: Any) -> Case:
     """A method of results."""
     return Case(getattr(known().results, name), {"method": "a"} | given)
@@ -195,6 +212,17 @@ CALLS: dict[str, Callable[[], Case]] = {
          "highest_return": NUMBER}),
     "RiskSensitiveQLearning.create": lambda: Case(
         edugym.RiskSensitiveQLearning.create, {"environment": (4, 2)}, {"risk": NUMBER}),
+    "Ladder": lambda: Case(
+        lambda **given: profiled([walks(**given)]), walks()._asdict(),
+        {"name": "text", "challenge": "text", "strength": "text", "source": "text", "bounds": "None",
+         "n_steps": "None"},
+        {"n_steps": "strengths"}),
+    "Profile.breaks": lambda: Case(profiled([walks()]).breaks, {"agent": "a", "challenge": "Walks"}),
+    "Profile.ladder": lambda: Case(profiled([walks()]).ladder, {"challenge": "Walks"}),
+    "Profile.rungs": lambda: Case(profiled([walks()]).rungs, {"agent": "a", "challenge": "Walks"}),
+    "Profile.score": lambda: Case(profiled([walks()]).score, {"agent": "a", "challenge": "Walks"}),
+    "Profile.scores": lambda: Case(profiled([walks()]).scores, {"agent": "a", "challenge": "Walks"}),
+    "Profile.steps": lambda: Case(profiled([walks()]).steps, {"agent": "a", "challenge": "Walks"}),
     "Results.at": lambda: results("at", step=10)._replace(takes={"step": "0"}),
     "Results.average": lambda: results("average"),
     "Results.complete_agents": lambda: results("complete_agents"),
@@ -236,6 +264,10 @@ CALLS: dict[str, Callable[[], Case]] = {
         edugym.policy_evaluation, {"model": known().model, "policy": [1] * 4}),
     "policy_iteration": lambda: Case(edugym.policy_iteration, {"model": known().model}),
     "policy_of": lambda: Case(edugym.policy_of, {"agent": known().agent, "model": known().model}),
+    "profile": lambda: Case(
+        edugym.profile,
+        {"agents": {"a": edugym.QLearning.create}, "challenges": [walks()], "repetitions": 1, "jobs": 1},
+        {"challenges": "None", "jobs": "None -1", "checkpoints": "text"}),
     "proportion_interval": lambda: Case(
         edugym.proportion_interval, {"successes": 1, "n": 2}, {"successes": "0"}, {"n": "successes"}),
     "read_mdp": lambda: Case(lambda path: edugym.read_mdp(path), {"path": known().folder / "catch.py"}),

@@ -37,7 +37,7 @@ ROOMS = {
 CALLED_BY_LOOPS = ("edugym.agents.", "edugym.mdp.")
 """Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
 what the gates have looked at."""
-MADE_BY_LIBRARY = {"FiniteModel", "Interval", "Outcome", "Results", "Run", "Sample", "Score", "Values"}
+MADE_BY_LIBRARY = {"FiniteModel", "Interval", "Outcome", "Profile", "Results", "Run", "Sample", "Score", "Values"}
 """Classes of which functions return values, and nobody else makes any."""
 NOT_CHECKED = {"statistics.in_short", "tables.with_types"}
 """Functions for the package itself."""

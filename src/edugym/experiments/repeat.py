@@ -19,6 +19,7 @@ from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
+from edugym.experiments.players import Player, is_policy
 from edugym.experiments.results.tables import MEASURED, Results, with_types
 from edugym.system.extras import require
 from edugym.system.files import check_writable
@@ -91,7 +92,9 @@ def repeat(
             `layout_seed`, such as `lambda layout_seed: Boulder.create(height=10, layout_seed=layout_seed)`.
         agents: a dictionary from labels to methods. A method is an agent, or a function that makes an agent for an
             environment, such as `lambda environment: QLearning.create(environment, discount=0.9)`. Each run gets a
-            copy, so that runs share nothing.
+            copy, so that runs share nothing. In place of an agent it may be a policy that was written for Gymnasium and
+            learns nothing here: an object with `predict(observation)`, or a function from observations to actions that
+            the method makes.
         n_steps: the training steps of each run, 1 or more.
         repetitions: the number of runs of each method, from 1 to 1 000 000.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more.
@@ -123,9 +126,7 @@ def repeat(
     number_of_steps("n_steps", n_steps)
     whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
     whole_number("seed", seed, 0)
-    is_number = isinstance(jobs, Integral) and not isinstance(jobs, bool)
-    if jobs is not None and not (is_number and (jobs == -1 or 1 <= jobs <= MOST_JOBS)):
-        raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {in_short(jobs)}")
+    checked_jobs(jobs)
     true_or_false("progress", progress)
     check_stop(stop)
     stop = stop or threading.Event()
@@ -187,19 +188,35 @@ def _experiment(
     training: dict[str, Any],
 ) -> Experiment:
     """What to do."""
-    if not isinstance(agents, Mapping):
-        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
-    for label in agents:
-        if not isinstance(label, str) or not label:
-            raise ValueError(f"the labels of agents must be texts that are not empty, but one is {label!r}")
-    makers = {label: _maker(label, agent) for label, agent in agents.items()}
-    if not makers:
-        raise ValueError("agents must have one method or more, but is empty")
+    makers = makers_of(agents)
     the_task = task(environment, parameters)
     plan = planned_runs(list(makers), repetitions, seed)
     counts = {"n_steps": training["n_steps"], "repetitions": repetitions, "runs": len(plan), "experiment_seed": seed}
     arguments = counts | training
     return Experiment(the_task, makers, plan, _configuration(the_task, makers, plan[0], arguments))
+
+
+def checked_jobs(jobs: Any) -> None:
+    """Refuse what is no number of runs at a time, as `repeat` takes it."""
+    is_number = isinstance(jobs, Integral) and not isinstance(jobs, bool)
+    if jobs is not None and not (is_number and (jobs == -1 or 1 <= jobs <= MOST_JOBS)):
+        raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {in_short(jobs)}")
+
+
+def makers_of(agents: Mapping[str, Any]) -> dict[str, Maker]:
+    """For each label, a function that makes an agent for one run, which shares nothing with those of other runs.
+
+    Raises:
+        ValueError: `agents` is not a dictionary from labels to methods, as `repeat` takes it.
+    """
+    if not isinstance(agents, Mapping):
+        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
+    for label in agents:
+        if not isinstance(label, str) or not label:
+            raise ValueError(f"the labels of agents must be texts that are not empty, but one is {label!r}")
+    if not agents:
+        raise ValueError("agents must have one method or more, but is empty")
+    return {label: _maker(label, agent) for label, agent in agents.items()}
 
 
 def _maker(label: str, agent: Any) -> Maker:
@@ -208,6 +225,8 @@ def _maker(label: str, agent: Any) -> Maker:
     if isinstance(agent, type):
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
+    if is_policy(agent):
+        return lambda environment: Player(agent, environment)
     if any(hasattr(agent, name) for name in METHODS):
         return lambda _: deep_copy(agent, f"{GIVE_A_FUNCTION} that makes one")
     if not callable(agent):
@@ -223,6 +242,8 @@ def _maker(label: str, agent: Any) -> Maker:
 
     def make(environment: Any) -> Any:
         made = agent(environment)
+        if is_policy(made) or inspect.isroutine(made):
+            return Player(made, environment)
         if not any(hasattr(made, name) for name in METHODS):
             raise ValueError(f"agents[{label!r}] must make an agent, but made {in_short(made)}")
         return deep_copy(made, f"{GIVE_A_FUNCTION} that makes all of it")

@@ -1,0 +1,67 @@
+"""Policies that were written for Gymnasium alone, as agents: objects with `predict`, and functions."""
+
+import inspect
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.mdp.protocol import Random
+
+
+def is_policy(value: Any) -> bool:
+    """Whether a value acts by `predict(observation)`, as models of Stable-Baselines3 do, and has no `act`."""
+    return callable(getattr(value, "predict", None)) and not hasattr(value, "act")
+
+
+class Player:
+    """An agent that acts as a policy says, and learns nothing.
+
+    Args:
+        policy: a function from observations to actions, or an object with such a method `predict`. If `predict` has
+            the parameter `state`, it returns a pair of the action and its memory, which is the `state` of the next
+            call; `episode_start` and `deterministic` are those of Stable-Baselines3.
+        environment: the environment, of which it takes the spaces.
+    """
+
+    tabular = False
+    """It takes observations as the environment gives them."""
+
+    def __init__(self, policy: Any, environment: Any) -> None:
+        """See the class."""
+        self._policy = policy
+        self._takes = inspect.signature(policy.predict).parameters.keys() if is_policy(policy) else ()
+        self._observed: spaces.Space[Any] = environment.observation_space
+        self._acted: spaces.Space[Any] = environment.action_space
+        self._memory: Any = None
+
+    def act(self, state: Any, rng: Random) -> Any:
+        """The action of the policy."""
+        action = self._chosen(self._as_in_gymnasium(state))
+        return int(action) if isinstance(self._acted, spaces.Discrete) else np.asarray(action, self._acted.dtype)
+
+    def learn(self, reward: float) -> None:
+        """Learn nothing."""
+
+    def __deepcopy__(self, memo: Any) -> "Player":
+        """The same policy, with a memory that is empty: evaluation plays each episode with a copy."""
+        copied: Player = object.__new__(type(self))
+        copied.__dict__ |= self.__dict__ | {"_memory": None}
+        return copied
+
+    def _chosen(self, observation: Any) -> Any:
+        if not is_policy(self._policy):
+            return self._policy(observation)
+        first = np.array([self._memory is None])
+        told = {"state": self._memory, "episode_start": first, "deterministic": True}
+        answer = self._policy.predict(observation, **{name: told[name] for name in told if name in self._takes})
+        if not isinstance(answer, tuple):
+            return answer
+        action, self._memory = answer
+        return action
+
+    def _as_in_gymnasium(self, state: Any) -> Any:
+        """The observation as an element of the observation space; an MDP may show plain tuples of numbers."""
+        if isinstance(self._observed, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary):
+            return np.asarray(state, self._observed.dtype)
+        return state

@@ -1,0 +1,274 @@
+"""Profile agents: each on every ladder, with a fixed budget on each rung."""
+
+import json
+import os
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks.parameters import a_path, in_short, true_or_false, whole_number
+from edugym.experiments.configuration import planned_runs
+from edugym.experiments.fingerprints import fingerprint
+from edugym.experiments.profiles.ladders import LADDERS, Ladder, bounds_of, checked, steps_of
+from edugym.experiments.profiles.scores import COLUMNS, NEARLY, Profile
+from edugym.experiments.repeat import MOST_REPETITIONS, Maker, checked_jobs, makers_of, repeat
+from edugym.experiments.results.tables import Results
+from edugym.system.extras import require
+from edugym.system.files import check_writable, write_whole
+from edugym.system.interrupts import Interrupted, SignalGuard
+from edugym.training.progress import progress_bar
+from edugym.training.train import train
+
+POINTS = 20
+"""The evaluations of a run, besides the one before training."""
+TRIED = 200
+"""The steps for which an agent is tried on a challenge, to see whether it can enter."""
+
+Wrap = Callable[[Any], Any]
+Row = dict[str, Any]
+
+
+class Method(NamedTuple):
+    """An agent to be profiled.
+
+    Attributes:
+        label: what it is called.
+        make: makes it for an environment.
+        wrap: makes the task as it sees it from the task; None where it sees the task itself.
+        given: what the user gave, which determines both.
+    """
+
+    label: str
+    make: Maker
+    wrap: Wrap | None
+    given: Any
+
+
+class Rung(NamedTuple):
+    """A ladder at one of its strengths."""
+
+    ladder: Ladder
+    strength: float
+
+
+def profile(
+    agents: Mapping[str, Any],
+    *,
+    challenges: Sequence[str | Ladder] | None = None,
+    repetitions: int = 10,
+    seed: int = 0,
+    jobs: int | None = -1,
+    progress: bool = False,
+    checkpoints: str | os.PathLike[str] | None = None,
+) -> Profile:
+    """Train every agent on every challenge at several strengths, and score what it has learned.
+
+        edugym.profile({"Q-learning": QLearning.create, "mine": make_my_agent})
+
+    For each challenge there is a ladder of tasks, from easy to hopeless. On each rung an agent trains for a number of
+    steps that does not depend on the agent, once for each repetition, which has a seed and a layout of its own. The
+    score of a run is its greedy return at the end, where random play scores 0 and the best play 1; below 0 it is worse
+    than random play. The score in a challenge is the mean over the rungs.
+
+    Ctrl-C raises `Interrupted`, whose attribute `partial` is the profile so far. With `checkpoints`, the same call goes
+    on from there.
+
+    Args:
+        agents: a dictionary from labels to agents, as `repeat` takes them. With a wrapper, give a pair of the agent and
+            a function that wraps an MDP: `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`.
+        challenges: names among those of `edugym.ENVIRONMENTS`, or ladders of your own; None is every environment.
+        repetitions: the number of runs on each rung, from 1 to 1 000 000.
+        seed: the number from which the seeds of all repetitions are spawned, 0 or more.
+        jobs: the number of runs at a time, as in `repeat`.
+        progress: whether to show a progress bar.
+        checkpoints: a folder in which what is done is kept; it is never deleted, and what was made with other settings
+            or other code is never taken from it.
+
+    Returns:
+        The scores. An agent that cannot enter a challenge (as a table cannot choose actions that are real numbers) has
+        no score there, and `Profile.blank` says why.
+
+    Raises:
+        ValueError: an argument is not as above, or an agent cannot enter any challenge.
+        OSError: a checkpoint cannot be written.
+        Interrupted: Ctrl-C was pressed.
+        gymnasium.error.DependencyNotInstalled: pandas or joblib is missing.
+    """
+    require("experiments", "joblib", "pandas")
+    methods = _methods(agents)
+    ladders = _ladders(challenges)
+    whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
+    whole_number("seed", seed, 0)
+    checked_jobs(jobs)
+    true_or_false("progress", progress)
+    folder = None if checkpoints is None else a_path("checkpoints", checkpoints)
+    if folder is not None:
+        check_writable(folder / ".edugym")  # any file name: tests that the folder is writable
+    blank: dict[str, dict[str, str]] = {method.label: {} for method in methods}
+    rows: list[Row] = []
+    rungs = [Rung(ladder, strength) for ladder in ladders for strength in ladder.strengths]
+    done = 0
+
+    def so_far() -> Profile:
+        import pandas
+
+        agents = tuple(method.label for method in methods)
+        return Profile(pandas.DataFrame(rows, columns=list(COLUMNS)), ladders, agents, blank)
+
+    try:
+        with SignalGuard() as guard, progress_bar(len(rungs), "rungs", shown=progress) as bar:
+            for method in methods:
+                blank[method.label] |= _not_entered(method, ladders)
+            for rung in rungs:
+                guard.should_stop()
+                entering = [method for method in methods if rung.ladder.name not in blank[method.label]]
+                rows += _climb(rung, entering, repetitions, seed, jobs, folder)
+                done += 1
+                bar.update(1)
+    except KeyboardInterrupt:
+        kept = "; the same call goes on from there" if folder else ""
+        raise Interrupted(f"{done} of {len(rungs)} rungs are complete{kept}", so_far) from None
+    return so_far()
+
+
+def _methods(agents: Mapping[str, Any]) -> list[Method]:
+    """The agents, looked at once."""
+    wraps: dict[str, Wrap | None] = {}
+    without: Any = agents
+    if isinstance(agents, Mapping):
+        wraps = {label: _wrap(label, agent) for label, agent in agents.items()}
+        without = {label: agent[0] if wraps[label] else agent for label, agent in agents.items()}
+    return [Method(label, make, wraps[label], agents[label]) for label, make in makers_of(without).items()]
+
+
+def _wrap(label: str, agent: Any) -> Wrap | None:
+    """The wrapper of an agent that is given as a pair."""
+    if type(agent) is not tuple:  # an agent may be a NamedTuple
+        return None
+    if len(agent) != 2 or not callable(agent[1]):
+        raise ValueError(
+            f"agents[{label!r}] must be an agent or a pair of an agent and a function that wraps an MDP, but is"
+            f" {in_short(agent)}"
+        )
+    wrap: Wrap = agent[1]
+    return wrap
+
+
+def _ladders(challenges: Sequence[str | Ladder] | None) -> tuple[Ladder, ...]:
+    """The ladders that are meant."""
+    known = {ladder.name: ladder for ladder in LADDERS}
+    if challenges is None:
+        return LADDERS
+    allowed = f"challenges must be a list with names among {', '.join(known)}, or a Ladder, but"
+    if not isinstance(challenges, list | tuple) or isinstance(challenges, Ladder) or not challenges:
+        raise ValueError(f"{allowed} is {in_short(challenges)}")
+    chosen = []
+    for one in challenges:
+        ladder = known.get(one) if isinstance(one, str) else one
+        if not isinstance(ladder, Ladder):
+            raise ValueError(f"{allowed} has {in_short(one)}")
+        chosen.append(checked(ladder))
+    names = [ladder.name for ladder in chosen]
+    if len({*names}) < len(names):
+        raise ValueError(f"challenges must have different names, but are {', '.join(names)}")
+    return tuple(chosen)
+
+
+def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, str]:
+    """The challenges that an agent cannot enter, with the reason.
+
+    Raises:
+        Exception: it can enter none.
+    """
+    reasons, errors = {}, []
+    for ladder in ladders:
+        for strength in ladder.strengths:
+            try:
+                environment = _task(ladder, strength, method.wrap, layout_seed=0)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    train(environment, method.make(environment), TRIED, evaluate_every=TRIED)
+            except Exception as error:  # a student's agent may fail in any way where it does not fit
+                kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
+                reasons[ladder.name] = f"{kind}{error}"
+                errors.append(error)
+                break
+    if len(reasons) == len(ladders):
+        errors[0].add_note(f"agents[{method.label!r}] can enter none of the challenges")
+        raise errors[0]
+    return reasons
+
+
+def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) -> MDPEnv[Any]:
+    """The environment of a rung as an agent sees it."""
+    mdp = ladder.make(strength, layout_seed=layout_seed)
+    return MDPEnv(mdp if wrap is None else wrap(mdp))
+
+
+def _climb(
+    rung: Rung, methods: list[Method], repetitions: int, seed: int, jobs: int | None, folder: Path | None
+) -> Iterator[Row]:
+    """The rows of a rung: those that are in the folder, and the others made."""
+    ladder, strength = rung
+    n_steps = steps_of(ladder, strength)
+    for method in methods:
+        task = partial(_task, ladder, strength, method.wrap)
+        path = None if folder is None else _kept_at(folder, rung, method, repetitions, seed)
+        if path is not None and path.exists():
+            rows = json.loads(path.read_text(encoding="utf-8"))
+        else:
+            results = repeat(
+                task,
+                {method.label: method.make},
+                n_steps,
+                repetitions=repetitions,
+                seed=seed,
+                evaluate_every=max(1, n_steps // POINTS),
+                evaluation_episodes=ladder.evaluation_episodes,
+                jobs=jobs,
+            )
+            rows = _scored(results, rung, method.label, repetitions, seed)
+            if path is not None:
+                write_whole(path, json.dumps(rows).encode())
+        yield from ({**row, "agent": method.label} for row in rows)
+
+
+def _kept_at(folder: Path, rung: Rung, method: Method, repetitions: int, seed: int) -> Path | None:
+    """The file for the rows of an agent on a rung; None, with a warning, where what determines them cannot be told."""
+    try:
+        name = fingerprint(rung, method.given, repetitions, seed)
+    except Exception as error:  # each class has its own for what cannot be taken apart
+        warnings.warn(f"what {method.label!r} does cannot be kept on the disk: {error}", stacklevel=2)
+        return None
+    return folder / f"{name}.json"
+
+
+def _scored(results: Results, rung: Rung, label: str, repetitions: int, seed: int) -> list[Row]:
+    """A row for each repetition of an agent on a rung."""
+    ladder, strength = rung
+    curves = results.curves(label)
+    rows = []
+    for planned in planned_runs([label], repetitions, seed):
+        repetition = planned.repetition
+        bounds = bounds_of(ladder, strength, repetition.layout_seed)
+        scores = bounds.score(curves[repetition.number])
+        reached = scores.index[scores >= NEARLY]
+        rows.append(
+            {
+                "challenge": ladder.name,
+                "strength": strength,
+                "repetition": repetition.number,
+                "return": float(curves[repetition.number].iloc[-1]),
+                "random": bounds.random,
+                "best": bounds.best,
+                "score": float(scores.iloc[-1]),
+                "steps": steps_of(ladder, strength),
+                "steps_to_0.9": float(reached[0]) if len(reached) else np.nan,
+            }
+        )
+    return rows

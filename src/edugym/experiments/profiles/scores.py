@@ -1,0 +1,146 @@
+"""What a profile holds: the scores of every run, and what follows from them."""
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from edugym.checks.parameters import one_of
+from edugym.experiments.profiles.ladders import Ladder
+from edugym.experiments.results.statistics import Interval, mean_interval
+from edugym.mdp.protocol import Reals
+
+if TYPE_CHECKING:
+    import pandas
+
+HALF, NEARLY = 0.5, 0.9
+COLUMNS = ("agent", "challenge", "strength", "repetition", "return", "random", "best", "score", "steps", "steps_to_0.9")
+
+
+class Break(NamedTuple):
+    """Where an agent breaks: where the mean score first falls below 0.5.
+
+    Attributes:
+        strength: the strength there, interpolated between two rungs; the easiest or the hardest rung where the agent
+            breaks on none between them.
+        where: "at once" if the score is below 0.5 on the easiest rung, "never" if it is on none, else "between".
+    """
+
+    strength: float
+    where: str
+
+
+@dataclass(frozen=True)
+class Profile:
+    """How well each agent does on each rung of each ladder.
+
+    Attributes:
+        runs: one row a run (pandas.DataFrame): `agent`, `challenge` (the name of the ladder), `strength`, `repetition`;
+            `return`, the mean greedy return at the end; `random` and `best`, the returns that score 0 and 1; `score`;
+            `steps`, those of the training; `steps_to_0.9`, those after which the score first was 0.9, NaN if it never
+            was.
+        ladders: the ladders, in order.
+        agents: the labels of the agents, in order.
+        blank: for each agent, the challenges that it cannot enter, with the reason.
+    """
+
+    runs: "pandas.DataFrame"
+    ladders: tuple[Ladder, ...]
+    agents: tuple[str, ...]
+    blank: dict[str, dict[str, str]] = field(default_factory=dict)
+
+    @property
+    def challenges(self) -> list[str]:
+        """The names of the ladders, in order."""
+        return [ladder.name for ladder in self.ladders]
+
+    def ladder(self, challenge: str) -> Ladder:
+        """The ladder of a challenge.
+
+        Raises:
+            ValueError: the profile has no such challenge.
+        """
+        one_of("challenge", challenge, self.challenges)
+        return self.ladders[self.challenges.index(challenge)]
+
+    def scores(self, agent: str, challenge: str) -> Reals:
+        """The score of every run of an agent in a challenge.
+
+        Args:
+            agent: one of `agents`.
+            challenge: one of `challenges`.
+
+        Returns:
+            Shape (n_strengths, n_repetitions); NaN where there is no run.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        return self._table(agent, challenge, "score")
+
+    def score(self, agent: str, challenge: str) -> Interval:
+        """The score of an agent in a challenge: the area under its ladder, each rung as wide as the others.
+
+        It is not measured (n = 0) if the agent cannot enter the challenge, or if the profile was interrupted before.
+
+        Args:
+            agent: one of `agents`.
+            challenge: one of `challenges`.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        return mean_interval(self.scores(agent, challenge).mean(axis=0))
+
+    def rungs(self, agent: str, challenge: str) -> list[Interval]:
+        """The score of an agent on each rung of a challenge, from easy to hopeless; arguments as in `score`.
+
+        Raises:
+            ValueError: as in `score`.
+        """
+        return [mean_interval(row) for row in self.scores(agent, challenge)]
+
+    def breaks(self, agent: str, challenge: str) -> Break | None:
+        """Where the agent breaks; None where it is not measured. Arguments as in `score`.
+
+        Raises:
+            ValueError: as in `score`.
+        """
+        means = self.scores(agent, challenge).mean(axis=1)
+        return None if np.isnan(means).any() else breaking(self.ladder(challenge).strengths, means)
+
+    def steps(self, agent: str, challenge: str) -> float:
+        """The median training steps to the score 0.9 on the easiest rung; infinite where half of the runs never do.
+
+        It is NaN where it is not measured. Arguments as in `score`.
+
+        Raises:
+            ValueError: as in `score`.
+        """
+        if np.isnan(self.scores(agent, challenge)[0]).any():
+            return math.nan
+        steps = self._table(agent, challenge, "steps_to_0.9")[0]
+        return float(np.median(np.where(np.isnan(steps), math.inf, steps)))
+
+    def _table(self, agent: str, challenge: str, column: str) -> Reals:
+        """A column of the runs, shape (n_strengths, n_repetitions)."""
+        one_of("agent", agent, list(self.agents))
+        strengths = self.ladder(challenge).strengths
+        rows = self.runs[(self.runs["agent"] == agent) & (self.runs["challenge"] == challenge)]
+        repetitions = range(int(self.runs["repetition"].max()) + 1) if len(self.runs) else range(1)
+        table = rows.pivot(index="strength", columns="repetition", values=column)
+        values: Reals = table.reindex(strengths, columns=repetitions).to_numpy(float)
+        return values
+
+
+def breaking(strengths: tuple[float, ...], means: Reals) -> Break:
+    """Where mean scores, one for each strength, first fall below 0.5."""
+    below = np.flatnonzero(means < HALF)
+    if not len(below):
+        return Break(strengths[-1], "never")
+    k = int(below[0])
+    if k == 0:
+        return Break(strengths[0], "at once")
+    share = (means[k - 1] - HALF) / (means[k - 1] - means[k])
+    return Break(float(strengths[k - 1] + share * (strengths[k] - strengths[k - 1])), "between")

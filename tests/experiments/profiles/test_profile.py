@@ -1,0 +1,157 @@
+"""Profiles: who can enter, what is kept, and what follows from the scores."""
+
+import math
+import signal
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas
+import pytest
+
+import edugym
+from edugym import Interrupted, Ladder, Profile, QLearning, profile
+from edugym.experiments.profiles.ladders import LADDERS
+from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
+from edugym.mdp.frame_stack import FrameStack
+from tests.compiled.cells import WALK, cell
+
+Walk = cell(WALK)["Walk"]
+
+
+def walk(size: float, layout_seed: int) -> Any:
+    """A walk of some size."""
+    made = Walk(int(size))
+    return type("LimitedWalk", (Walk,), {"max_steps": 20, "__slots__": ()})(*made)
+
+
+WALKS = Ladder("Walks", "distance", "size", (3, 5), walk, 400)
+
+
+def keys(found: Profile) -> list[tuple[Any, ...]]:
+    """The runs without what was measured."""
+    return list(found.runs[["agent", "challenge", "strength", "repetition"]].itertuples(index=False, name=None))
+
+
+def test_every_agent_runs_on_every_rung() -> None:
+    """With the same bounds, and scores that follow from them; the scores of one agent do not depend on others."""
+    agents = {"Q": QLearning.create, "SARSA": edugym.SARSA.create}
+    found = profile(agents, challenges=[WALKS], repetitions=3)
+    assert keys(found) == [(agent, "Walks", size, i) for size in (3, 5) for agent in agents for i in range(3)]
+    runs = found.runs
+    expected = (runs["return"] - runs["random"]) / (runs["best"] - runs["random"])
+    assert runs["score"].to_numpy() == pytest.approx(expected.to_numpy())
+    assert runs["best"].to_dict() == {i: 0.5 if runs["strength"][i] == 3 else 0.0 for i in runs.index}
+    assert found.scores("Q", "Walks") == pytest.approx(1.0)
+    assert found.score("Q", "Walks") == (1.0, 1.0, 1.0, 3)
+    assert found.breaks("Q", "Walks") == Break(5, "never")
+    assert 0 < found.steps("Q", "Walks") < 400
+    alone = profile({"Q": QLearning.create}, challenges=[WALKS], repetitions=3, jobs=1)
+    assert alone.runs.equals(runs[runs["agent"] == "Q"].reset_index(drop=True))
+
+
+def test_who_cannot_enter_is_blank_and_not_zero() -> None:
+    """A table cannot choose the angles of an arm; the sentence says why."""
+    found = profile({"Q": QLearning.create}, challenges=["Trashbot", WALKS], repetitions=2)
+    assert list(found.blank["Q"]) == ["Trashbot"]
+    assert "a table needs" in found.blank["Q"]["Trashbot"]
+    assert found.score("Q", "Trashbot").n == 0
+    assert found.breaks("Q", "Trashbot") is None
+    assert math.isnan(found.steps("Q", "Trashbot"))
+    with pytest.raises(ValueError, match="a table needs") as raised:
+        profile({"Q": QLearning.create}, challenges=["Trashbot"])
+    assert "agents['Q'] can enter none" in raised.value.__notes__[0]
+
+
+def test_a_students_agent_that_fails_in_a_challenge_is_blank_there() -> None:
+    """Whatever it raises: it may ask a space for what it does not have."""
+
+    def make(environment: Any) -> QLearning:
+        return QLearning.create((int(environment.observation_space.n), int(environment.action_space.n)))
+
+    found = profile({"mine": make}, challenges=["Catch", WALKS], repetitions=2)
+    assert list(found.blank["mine"]) == ["Catch"]
+    assert "AttributeError" in found.blank["mine"]["Catch"]
+
+
+def test_wrappers_are_part_of_an_agent() -> None:
+    """Two observations are enough for a corridor of two places, one is not."""
+    corridor = LADDERS[4]._replace(strengths=(2,), n_steps=20_000, evaluation_episodes=10)
+    agents = {"one": QLearning.create, "two": (QLearning.create, lambda mdp: FrameStack.create(mdp, 2))}
+    found = profile(agents, challenges=[corridor], repetitions=3)
+    assert found.score("one", "MemoryCorridor").high < 0.8
+    assert found.score("two", "MemoryCorridor").low > 0.9
+
+
+class Model:
+    """A model as libraries have it."""
+
+    def predict(self, observation: Any, deterministic: bool = False) -> Any:
+        """To the right, if it is to act as it believes best."""
+        assert deterministic
+        return np.array(1)
+
+
+@pytest.mark.parametrize("policy", [Model(), lambda environment: Model(), lambda environment: lambda observation: 1])
+def test_policies_written_for_gymnasium(policy: Any) -> None:
+    """An object with `predict`, or a function that makes one, or that makes a function of observations."""
+    assert profile({"right": policy}, challenges=[WALKS], repetitions=2).scores("right", "Walks") == pytest.approx(1.0)
+
+
+def test_ctrl_c_keeps_what_is_done_and_the_same_call_goes_on(tmp_path: Path) -> None:
+    """The first rung is complete; the second call makes agents for the second one alone, and gives the same."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    log = tmp_path / "log"  # a file: what an agent's code holds in memory tells two experiments apart
+
+    def make(environment: Any) -> QLearning:
+        with log.open("a") as lines:
+            lines.write(f"{environment.observation_space.n} ")
+        if len(log.read_text().split()) == 7:  # two are tried, and of each rung one is described and two are trained
+            signal.raise_signal(signal.SIGINT)
+        return QLearning.create(environment)
+
+    def run() -> Profile:
+        return profile({"Q": make}, challenges=[WALKS], repetitions=2, jobs=1, checkpoints=tmp_path / "kept")
+
+    with pytest.raises(Interrupted, match="1 of 2 rungs are complete; the same call goes on from there") as raised:
+        run()
+    assert {strength for _, _, strength, _ in keys(raised.value.partial)} == {3}
+    assert raised.value.partial.score("Q", "Walks").n == 0
+    assert raised.value.partial.rungs("Q", "Walks")[0].n == 2
+    before = len(log.read_text())
+    found = run()
+    assert log.read_text()[before:].split() == ["4", *4 * ["6"]]  # both rungs are tried, and the second is climbed
+    assert found.runs.equals(profile({"Q": QLearning.create}, challenges=[WALKS], repetitions=2).runs)
+
+
+@pytest.mark.parametrize(
+    ("means", "expected"),
+    [
+        ([1.0, 0.9, 0.8], Break(30, "never")),
+        ([0.4, 1.0, 1.0], Break(10, "at once")),
+        ([1.0, 0.75, 0.25], Break(25, "between")),
+        ([1.0, 0.0, 1.0], Break(15, "between")),
+    ],
+)
+def test_where_an_agent_breaks(means: list[float], expected: Break) -> None:
+    """The first crossing of 0.5, interpolated."""
+    assert breaking((10, 20, 30), np.array(means)) == expected
+
+
+def test_median_steps() -> None:
+    """Infinite where half of the runs never get there."""
+    for steps, expected in (([100, 300, math.nan], 300.0), ([100, math.nan, math.nan], math.inf)):
+        rows = [("Q", "Walks", size, i, 0.0, 0.0, 1.0, 1.0, 400, steps[i]) for size in (3, 5) for i in range(3)]
+        found = Profile(pandas.DataFrame(rows, columns=list(COLUMNS)), (WALKS,), ("Q",))
+        assert found.steps("Q", "Walks") == expected
+
+
+@pytest.mark.slow
+def test_scores_are_stable() -> None:
+    """Of two profiles with other seeds, 95 % of the cells agree: their intervals meet."""
+    agents = {"Q": QLearning.create, "Go-Explore": edugym.GoExplore.create, "SARSA(λ)": edugym.SARSALambda.create}
+    names = [ladder.name for ladder in LADDERS if ladder.name not in ("Catch", "Trashbot")]
+    first, second = (profile(agents, challenges=names, seed=seed) for seed in (1, 2))
+    cells = [(first.score(agent, name), second.score(agent, name)) for agent in agents for name in names]
+    agree = [one.low <= other.high and other.low <= one.high for one, other in cells]
+    assert np.mean(agree) >= 0.95
