@@ -50,7 +50,9 @@ def problems(cells: Sequence[NotebookNode]) -> list[str]:
 
 
 def cell_problems(cell: NotebookNode) -> Iterator[str]:
-    """Yields what is wrong within one cell: marks misspelt or unbalanced, and code that is not plain Python."""
+    """Yields what is wrong within one cell: signs that none can see, marks misspelt, code that is not plain Python."""
+    if unseen := sorted({sign for sign in cell.source if not sign.isprintable() and sign != "\n"}):
+        yield f"{where(cell)}: no sign may be invisible, but {unseen} are (was \\alpha written in a string?)"
     for kind in MARKED:
         marks = [line.strip() for line in cell.source.splitlines() if kind in line]
         if marks != [f"### BEGIN {kind}", f"### END {kind}"] * (len(marks) // 2) or (marks and not is_code(cell)):

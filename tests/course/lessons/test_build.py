@@ -229,6 +229,7 @@ def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -
         ('assert factor > 1, f"factor = {factor} does not double"', "# hidden", "a part that students see"),
         ("### BEGIN SOLUTION\nfactor = 2  # secret\n### END SOLUTION", "", "2 to 4 exercises"),
         ("print(1 + 1)", "!pip install numpy", "not valid Python"),
+        ("**Time.** 1 minute.", "**Time.** 1 minute, $\alpha$.", r"invisible, but \['\\x07'\] are"),
         ("interact(draw,", "interact(lambda height: height,", "the widget calls lambda height: height"),
         ("# %%\ndraw(3)", "# %%\nprint(3)", "the widget calls draw"),
     ],

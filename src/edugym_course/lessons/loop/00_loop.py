@@ -534,7 +534,7 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
-# - Take $lpha = 0.5$, $\gamma = 0.99$, $arepsilon = 0.1$ and first values of 0.
+# - Take $\alpha = 0.5$, $\gamma = 0.99$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program in small worlds of its own and in the shop. It sees the steps that your program takes, and no line of
