@@ -90,6 +90,7 @@ def test_info_holds_plain_and_numpy_values(entry: Entry) -> None:
     _, infos = copies.reset(seed=0)
     for name, values in infos.items():
         assert values.dtype != object or all(isinstance(value, str) for value in values), name
+        assert not hasattr(dict, name), f"clients make attributes of info: Tianshou then calls {name} as that of a dict"
     copies.close()
 
 

@@ -79,12 +79,12 @@ def test_best_walk() -> None:
     env = SupermarketEnv()
     observation, info = env.reset(seed=0)
     assert observation == ravelled(0, 1, 0, 0, 0) == 8
-    assert (info["position"].tolist(), info["items"].tolist()) == ([0, 1], [False, False, False])
+    assert (info["position"].tolist(), info["collected"].tolist()) == ([0, 1], [False, False, False])
     steps = walk(env, BEST_WALK)
     assert steps[0] == (ravelled(1, 1, 0, 0, 0), -1.0, False, False)
     assert steps[7] == (ravelled(1, 8, 1, 0, 0), 24.0, False, False)
     assert steps[-1] == (ravelled(9, 8, 1, 1, 1), 49.0, True, False)
-    assert (env.info()["position"].tolist(), env.info()["items"].tolist()) == ([9, 8], [True, True, True])
+    assert (env.info()["position"].tolist(), env.info()["collected"].tolist()) == ([9, 8], [True, True, True])
     assert (len(steps), sum(reward for _, reward, _, _ in steps)) == (30, 95.0)
     assert [value_iteration(env.finite_model, horizon=steps).start for steps in (None, 30)] == [95.0, 95.0]
     assert value_iteration(env.finite_model, horizon=29).start < 95.0

@@ -79,7 +79,7 @@ class Supermarket(NamedTuple):
 
     ## Info
     - `position`: the shopper's cell, (y, x).
-    - `items`: whether items 1, 2 and 3 have been collected.
+    - `collected`: whether items 1, 2 and 3 have been collected.
 
     ## Choices
     - With `noise` every state and action has one fixed error, so planning longer cannot average it out. The errors are
@@ -192,7 +192,7 @@ class Supermarket(NamedTuple):
     def info(self, state: int) -> dict[str, Any]:
         """Where the shopper is, and what has been collected."""
         y, x, *items = np.unravel_index(state, (10, 10, 2, 2, 2))
-        return {"position": np.array([y, x]), "items": np.array(items, np.bool_)}
+        return {"position": np.array([y, x]), "collected": np.array(items, np.bool_)}
 
     def scene(self, state: int, last_state: int | None = None) -> Scene:
         """The supermarket from above: brick walls, three different items, the exit with its sign, the shopping list."""

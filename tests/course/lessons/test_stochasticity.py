@@ -154,6 +154,15 @@ def test_what_is_taken_away() -> None:
     assert all({*runs} <= {0.0, 1.0} and len(runs) == 2 for runs in found.values())
 
 
+def test_runs_of_the_experiment_are_those_as_it_is() -> None:
+    """Curves with more points are of the same training, so these runs need not be done again."""
+    brief: dict[str, Any] = {"n_steps": 600, "repetitions": 8, "seed": 1}
+    known = methods.learn(**brief)
+    again = drive.without_causes(**brief)[drive.AS_IT_IS]
+    assert 0 < again.mean() < 1
+    assert drive.without_causes(as_it_is=known, **brief)[drive.AS_IT_IS].tolist() == again.tolist()
+
+
 def test_figures_of_games() -> None:
     """Bars of lost games first, six hits or more in one; mean, spread and lost balls have a panel each."""
     two = {"one": methods.played([np.array(SHARES)], 10), "other": methods.played([np.eye(11)[2], np.eye(11)[0]], 10)}

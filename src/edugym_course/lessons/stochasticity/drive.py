@@ -58,7 +58,12 @@ def first_swing_only(level: float) -> FirstSwing:
 
 
 def without_causes(
-    level: float = LEVEL, learning_rate: float = LEARNING_RATE, *, repetitions: int = REPETITIONS, **how: Any
+    level: float = LEVEL,
+    learning_rate: float = LEARNING_RATE,
+    *,
+    as_it_is: Results | None = None,
+    repetitions: int = REPETITIONS,
+    **how: Any,
 ) -> dict[str, Reals]:
     """Train Q-learning as it is, and without one or both of two causes for which it may not drive.
 
@@ -67,19 +72,22 @@ def without_causes(
     Args:
         level: the stochasticity level of the game.
         learning_rate: α.
+        as_it_is: the runs of Q-learning as it is, if they are there already.
         repetitions: the number of runs of each.
         **how: more arguments of `edugym.experiments.repeat`.
 
     Returns:
         By what is taken away, for every run whether it starts with a drive in the end: 1 or 0.
     """
-    starts = {}
-    for whole, small, large in ((True, NO_BAD_LUCK, AS_IT_IS), (False, NEITHER, REST_KNOWN)):
-        for label, rate in ((large, learning_rate), (small, learning_rate / 4)):
-            settings: dict[str, Any] = {"learning_rate": rate, "repetitions": repetitions, **how}
-            results = _learn(level, **settings) if whole else _learn_first_swing(level, **settings)
-            starts[label] = (first_swings(results, NEUTRAL) == DRIVE).astype(float)
-    return {label: starts[label] for label in (AS_IT_IS, NO_BAD_LUCK, REST_KNOWN, NEITHER)}
+    how["repetitions"] = repetitions
+    small = learning_rate / 4
+    results = {
+        AS_IT_IS: _learn(level, learning_rate=learning_rate, **how) if as_it_is is None else as_it_is,
+        NO_BAD_LUCK: _learn(level, learning_rate=small, **how),
+        REST_KNOWN: _learn_first_swing(level, learning_rate, **how),
+        NEITHER: _learn_first_swing(level, small, **how),
+    }
+    return {label: (first_swings(one, NEUTRAL) == DRIVE).astype(float) for label, one in results.items()}
 
 
 def _learn(level: float, **how: Any) -> Results:

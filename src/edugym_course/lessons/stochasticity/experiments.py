@@ -31,6 +31,7 @@ from edugym_course.lessons.stochasticity.figures import learning_curves, outcome
 from edugym_course.lessons.stochasticity.methods import (
     AVERSE,
     HARDLY,
+    LEARNING_RATE,
     LEVEL,
     LEVELS,
     LONG,
@@ -69,14 +70,15 @@ COSTS = f"At level {TOO_NOISY:g} seeking players earn less than neutral ones"
 
 def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
-    several = {"repetitions": 3 * how.repetitions}  # a few runs are far from the others
+    several: dict[str, Any] = {"repetitions": 3 * how.repetitions}  # a few runs are far from the others
     seen = learn(**how("hits_observed", **several))
     noisy = learn(level=TOO_NOISY, **how("level_0.02", **several))
     hidden = learn(observe_hits=False, **how("hits_hidden", repetitions=4 * how.repetitions))
     brief: dict[str, Any] = {"risks": {NEUTRAL: 0.0}, "n_steps": SHORT, "points": 30, "evaluation_episodes": 30}
     by_level = {level: learn(level=level, **brief, **how(f"speed_{level:g}")) for level in AT_LEVELS}
+    known = {(LEVEL, LEARNING_RATE): seen}  # with more points of the curves, but the same training
     causes = {
-        (level, rate): without_causes(level, rate, **how(repetitions=3 * how.repetitions))
+        (level, rate): without_causes(level, rate, as_it_is=known.get((level, rate)), **how(**several))
         for level, rate in (*CAUSES, NEAR_THE_CROSSING)
     }
     long = how(n_steps=LONG, repetitions=max(2, how.repetitions // 3))
