@@ -8,6 +8,7 @@ optima, questions and answers. JavaScript shows it.
 """
 
 import argparse
+import inspect
 import json
 import math
 import re
@@ -18,6 +19,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+import editor
 import kernels
 import numpy as np
 from places import MAPS
@@ -76,9 +78,10 @@ def build(folder: Path, races: Sequence[Race] = RACES, jobs: int = 2) -> None:
     shutil.copytree(PAGE, folder, dirs_exist_ok=True)
     data = folder / "data"
     data.mkdir(exist_ok=True)
-    _write(
-        data / "playground.json", {"seeds": random_streams(), "several": intervals(), "races": list(map(menu, races))}
-    )
+    sizes = editor.build(folder / "python")
+    whole = {"seeds": random_streams(), "several": intervals(), "races": list(map(menu, races)), "editor": sizes}
+    _write(data / "playground.json", whole)
+    _write(data / "sources.json", sources(races))
     for race in races:
         for k in range(len(race.strength.values)):
             _write(data / f"{race.environment}-{k}.json", task(race, k, made))
@@ -140,6 +143,12 @@ def menu(race: Race) -> dict[str, Any]:
         ],
         "play": play,
     }
+
+
+def sources(races: Sequence[Race]) -> dict[str, str]:
+    """The files of the agents, by their classes: what a reader may begin with."""
+    kinds = {agent.kind for race in races for agent in race.agents}
+    return {kind.__name__: Path(inspect.getfile(kind)).read_text(encoding="utf-8") for kind in kinds}
 
 
 def own_settings(race: Race) -> dict[str, float]:

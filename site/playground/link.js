@@ -1,7 +1,7 @@
 // A link that holds everything seen: the task, the agents, the settings, the seed, the bet, and how far the race is.
 
 export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: 1, seed: 0, several: 1, steps: null,
-  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, bet: null, at: [0, 0, 0], play: false, blind: false }
+  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, bet: null, at: [0, 0, 0], play: false, code: false, blind: false }
 const MOST = 10_000_000 // steps of a race
 const RANGES = { strength: [0, 99], agents: [0, 99], speed: [0, 9], seed: [0, 99], several: [1, 20], steps: [100, MOST],
   learning_rate: [0.01, 1], discount: [0, 1], epsilon: [0, 1], bet: [0, 2], at: [0, MOST] }

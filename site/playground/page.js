@@ -1,6 +1,7 @@
 // The page: it puts together menu, race, settings, link and game. What it knows of tasks comes from data/, written by
 // the package; what it shows is in one `state`, which is what a link holds.
 
+import { Editor } from './editor.js'
 import { chart, short, summary } from './chart.js'
 import { read, write } from './link.js'
 import { Lane } from './lane.js'
@@ -14,6 +15,8 @@ const OWN = ['learning_rate', 'discount', 'epsilon'] // settings that all agents
 let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
+const editor = data.editor && new Editor(find, data.editor, data.seeds) // where npm does not answer, the page is built without
+find('tab-code').hidden = !editor
 lanes.forEach(lane => find('lanes').append(lane.article))
 
 // Menus that do not depend on the task
@@ -48,11 +51,13 @@ async function open() {
   find('lesson').href = race.link
   find('strength-name').textContent = race.strength.parameter.replaceAll('_', ' ')
   find('strength').max = race.strength.values.length - 1
-  find('steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
+  find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
+  state.code &&= Boolean(editor)
+  state.play &&= !state.code
   uncover()
   await begin()
-  await refreshPlay()
+  await refresh()
 }
 
 // A new race: everybody at the start, or as far as the link says.
@@ -97,6 +102,7 @@ function controls() {
     find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
   }
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
+  find('code-steps').value = state.steps
   find('policy').checked = state.policy
   find('blind').checked = state.blind
   lanes.forEach((lane, k) => lane.bet.setAttribute('aria-pressed', state.bet === k))
@@ -191,9 +197,10 @@ find('speed').oninput = event => {
   if (running) lanes.forEach(lane => lane.rate(rate()))
   if (running && rate() >= 1000) tell('They are learning …')
 }
-find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refreshPlay))
+find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refresh))
 for (const name of OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
 find('own').onclick = () => { for (const name of OWN) state[name] = null; restart() }
+find('code-steps').onchange = event => set('steps', Number(event.target.value), () => restart().then(refresh))
 for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
 find('show').onchange = event => set('show', event.target.value, redraw)
 find('policy').onchange = event => set('policy', event.target.checked, redraw)
@@ -203,6 +210,7 @@ function remeasure() {
   for (const { picture } of lanes) picture?.measure()
   redraw()
   soon(draw)
+  if (state.code) soon(editor.draw)
 }
 
 function redraw() {
@@ -216,47 +224,62 @@ function redraw() {
 
 // Watch or play
 
-async function choose(playing) {
-  if (playing && running) find('run').onclick()
-  state.play = playing
+const TABS = { race: 'race', play: 'play', code: 'code-panel' } // each with its panel
+const chosen = () => state.code ? 'code' : state.play ? 'play' : 'race'
+
+async function choose(name) {
+  if (name !== 'race' && running) find('run').onclick()
+  state.play = name === 'play'
+  state.code = name === 'code'
   uncover()
   controls()
-  if (playing) return refreshPlay()
+  if (name !== 'race') return refresh()
   remeasure()
 }
 
 function uncover() {
-  for (const [name, on] of [['race', !state.play], ['play', state.play]]) {
-    find(name).hidden = !on
+  for (const [name, panel] of Object.entries(TABS)) {
+    const on = name === chosen()
+    find(panel).hidden = !on
     find(`tab-${name}`).setAttribute('aria-selected', on)
     find(`tab-${name}`).tabIndex = on ? 0 : -1
   }
 }
 
-async function refreshPlay() {
+async function refresh() {
   if (state.play) await play.open(race, task, data.seeds[state.seed])
+  if (state.code) await editor.open(race, task, state, { task: made, agent: agent => `agent = ${create(agent, agent.settings)}\n` })
 }
 
-find('tab-race').onclick = () => choose(false)
-find('tab-play').onclick = () => choose(true)
+for (const name of Object.keys(TABS)) find(`tab-${name}`).onclick = () => choose(name)
 document.querySelector('.tabs').onkeydown = event => {
   if (!/^Arrow(Left|Right)$/.test(event.key)) return
   event.stopPropagation()
-  choose(!state.play).then(() => find(state.play ? 'tab-play' : 'tab-race').focus())
+  const names = Object.keys(TABS).filter(name => !find(`tab-${name}`).hidden), step = event.key === 'ArrowRight' ? 1 : -1
+  const name = names.at((names.indexOf(chosen()) + step) % names.length)
+  choose(name).then(() => find(`tab-${name}`).focus())
 }
 
 // The same numbers in Python
 
-function program() {
+// The lines that make the task, as an agent sees it.
+function made({ seen }) {
   const { parameter, values, others } = race.strength, value = values[state.strength].replace('inf', 'float("inf")')
   const given = [`"${race.name}"`, `${parameter}=${value}`, ...others].join(', ')
-  const blocks = state.agents.map(k => race.agents[k]).map(({ label, kind, settings, seen }) => {
+  return `mdp = edugym.make_mdp(${given})\n${seen ? `mdp = ${seen}\n` : ''}`
+}
+
+function create({ kind }, settings) {
+  return `${kind}.create(${['mdp', ...settings.map(([name, value]) => `${name}=${value}`)].join(', ')})`
+}
+
+function program() {
+  const blocks = state.agents.map(k => race.agents[k]).map(agent => {
+    const { label, kind, settings } = agent
     const known = Object.fromEntries(settings)
     for (const name of ['learning_rate', 'discount']) if (state[name] !== null && kind !== 'RMax') known[name] = state[name]
     if (state.epsilon !== null && !/^(RMax|GoExplore)$/.test(kind)) known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
-    const listed = Object.entries(known).map(([name, value]) => `${name}=${value}`)
-    return `# ${label}\nmdp = edugym.make_mdp(${given})\n${seen ? `mdp = ${seen}\n` : ''}`
-      + `agent = edugym.${kind}.create(${['mdp', ...listed].join(', ')})\n`
+    return `# ${label}\n${made(agent)}agent = edugym.${create(agent, Object.entries(known))}\n`
       + `run = edugym.train(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\nprint(run.returns)\n`
   })
   find('same').textContent = 'EduGym gives the numbers of this page. (Where a task needs exponentials, sines or logarithms, the last digit can differ from machine to machine.)'

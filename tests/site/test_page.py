@@ -193,6 +193,63 @@ def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
     reader.check()
 
 
+def change(reader: Reader, old: str, new: str) -> None:
+    """Change a reader's program, as typing does."""
+    changed = "(e => { e.value = e.value.replace(arguments[0], arguments[1]); e.dispatchEvent(new Event('input')) })"
+    reader(f"{changed}(document.querySelector('#source'))", old, new)
+
+
+def ran(reader: Reader) -> str:
+    """Run a reader's program to its end, and return what is said."""
+    reader.click("#run-code")
+    until(lambda: reader("document.querySelector('#stop-code').disabled"), "the end of the run", 300)
+    return reader.text("#code-status")
+
+
+@pytest.mark.parametrize("size", [WIDE, PHONE], ids=["wide", "phone"])
+def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser: Any) -> None:
+    """Python comes with the first change; mistakes have their line; what is endless can be stopped."""
+    reader = Reader(browser, f"{address}#task=Boulder&code=true&steps=100000", size)
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+    until(lambda: reader("document.querySelector('#source').value"), "the program")
+    assert "loads Python" in reader.text("#code-status")
+    change(reader, "a few lines", "some lines")
+    until(lambda: "Press Run" in reader.text("#code-status"), "Python", 300)
+    said = ran(reader)
+    assert "Your agent ends at 1," in said
+    assert "interpreted" not in said
+    until(lambda: reader("document.querySelectorAll('#code-chart polyline[points*=\",\"]').length") == 2, "two curves")
+    if SCREENSHOTS:
+        _photograph(reader, f"code-{size[0]}")
+    change(reader, "target - self", "target - sef")
+    assert ran(reader).startswith("Line 17. NameError")
+    assert reader.text("#gutter b") == "17"
+    change(reader, "target - sef", "target - self")
+    change(reader, "        target =", "        notes = {}\n        target =")
+    assert "it makes a dict (line 16)" in ran(reader)
+    change(reader, "        notes = {}\n", "        while True: pass\n")
+    reader.click("#run-code")
+    reader.click("#stop-code")
+    assert "Stopped" in reader.text("#code-status")
+    change(reader, "        while True: pass\n", "")
+    assert "Your agent ends at 1," in ran(reader)
+    reader.check()
+
+
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+def test_a_reader_runs_the_packages_agents(race: Any, address: str, browser: Any) -> None:
+    """From their own files, in every task: the curve is that of the kernel."""
+    reader = Reader(browser, f"{address}#task={race.environment}&code=true&steps=10000")
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+    until(lambda: reader("document.querySelector('#source').value"), "the program")
+    reader("(e => { e.selectedIndex = 1; e.onchange() })(document.querySelector('#template'))")
+    until(lambda: "create(mdp" in reader("document.querySelector('#source').value"), "the agent's file")
+    assert "Your agent ends at" in ran(reader)
+    reader.check()
+
+
 def test_the_first_race_is_small(address: str) -> None:
     """All that the first race needs, compressed as a server does, is below 100 kB."""
     import gzip

@@ -1,1 +1,1 @@
-"""Machine code of loops, MDPs and agents by Numba: what may be compiled, compiling, the disk cache, and running it."""
+"""Fast code of loops, MDPs and agents: what may be compiled, machine code by Numba, and JavaScript in a browser."""

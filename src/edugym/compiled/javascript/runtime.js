@@ -190,7 +190,13 @@ const spread = (a, shape) => {
   return new a.constructor(a.data, a.offset, shape, strides).flat()
 }
 const shapeOf = a => a instanceof Strided ? a.shape : []
+const room = (kind, n) => new kind(kind.room(n), 0, [n], [1])
 const paired = (kind, operation, a, b) => {
+  if (a instanceof Strided && !(b instanceof Strided) && a.shape.length === 1) { // as in Q[state] == highest
+    const n = a.length, array = room(kind, n)
+    for (let k = 0, place = a.offset; k < n; k++, place += a.stride) array.set(k, operation(a.get(place), b))
+    return array
+  }
   const shape = broadcast(shapeOf(a), shapeOf(b)), first = spread(a, shape), second = spread(b, shape)
   return made(kind, shape, first.map((x, k) => operation(x, second[k])))
 }
@@ -301,10 +307,15 @@ const sumInDoubt = list => {
   }
   return list.length && sum + lost === sum ? sum : doubt('a sum whose last digit is in doubt')
 }
+const holds = x => x !== 0 && x !== false // NaN does
 const whereNotZero = a => {
-  const found = []
-  a.flat().forEach((x, k) => { if (x !== 0 && x !== false) found.push(k) })
-  return made(Whole, [found.length], found)
+  const list = a.shape.length === 1 ? null : a.flat(), n = list ? list.length : a.length
+  const at = k => list ? list[k] : a.get(a.offset + k * a.stride)
+  let count = 0
+  for (let k = 0; k < n; k++) if (holds(at(k))) count++
+  const found = room(Whole, count)
+  for (let k = 0, next = 0; next < count; k++) if (holds(at(k))) found.set(next++, k)
+  return found
 }
 const countOf = list => list.reduce((sum, x) => sum + (x ? 1 : 0), 0)
 const median = list => {

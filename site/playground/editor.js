@@ -1,0 +1,179 @@
+// "Change the code": a reader's own agent in Python, which races against one of the package's. Python is loaded with
+// the first change; until then nothing of it is. Stop ends the worker, whatever the code does.
+
+import { chart, short } from './chart.js'
+import { soon } from './soon.js'
+
+const SHORT = `class MyAgent(NamedTuple):
+    """Q-learning in a few lines. Change them!"""
+
+    Q: np.ndarray
+
+    def act(self, state, rng):
+        if rng.random() < 0.1:
+            return rng.integers(self.Q.shape[1])
+        return self.greedy(state, rng)
+
+    def greedy(self, state, rng):
+        best = np.flatnonzero(self.Q[state] == self.Q[state].max())
+        return rng.choice(best)
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + 0.99 * self.Q[next_state].max()
+        self.Q[state, action] += 0.1 * (target - self.Q[state, action])
+
+
+agent = MyAgent(edugym.QLearning.create(mdp).Q)
+`
+const LATE = 100 // points of a curve
+
+export class Editor {
+  constructor(find, sizes, seeds) {
+    Object.assign(this, { find, sizes, seeds, number: 0 })
+    this.draw = this.draw.bind(this)
+    this.source = find('source')
+    this.source.oninput = () => {
+      this.mark(null)
+      this.python() // begins to load
+    }
+    this.source.onscroll = () => { find('gutter').scrollTop = this.source.scrollTop }
+    this.source.onkeydown = event => this.indent(event)
+    find('template').onchange = () => this.fill()
+    find('rival').onchange = () => this.clear()
+    find('run-code').onclick = () => this.run()
+    find('stop-code').onclick = () => this.stop('Stopped. The next run loads Python again.')
+    const megabytes = Object.values(sizes).reduce((sum, size) => sum + size, 0) / 1e6
+    this.first = `With your first change or run, your browser loads Python: ${Math.round(megabytes)} MB.`
+  }
+
+  // Show a task: `state` is the page's, `task` its data at this strength, `given` what `program` of the page needs.
+  async open(race, task, state, code) {
+    const other = this.race !== race
+    Object.assign(this, { race, task, state, code })
+    if (other) {
+      const names = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
+      this.find('template').innerHTML = `<option>a short one</option>${names}`
+      this.find('rival').innerHTML = names
+      this.fill()
+    }
+    this.clear()
+  }
+
+  async fill() {
+    const k = this.find('template').selectedIndex - 1
+    if (k < 0) this.source.value = SHORT
+    else {
+      const sources = await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
+      this.source.value = `${sources[this.race.agents[k].kind]}\n\n${this.code.agent(this.race.agents[k])}`
+    }
+    this.mark(null)
+  }
+
+  clear() {
+    if (this.running) this.stop()
+    this.ours = this.theirs = []
+    this.tell(this.worker ? 'Change something, and run it.' : this.first)
+    soon(this.draw)
+  }
+
+  tell(text) {
+    this.find('code-status').textContent = text
+  }
+
+  // Number the lines, and mark the one with an error.
+  mark(line) {
+    const count = this.source.value.split('\n').length
+    this.find('gutter').innerHTML = Array.from({ length: count }, (_, k) => k + 1 === line ? `<b>${k + 1}</b>` : k + 1).join('\n')
+    this.find('gutter').scrollTop = this.source.scrollTop
+    this.source.setAttribute('aria-invalid', line !== null)
+  }
+
+  indent(event) {
+    if (event.key !== 'Enter' || event.isComposing) return
+    const before = this.source.value.slice(0, this.source.selectionStart).split('\n').at(-1)
+    const spaces = before.match(/^ */)[0] + (before.trimEnd().endsWith(':') ? '    ' : '')
+    event.preventDefault()
+    document.execCommand('insertText', false, `\n${spaces}`) // unlike others, it can be undone
+  }
+
+  python() {
+    if (this.worker) return this.worker
+    this.worker = new Worker('own.js', { type: 'module' })
+    this.worker.onmessage = ({ data }) => this.receive(data)
+    this.worker.onerror = event => this.receive({ kind: 'done', error: event.message || 'Python could not be loaded.', line: null })
+    this.worker.postMessage({ kind: 'load', sizes: this.sizes })
+    return this.worker
+  }
+
+  run() {
+    if (this.running) return
+    this.clear()
+    this.mark(null)
+    const { steps, seed } = this.state, { race, task } = this, agent = this.find('rival').selectedIndex
+    this.running = true
+    this.find('run-code').disabled = true
+    this.find('stop-code').disabled = false
+    this.tell('Your agent learns …')
+    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.source.value, task: this.code.task(race.agents[agent]), steps, seed, episodes: race.episodes })
+    const lane = task.agents[agent], { rows, cell } = task.tables[lane.table]
+    this.rival ??= new Worker('worker.js', { type: 'module' })
+    this.rival.onmessage = ({ data }) => {
+      if (data.id !== this.number) return
+      this.theirs = data.curves[0]
+      soon(this.draw)
+    }
+    this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: race.agents[agent].kernel, plan: lane, look: lane.look, rows, now: cell.length,
+      seeds: [this.seeds[seed]], steps, every: Math.max(1, Math.floor(steps / LATE)), settings: {}, at: 0 })
+    this.rival.postMessage({ kind: 'rate', rate: Infinity })
+  }
+
+  stop(text) {
+    this.worker?.terminate()
+    this.worker = undefined
+    this.end()
+    if (text) this.tell(text)
+  }
+
+  end() {
+    this.running = false
+    this.rival?.postMessage({ kind: 'rate', rate: 0 })
+    this.find('run-code').disabled = false
+    this.find('stop-code').disabled = true
+  }
+
+  receive(data) {
+    if (data.kind === 'loading' && !this.loaded) {
+      this.loaded = data.share === 1
+      this.tell(this.loaded ? 'Python starts: some seconds …' : `Python is loading: ${Math.floor(100 * data.share)} %`)
+    }
+    if (data.kind === 'ready' && !this.running) this.tell('Python is there. Press Run.')
+    if (data.kind === 'ready' && this.running) this.tell('Your agent learns …')
+    if (data.kind !== 'done') return
+    this.running = false
+    this.find('run-code').disabled = false
+    this.find('stop-code').disabled = true
+    if (data.error) {
+      this.mark(data.line)
+      return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
+    }
+    this.ours = data.curve
+    this.result = data
+    soon(this.draw)
+    this.tell(this.verdict(data))
+  }
+
+  verdict({ curve, seconds, said }) {
+    const { steps } = this.state, pace = steps / seconds
+    const mean = line => line.slice(-10).reduce((sum, [, value]) => sum + value, 0) / Math.min(10, line.length)
+    const ours = mean(curve), name = this.race.agents[this.find('rival').selectedIndex].label
+    const speed = `${short(Number(pace.toPrecision(2)))} steps a second, with evaluation`
+    return `Your agent ends at ${short(ours)}, in ${seconds.toFixed(1)} s: ${speed}. Compare it with ${name} below. ${said.join(' ')}`
+  }
+
+  draw() {
+    const { task, state, race } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
+    const name = race.agents[this.find('rival').selectedIndex].label
+    chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum })
+    this.find('code-caption').innerHTML = `Mean return of ${race.episodes} games without exploring. <b class="ours">Your agent</b>, <b class="theirs">${name}</b>`
+  }
+}

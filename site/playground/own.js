@@ -1,0 +1,80 @@
+// A worker for a reader's own agent: it loads Python, and runs the reader's program. The page stops it by ending it.
+// What the program does runs in Python, checked, and after its first steps as JavaScript where it can be translated.
+
+let python
+
+onmessage = async ({ data }) => {
+  try {
+    python ??= await load(data.sizes)
+    if (data.kind === 'run') postMessage({ kind: 'done', ...run(data) })
+    else postMessage({ kind: 'ready' })
+  } catch (error) {
+    postMessage({ kind: 'done', error: error.message, line: null })
+  }
+}
+
+async function load(sizes) {
+  const all = Object.values(sizes).reduce((sum, size) => sum + size, 0)
+  let loaded = 0
+  const fetched = self.fetch
+  self.fetch = async (...asked) => { // tells how much has come
+    const answer = await fetched(...asked)
+    const counter = new TransformStream({
+      transform(chunk, to) {
+        loaded += chunk.length
+        postMessage({ kind: 'loading', share: Math.min(1, loaded / all) })
+        to.enqueue(chunk)
+      },
+    })
+    return new Response(answer.body.pipeThrough(counter), { status: answer.status, headers: answer.headers })
+  }
+  const memories = [] // one of them is Python's, which Pyodide does not tell
+  const { Memory } = WebAssembly
+  WebAssembly.Memory = class extends Memory {
+    constructor(size) {
+      super(size)
+      memories.push(this)
+    }
+  }
+  const [packages, draws, { loadPyodide }] = await Promise.all([
+    self.fetch('python/packages.zip').then(answer => answer.arrayBuffer()),
+    self.fetch('python/draws.wasm').then(answer => answer.arrayBuffer()),
+    import('./python/pyodide.mjs'),
+  ])
+  const pyodide = await loadPyodide({ indexURL: new URL('python/', import.meta.url).href })
+  WebAssembly.Memory = Memory
+  self.fetch = fetched
+  postMessage({ kind: 'loading', share: 1 })
+  pyodide.unpackArchive(packages, 'zip', { extractDir: '/lib/python3.12/site-packages' })
+  const memory = memories.find(({ buffer }) => buffer === pyodide._module.HEAP8.buffer)
+  return begun(pyodide, memory, draws)
+}
+
+async function begun(pyodide, memory, draws) {
+  const stack = new WebAssembly.Global({ value: 'i32', mutable: true }, 0) // which drawing does not use
+  const { instance } = await WebAssembly.instantiate(draws, { env: { __linear_memory: memory, __stack_pointer: stack } })
+  const mathematics = 'acos acosh asin asinh atan atan2 atanh cos cosh exp expm1 hypot log log10 log1p log2 pow sin sinh tan tanh'
+  const libm = {}
+  for (const name of mathematics.split(' ')) if (pyodide._module[`_${name}`]) libm[name] = pyodide._module[`_${name}`]
+  const make = text => {
+    const program = new Function('memory', 'draw', 'libm', text)(() => memory.buffer, instance.exports, libm)
+    return numbers => {
+      try {
+        if (memory.buffer !== pyodide._module.HEAP8.buffer) throw new Error('the memory of Python has moved')
+        return Float64Array.from(program(numbers))
+      } catch (error) {
+        return error.message
+      }
+    }
+  }
+  const page = pyodide.pyimport('edugym_page')
+  page.javascript.engine = page.Browser(make, pyodide.pyimport('pyodide.ffi').to_js, pyodide.toPy(Object.keys(libm)))
+  return page
+}
+
+function run({ source, task, steps, seed, episodes }) {
+  const told = python.run(source, task, steps, seed, episodes)
+  const done = told.toJs({ dict_converter: Object.fromEntries })
+  told.destroy()
+  return done
+}
