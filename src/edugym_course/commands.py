@@ -105,7 +105,7 @@ def _short(default: Any) -> str:
 
 @app.command()
 def profile(
-    agents: Annotated[list[str], typer.Argument(metavar="AGENT...", help=arguments.HELP)],
+    agents: Annotated[list[str] | None, typer.Argument(metavar="[AGENT...]", help=arguments.HELP)] = None,
     output: Annotated[
         Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for the report and its data.")
     ] = Path("profile"),
@@ -115,45 +115,30 @@ def profile(
     repetitions: Annotated[int, typer.Option(min=2, help="Runs on each rung of a ladder.")] = 10,
     seed: Annotated[int, typer.Option(min=0, help="The seed of all random numbers.")] = 0,
     jobs: Annotated[int, typer.Option(min=-1, max=MOST_JOBS, help="Runs at a time; -1 means one for each core.")] = -1,
+    everyone: Annotated[
+        bool, typer.Option("--all", help="For developers: make the stored profiles again whose code has changed.")
+    ] = False,
 ) -> None:
     """Say which challenges an agent masters, and how strong each may become.
 
     It climbs a ladder of tasks for every environment, from easy to hopeless, and scores every rung from 0 (random play)
     to 1 (the best play). OUTPUT/report.html is the report; report.md, runs.csv and the pictures lie beside it. What is
-    done is kept in OUTPUT/unfinished: after Ctrl-C the same command goes on from there.
+    done is kept in OUTPUT/unfinished: after Ctrl-C the same command goes on from there. The agents of the package have
+    profiles that are stored with it; the report shows their scores in grey.
     """
-    from edugym.experiments.profiles import report
-    from edugym.experiments.profiles.profile import profile
+    from edugym_course import profiling
 
-    unfinished = output / "unfinished"
+    if bool(agents) == everyone:
+        raise typer.BadParameter("give agents, or --all", param_hint="AGENT")
+    chosen = {} if everyone else {"challenges": challenge, "repetitions": repetitions, "seed": seed}
     try:
-        check_writable(output / report.NAME)
-        read = arguments.agents(agents)
-        with SignalGuard():
-            found = profile(
-                read,
-                challenges=challenge,
-                repetitions=repetitions,
-                seed=seed,
-                jobs=jobs,
-                progress=sys.stderr.isatty(),
-                checkpoints=unfinished,
-            )
-            path = call_interruptibly(report.write, found, output)
+        said = profiling.profile_and_report(agents or [], output, {"jobs": jobs, **chosen})
     except KeyboardInterrupt:
         typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)
         raise typer.Exit(INTERRUPTED) from None
     except (OSError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
-    shutil.rmtree(unfinished, ignore_errors=True)
-    heading, rows = report.score_table(found)
-    table = Table(*heading, box=box.SIMPLE_HEAD, pad_edge=False)
-    for row in rows:
-        table.add_row(*row)
-    Console().print(table)
-    for name in found.challenges:
-        typer.echo(f"{name}. {report.said(found, name).sentence}")
-    typer.echo(f"The report is {path}.")
+    typer.echo("\n".join(said))
 
 
 @app.command()

@@ -14,7 +14,7 @@ from edugym import Ladder, make_mdp
 from edugym.experiments.profiles import profile as profiles
 from edugym.experiments.profiles import report
 from edugym.experiments.profiles.ladders import LADDERS
-from edugym_course import arguments
+from edugym_course import agent_profiles, arguments, profiling
 from tests.course.test_commands import run
 
 
@@ -191,7 +191,8 @@ def test_a_command_that_is_wrong(tmp_path: Path) -> None:
     for given, says in (
         (("Nobody",), "an agent must be one of"),
         (("QLearning", "--challenge", "Chess"), "Chess"),
-        ((), "AGENT"),
+        ((), "give agents, or --all"),
+        (("QLearning", "--all"), "give agents, or --all"),
     ):
         done = run("profile", *given, "--output", str(tmp_path / "out"))
         assert done.exit_code == 2
@@ -206,7 +207,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         how["checkpoints"].mkdir(parents=True)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(profiles, "profile", interrupted)
+    monkeypatch.setattr(profiling, "profile", interrupted)
     done = run("profile", "QLearning", "--output", str(tmp_path / "out"))
     assert done.exit_code == 130
     assert "the same command goes on" in done.output
@@ -222,3 +223,38 @@ def test_the_report_names_those_to_take() -> None:
     alone = edugym.profile({"nothing": agents["nothing"]}, challenges=[LOW], repetitions=3)
     assert report.best_agents(alone, "Boulder") == []
     assert report.said(alone, "Boulder").take == "nobody"
+
+
+def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Profiles are made for agents whose code has changed, and for no other; what is stored is what was measured."""
+    monkeypatch.setattr(agent_profiles, "PATH", tmp_path / "stored.csv")
+    monkeypatch.setattr(agent_profiles, "LADDERS", (LOW,))
+    monkeypatch.setattr(profiles, "LADDERS", (LOW,))
+    agents = {name: getattr(edugym, name).create for name in ("QLearning", "SARSA")}
+    monkeypatch.setattr(agent_profiles, "agents", lambda: agents)
+    assert agent_profiles.load() is None
+    assert agent_profiles.stale() == ["QLearning", "SARSA"]
+    done = run("profile", "--all", "--output", str(tmp_path / "out"))
+    assert done.exit_code == 0, done.output
+    assert "Made again: QLearning, SARSA." in done.output
+    assert agent_profiles.stale() == []
+    stored = agent_profiles.load()
+    assert stored is not None
+    fresh = edugym.profile({"QLearning": edugym.QLearning.create}, challenges=[LOW])
+    assert stored.scores("QLearning", "Boulder") == pytest.approx(fresh.scores("QLearning", "Boulder"), abs=1e-3)
+    assert stored.steps("QLearning", "Boulder") == fresh.steps("QLearning", "Boulder")
+    monkeypatch.setattr(agent_profiles, "code_of", lambda name: "new" if name == "SARSA" else code_of(name))
+    assert agent_profiles.stale() == ["SARSA"]
+    done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
+    assert "Stored profiles of SARSA are stale" in done.output
+    assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
+
+
+code_of = agent_profiles.code_of
+
+
+def test_the_code_of_an_agent_is_its_own_and_that_of_the_tasks() -> None:
+    """Those of two agents differ."""
+    assert code_of("QLearning") != code_of("SARSA")
+    assert len(agent_profiles.agents()) > 10
+    assert not {"DQN", "GaussianActorCritic"} & agent_profiles.agents().keys()

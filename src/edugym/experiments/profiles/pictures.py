@@ -1,13 +1,13 @@
 """The pictures of a profile: a radar for the overview, dots with intervals, and a ladder for each challenge."""
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import GREY, REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.profiles.scores import HALF, Profile
 from edugym.rendering.palette import INK
 
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 MARKERS = "osD^vPX"
 """The marks of the first, second, ... agent; after the last one the first comes again."""
+OTHERS = "agents of the package"
+"""What the legend calls the agents beside a profile."""
 RINGS = (0.25, 0.5, 0.75, 1.0)
 
 
@@ -51,8 +53,8 @@ class Radar(NamedTuple):
             x, y = np.clip(scores, 0, 1) * spokes
             look = stroke(index)
             closed = np.append(x, x[0]), np.append(y, y[0])
-            ax.plot(*closed, color=look.color, linestyle=look.linestyle, linewidth=1.6)
-            ax.plot(x, y, MARKERS[index % len(MARKERS)], color=look.color, markersize=4, label=agent)
+            mark: dict[str, Any] = {"marker": MARKERS[index % len(MARKERS)], "markersize": 4}
+            ax.plot(*closed, color=look.color, linestyle=look.linestyle, linewidth=1.6, label=agent, **mark)
         ax.set_aspect("equal")
         ax.set_xlim(-1.65, 1.65)
         ax.set_ylim(-1.2, 1.2)
@@ -68,10 +70,12 @@ class Dots(NamedTuple):
 
     Attributes:
         profile: the profile.
+        beside: another one, whose agents are drawn in grey; None for none.
         title: the text above the axes.
     """
 
     profile: Profile
+    beside: Profile | None = None
     title: str = "score, with 95 % interval"
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
@@ -89,6 +93,12 @@ class Dots(NamedTuple):
                 ends = np.where(np.isfinite(ends), ends, 0.0)
                 color, mark = stroke(index).color, MARKERS[index % len(MARKERS)]
                 ax.errorbar(x, y, xerr=ends, fmt=mark, color=color, markersize=4, linewidth=1.3, label=agent)
+        for k, name in enumerate(names):
+            others = scores_of(self.beside, name)
+            label = OTHERS if k == 0 else None
+            ax.plot(
+                [*others.values()], [k] * len(others), "|", color=GREY, markersize=9, alpha=0.6, zorder=1, label=label
+            )
         for k in range(1, len(names)):
             ax.axhline(k - 0.5, color=INK, linewidth=0.3, alpha=0.4)
         for value in (0, 1):
@@ -129,9 +139,8 @@ class Rungs(NamedTuple):
             low, high = np.array([[rung.low, rung.high] for rung in rungs]).T
             look = stroke(index)
             means = [rung.estimate for rung in rungs]
-            mark = MARKERS[index % len(MARKERS)]
-            ax.plot(x, means, mark, color=look.color, markersize=4, label=agent)
-            ax.plot(x, means, color=look.color, linestyle=look.linestyle, linewidth=1.6)
+            mark: dict[str, Any] = {"marker": MARKERS[index % len(MARKERS)], "markersize": 4}
+            ax.plot(x, means, color=look.color, linestyle=look.linestyle, linewidth=1.6, label=agent, **mark)
             finite = np.isfinite(low) & np.isfinite(high)
             ax.fill_between(x, low, high, where=finite, color=look.color, alpha=0.16, linewidth=0)
         ax.axhline(HALF, **REFERENCE)
@@ -143,6 +152,14 @@ class Rungs(NamedTuple):
         return ax
 
 
+def scores_of(profile: Profile | None, challenge: str) -> dict[str, float]:
+    """The scores of all agents of a profile that enter a challenge, by label; none where it has no such challenge."""
+    if profile is None or challenge not in profile.challenges:
+        return {}
+    scores = {agent: profile.score(agent, challenge) for agent in profile.agents}
+    return {agent: score.estimate for agent, score in scores.items() if score.n}
+
+
 def written(strength: float) -> str:
     """A strength as a reader likes it: at most three digits, and a space between thousands."""
     if abs(strength) >= 1000:
@@ -150,8 +167,8 @@ def written(strength: float) -> str:
     return f"{strength:.3g}"
 
 
-def picture(profile: Profile) -> Sheet:
+def picture(profile: Profile, beside: Profile | None = None) -> Sheet:
     """Radar, dots and ladders in one figure."""
     ladders = [Rungs(profile, name) for name in profile.challenges]
     rows = [ladders[first : first + 3] for first in range(0, len(ladders), 3)]
-    return Sheet("profile", [[Radar(profile), Dots(profile)], *rows])
+    return Sheet("profile", [[Radar(profile), Dots(profile, beside)], *rows])

@@ -12,7 +12,7 @@ from edugym.experiments.figures.panel import Panel
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import save_figure, to_bytes
 from edugym.experiments.profiles.ladders import EXACT, steps_of
-from edugym.experiments.profiles.pictures import Dots, Radar, Rungs, picture, written
+from edugym.experiments.profiles.pictures import Dots, Radar, Rungs, picture, scores_of, written
 from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
 from edugym.experiments.results.statistics import Interval, paired_difference
 from edugym.rendering.palette import INK
@@ -134,14 +134,17 @@ def rounded(number: float) -> str:
     return f"{round(number, 2) + 0.0:.2f}"
 
 
-def score_table(profile: Profile) -> tuple[list[str], list[list[str]]]:
-    """The heading and the rows of the table of scores."""
+def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
+    """The heading and the rows of the table of scores; the best agent of another profile stands beside them."""
     rows = []
     for challenge in profile.challenges:
         about = said(profile, challenge)
         scores = [of_score(profile.score(agent, challenge)) for agent in profile.agents]
-        rows.append([f"{challenge} ({about.isolates})", about.take, *scores])
-    return ["challenge", "take", *profile.agents], rows
+        others = scores_of(beside, challenge)
+        best = max(others, key=lambda agent: others[agent]) if others else ""
+        known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
+        rows.append([f"{challenge} ({about.isolates})", about.take, *scores, *known])
+    return ["challenge", "take", *profile.agents, *(["best of the package"] if beside else [])], rows
 
 
 def rung_table(profile: Profile, challenge: str) -> tuple[list[str], list[list[str]]]:
@@ -192,7 +195,7 @@ INTRODUCTION = (
 )
 
 
-def markdown(profile: Profile) -> str:
+def markdown(profile: Profile, beside: Profile | None = None) -> str:
     """The report as Markdown; its picture is the file profile.svg beside it."""
 
     def table(heading: list[str], rows: list[list[str]]) -> list[str]:
@@ -200,7 +203,7 @@ def markdown(profile: Profile) -> str:
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
-    lines = ["# What the agents master", "", INTRODUCTION, "", *table(*score_table(profile))]
+    lines = ["# What the agents master", "", INTRODUCTION, "", *table(*score_table(profile, beside))]
     lines += ["![Radar, scores with intervals, and ladders](profile.svg)", "", "## The challenges", ""]
     for challenge in profile.challenges:
         about = said(profile, challenge)
@@ -211,7 +214,7 @@ def markdown(profile: Profile) -> str:
     return "\n".join([*lines, "## How it was measured", "", *(f"- {sentence}" for sentence in method(profile)), ""])
 
 
-def as_html(profile: Profile) -> str:
+def as_html(profile: Profile, beside: Profile | None = None) -> str:
     """The report as one HTML file, which loads nothing from anywhere; light or dark as the reader's system is."""
     escape = html.escape
 
@@ -252,12 +255,12 @@ def as_html(profile: Profile) -> str:
 <p>{escape(INTRODUCTION)}</p>
 <div class="figures">
 {_figure(Radar(profile), "Radar of the scores; the table has the numbers")}
-{_figure(Dots(profile), "Scores with intervals; the table has the numbers")}
+{_figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
 compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.</p>
 <h2>Which agent to take</h2>
-{table(*score_table(profile))}
+{table(*score_table(profile, beside))}
 <p class="soft">“Take” names the agent with the highest score, and those whose difference from it may be chance.</p>
 <h2>The challenges</h2>
 <div class="figures ladders">
@@ -283,12 +286,13 @@ def _figure(panel: Panel, says: str) -> str:
     return f'<figure role="img" aria-label="{html.escape(says)}">{svg}</figure>'
 
 
-def write(profile: Profile, folder: str | os.PathLike[str]) -> Path:
+def write(profile: Profile, folder: str | os.PathLike[str], beside: Profile | None = None) -> Path:
     """Write report.html, report.md, runs.csv, profile.png and profile.svg into a folder.
 
     Args:
         profile: the profile.
         folder: it is made where there is none.
+        beside: the profile of other agents, to compare with.
 
     Returns:
         The path of report.html.
@@ -301,7 +305,7 @@ def write(profile: Profile, folder: str | os.PathLike[str]) -> Path:
     require("plot", "matplotlib")
     folder = a_path("folder", folder)
     folder.mkdir(parents=True, exist_ok=True)
-    save_figure(picture(profile).draw(), folder / "profile.svg")
+    save_figure(picture(profile, beside).draw(), folder / "profile.svg")
     write_whole(folder / "runs.csv", profile.runs.to_csv(index=False, lineterminator="\n").encode())
-    write_whole(folder / "report.md", markdown(profile).encode())
-    return write_whole(folder / NAME, as_html(profile).encode())
+    write_whole(folder / "report.md", markdown(profile, beside).encode())
+    return write_whole(folder / NAME, as_html(profile, beside).encode())
