@@ -1,6 +1,5 @@
 """What the command `edugym` can do."""
 
-import ast
 import importlib
 import os
 import shutil
@@ -17,6 +16,7 @@ from edugym.experiments.repeat import MOST_JOBS
 from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
 from edugym.system.interrupts import INTERRUPTED, SignalGuard, call_interruptibly
+from edugym_course import arguments
 from edugym_course.lessons import lesson_names, load_experiments
 from edugym_course.report import Report, Section, explanation, markdown, rows_of
 
@@ -86,7 +86,7 @@ def play(
     from edugym.adapters.playing.game import playable
 
     try:
-        env = playable(environment, "ansi", _parameters(parameters or []))
+        env = playable(environment, "ansi", arguments.parameters(parameters or []))
         game = playing.Game(env, seed=seed)
     except (OSError, TypeError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
@@ -103,31 +103,42 @@ def _short(default: Any) -> str:
     return str(float(f"{default:.4g}") if isinstance(default, float) else default)
 
 
-def _parameters(texts: list[str]) -> dict[str, Any]:
-    """Read parameters that are written NAME=VALUE.
+@app.command()
+def profile(
+    agents: Annotated[list[str] | None, typer.Argument(metavar="[AGENT...]", help=arguments.HELP)] = None,
+    output: Annotated[
+        Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for the report and its data.")
+    ] = Path("profile"),
+    challenge: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="An environment; can be repeated. By default all.")
+    ] = None,
+    repetitions: Annotated[int, typer.Option(min=2, help="Runs on each rung of a ladder.")] = 10,
+    seed: Annotated[int, typer.Option(min=0, help="The seed of all random numbers.")] = 0,
+    jobs: Annotated[int, typer.Option(min=-1, max=MOST_JOBS, help="Runs at a time; -1 means one for each core.")] = -1,
+    everyone: Annotated[
+        bool, typer.Option("--all", help="For developers: make the stored profiles again whose code has changed.")
+    ] = False,
+) -> None:
+    """Say which challenges an agent masters, and how strong each may become.
 
-    Raises:
-        ValueError: one is not written so, or is given twice.
+    It climbs a ladder of tasks for every environment, from easy to hopeless, and scores every rung from 0 (random play)
+    to 1 (the best play). OUTPUT/report.html is the report; report.md, runs.csv and the pictures lie beside it. What is
+    done is kept in OUTPUT/unfinished: after Ctrl-C the same command goes on from there. The agents of the package have
+    profiles that are stored with it; the report shows their scores in grey.
     """
-    parameters: dict[str, Any] = {}
-    for text in texts:
-        name, equals, value = text.partition("=")
-        if not equals or not name.isidentifier():
-            raise ValueError(f"a parameter is written name=value, but not {text!r}")
-        if name in parameters:
-            raise ValueError(f"parameter {name} must be set once, but is set twice")
-        parameters[name] = _value(value)
-    return parameters
+    from edugym_course import profiling
 
-
-def _value(text: str) -> Any:
-    """Read a value: a Python literal, a number such as inf, or else the text itself."""
-    for read in (ast.literal_eval, float):
-        try:
-            return read(text)
-        except (TypeError, ValueError, SyntaxError):
-            continue
-    return text
+    if bool(agents) == everyone:
+        raise typer.BadParameter("give agents, or --all", param_hint="AGENT")
+    chosen = {} if everyone else {"challenges": challenge, "repetitions": repetitions, "seed": seed}
+    try:
+        said = profiling.profile_and_report(agents or [], output, {"jobs": jobs, **chosen})
+    except KeyboardInterrupt:
+        typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)
+        raise typer.Exit(INTERRUPTED) from None
+    except (OSError, ValueError) as error:
+        raise typer.BadParameter(str(error)) from error
+    typer.echo("\n".join(said))
 
 
 @app.command()

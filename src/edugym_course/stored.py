@@ -40,7 +40,7 @@ class Stored(NamedTuple):
     @property
     def path(self) -> Path:
         """The file with the table."""
-        return _source(f"{LESSONS}.{self.module}").with_suffix(".csv")
+        return source(f"{LESSONS}.{self.module}").with_suffix(".csv")
 
     def load(self) -> Results:
         """The stored results; they have no agents."""
@@ -52,7 +52,7 @@ class Stored(NamedTuple):
         Imports, docstrings, comments, pictures (`scene`) and functions that judge the results do not count; those
         are the functions whose names end in `_claims`.
         """
-        trees = (_what_determines(_source(name)) for name in (f"{LESSONS}.{self.module}", *self.determined_by))
+        trees = (what_determines(source(name)) for name in (f"{LESSONS}.{self.module}", *self.determined_by))
         return hashlib.sha256("\n".join(trees).encode()).hexdigest()[:32]
 
     def is_current(self) -> bool:
@@ -69,7 +69,7 @@ class Stored(NamedTuple):
         return results
 
 
-def _source(module: str) -> Path:
+def source(module: str) -> Path:
     """The file of a module, without importing it."""
     spec = importlib.util.find_spec(module)
     if spec is None or spec.origin is None:
@@ -77,7 +77,7 @@ def _source(module: str) -> Path:
     return Path(spec.origin)
 
 
-def _what_determines(path: Path) -> str:
+def what_determines(path: Path) -> str:
     """The code of a file without imports, docstrings, pictures, and what judges the results."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     tree.body = [statement for statement in tree.body if not _only_judges(statement)]
@@ -103,7 +103,7 @@ def stored_in(module: str) -> Stored:
     Raises:
         ValueError: there is no such module, or it stores nothing.
     """
-    _source(f"{LESSONS}.{module}")
+    source(f"{LESSONS}.{module}")
     found: Any = getattr(importlib.import_module(f"{LESSONS}.{module}"), "STORED", None)
     if not isinstance(found, Stored):
         raise ValueError(f"{LESSONS}.{module} stores no results: it has no STORED")

@@ -49,24 +49,6 @@ def test_without_a_command_there_is_help() -> None:
     assert not commands.app.pretty_exceptions_enable  # a traceback without the values of all variables
 
 
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [("3", 3), ("0.5", 0.5), ("inf", float("inf")), ("None", None), ("[1, 2]", [1, 2]), ("north", "north"), ("", "")],
-)
-def test_values_are_read_as_python_where_they_can_be(text: str, value: Any) -> None:
-    """And else as texts."""
-    (read,) = commands._parameters([f"name={text}"]).values()
-    assert (type(read), read) == (type(value), value)
-
-
-@pytest.mark.parametrize("texts", [["height"], ["=3"], ["1x=3"], ["a b=3"], ["height=3", "height=4"]])
-def test_a_parameter_is_a_name_and_a_value(texts: list[str]) -> None:
-    """Once; the message shows what came."""
-    with pytest.raises(ValueError, match="height .*twice" if len(texts) > 1 else f"name=value.*'{texts[0]}'"):
-        commands._parameters(texts)
-    assert commands._parameters(["a=b=c", "d=1"]) == {"a": "b=c", "d": 1}
-
-
 def test_play_hands_everything_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """The parameters, the seed, how to draw, and where the film goes."""
     made: list[Any] = []

@@ -34,7 +34,7 @@ def test_they_are_current(module: str) -> None:
 def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Another number is other code; another docstring or comment is not, nor a claim on the results."""
     path = tmp_path / "lesson.py"
-    monkeypatch.setattr(stored, "_source", lambda module: path)
+    monkeypatch.setattr(stored, "source", lambda module: path)
     found = Stored("lesson", lambda **how: stored_in("memory.recurrent").load(), ())
 
     def code(text: str) -> str:
@@ -71,7 +71,7 @@ def test_results_are_made_again_by_their_names(monkeypatch: pytest.MonkeyPatch) 
 def test_made_again_they_are_current(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """They have the hash of the code, also of other modules; finished runs are kept until all are there."""
     table = stored_in("memory.recurrent").load().table.drop(columns=CODE)
-    monkeypatch.setattr(stored, "_source", lambda module: tmp_path / f"{module.rpartition('.')[2]}.py")
+    monkeypatch.setattr(stored, "source", lambda module: tmp_path / f"{module.rpartition('.')[2]}.py")
     for name in ("lesson", "other"):
         (tmp_path / f"{name}.py").write_text(f"def {name}_claim():\n    return 1\n")
     asked = []

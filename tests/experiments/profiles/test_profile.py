@@ -83,6 +83,14 @@ def test_wrappers_are_part_of_an_agent() -> None:
     assert found.score("two", "MemoryCorridor").low > 0.9
 
 
+def test_a_table_that_would_fill_the_memory_is_not_made() -> None:
+    """It is one that the agent cannot enter with; the sentence says at which rung, and how large it would be."""
+    agents = {"stack": (QLearning.create, lambda mdp: FrameStack.create(mdp, 4))}
+    found = profile(agents, challenges=["Boulder", WALKS], repetitions=2)
+    assert list(found.blank["stack"]) == ["Boulder"]
+    assert "a table for height of the wall 100 would have 208,120,802 numbers" in found.blank["stack"]["Boulder"]
+
+
 class Model:
     """A model as libraries have it."""
 

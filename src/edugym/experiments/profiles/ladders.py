@@ -272,7 +272,7 @@ LADDERS: tuple[Ladder, ...] = (
         tamagotchi,
         n_steps=50_000,
         bounds=partial(_always, TAMAGOTCHI),
-        source="a player who knows what the toy wants; exact planning finds nothing better",
+        source="that of a player who knows what the toy wants; exact planning finds nothing better",
     ),
     _ladder(
         "Trashbot",
@@ -281,7 +281,7 @@ LADDERS: tuple[Ladder, ...] = (
         trashbot,
         n_steps=100_000,
         bounds=partial(_stored, TRASHBOT),
-        source="the scripted controller of `edugym.envs.trashbot.planning`; no return is higher",
+        source="that of the scripted controller in edugym.envs.trashbot.planning; no return is higher",
     ),
     _ladder(
         "Golf",
@@ -291,7 +291,7 @@ LADDERS: tuple[Ladder, ...] = (
         n_steps=30_000,
         evaluation_episodes=100,
         bounds=partial(_stored, GOLF),
-        source="planning for a player who sees exactly where the ball lies (lesson 8)",
+        source="that which planning finds for a player who sees exactly where the ball lies (lesson 8)",
     ),
     _ladder(
         "Supermarket",

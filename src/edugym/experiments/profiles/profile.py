@@ -1,6 +1,7 @@
 """Profile agents: each on every ladder, with a fixed budget on each rung."""
 
 import json
+import math
 import os
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -9,6 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from gymnasium.spaces import Discrete
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks.parameters import a_path, in_short, true_or_false, whole_number
@@ -21,6 +23,7 @@ from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
 from edugym.system.interrupts import Interrupted, SignalGuard
+from edugym.system.memory import in_digits
 from edugym.training.progress import progress_bar
 from edugym.training.train import train
 
@@ -28,6 +31,9 @@ POINTS = 20
 """The evaluations of a run, besides the one before training."""
 TRIED = 200
 """The steps for which an agent is tried on a challenge, to see whether it can enter."""
+
+MOST_NUMBERS = 30_000_000
+"""The largest table of a wrapped task: a quarter of a gigabyte for each run."""
 
 Wrap = Callable[[Any], Any]
 Row = dict[str, Any]
@@ -205,9 +211,24 @@ def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, str]:
 
 
 def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) -> MDPEnv[Any]:
-    """The environment of a rung as an agent sees it."""
+    """The environment of a rung as an agent sees it.
+
+    Raises:
+        ValueError: a table for what the wrapper shows would be too large.
+    """
     mdp = ladder.make(strength, layout_seed=layout_seed)
-    return MDPEnv(mdp if wrap is None else wrap(mdp))
+    if wrap is None:
+        return MDPEnv(mdp)
+    wrapped = wrap(mdp)
+    spaces = wrapped.observation_space, wrapped.action_space
+    if all(isinstance(space, Discrete) for space in spaces):
+        numbers = math.prod(int(space.n) for space in spaces)
+        if numbers > MOST_NUMBERS:
+            raise ValueError(
+                f"with the wrapper, a table for {ladder.strength} {strength:g} would have {in_digits(numbers)} numbers,"
+                f" and a profile allows {in_digits(MOST_NUMBERS)}"
+            )
+    return MDPEnv(wrapped)
 
 
 def _climb(

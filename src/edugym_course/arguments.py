@@ -1,0 +1,127 @@
+"""What is written on the command line: parameters of environments, and agents with their wrappers."""
+
+import ast
+import importlib.util
+import inspect
+import re
+import sys
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import edugym
+from edugym.experiments.players import is_policy
+
+HELP = (
+    "Agents of the package (QLearning) or of a file (my_agent.py:MyAgent; it is run, so open only files of people whom"
+    ' you trust), with wrappers if you like ("QLearning + FrameStack(4)").'
+)
+
+
+def parameters(texts: list[str]) -> dict[str, Any]:
+    """Read parameters that are written NAME=VALUE.
+
+    Raises:
+        ValueError: one is not written so, or is given twice.
+    """
+    read: dict[str, Any] = {}
+    for text in texts:
+        name, equals, written = text.partition("=")
+        if not equals or not name.isidentifier():
+            raise ValueError(f"a parameter is written name=value, but not {text!r}")
+        if name in read:
+            raise ValueError(f"parameter {name} must be set once, but is set twice")
+        read[name] = value(written)
+    return read
+
+
+def value(text: str) -> Any:
+    """Read a value: a Python literal, a number such as inf, or else the text itself."""
+    for read in (ast.literal_eval, float):
+        try:
+            return read(text)
+        except (TypeError, ValueError, SyntaxError):
+            continue
+    return text
+
+
+def agents(texts: list[str]) -> dict[str, Any]:
+    """Read agents, as `edugym.profile` takes them, by their labels: what is written, without the name of a file.
+
+    Raises:
+        ValueError: one is written wrong, is not there, or is given twice.
+        OSError: a file cannot be read.
+    """
+    read: dict[str, Any] = {}
+    for text in texts:
+        base, *wrappers = (part.strip() for part in re.split(r"\+(?![^(]*\))", text))
+        label = " + ".join([base.rpartition(":")[2], *wrappers])
+        if label in read:
+            raise ValueError(f"each agent must be given once, but {label} is given twice")
+        made = _of_file(base) if ":" in base else _of_package(base)
+        read[label] = (made, partial(_wrapped, [_wrapper(written) for written in wrappers])) if wrappers else made
+    return read
+
+
+def _of_package(name: str) -> Any:
+    """The function that makes an agent of the package."""
+    known = [one for one in dir(edugym) if hasattr(getattr(edugym, one), "learn")]
+    if name not in known:
+        raise ValueError(
+            f"an agent must be one of {', '.join(known)}, or be written FILE.py:NAME, but is {name or 'missing'}"
+        )
+    return getattr(edugym, name).create
+
+
+def _of_file(text: str) -> Any:
+    """What makes an agent, from a file: a class, a function of an environment, or a policy."""
+    file, _, name = text.rpartition(":")
+    path = Path(file)
+    path.open("rb").close()  # an error that names the path
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    if spec is None or spec.loader is None:
+        raise ValueError(f"an agent of a file is written FILE.py:NAME, but not {text!r}")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[path.stem] = module  # as after an import: classes in it are looked up there
+    sys.path.insert(0, str(path.resolve().parent))  # for what it imports
+    try:
+        spec.loader.exec_module(module)
+    finally:
+        sys.path.pop(0)
+    found = getattr(module, name, None)
+    if found is None:
+        names = [one for one in vars(module) if not one.startswith("_")]
+        raise ValueError(f"{path.name} has no {name!r}; it has {', '.join(names) or 'nothing'}")
+    if inspect.isclass(found):
+        return getattr(found, "create", None) or partial(found)
+    if callable(found) or hasattr(found, "act") or is_policy(found):
+        return found
+    raise ValueError(f"{name} of {path.name} must be an agent, or make one, but is {found!r}")
+
+
+def _wrapper(text: str) -> partial[Any]:
+    """What wraps an MDP, from a text such as FrameStack(4)."""
+    known = [one for one in dir(edugym) if "mdp" in getattr(getattr(edugym, one), "_fields", ())]
+    name, bracket, _ = text.partition("(")
+    try:
+        call: Any = ast.parse(text, mode="eval").body
+        given = [ast.literal_eval(argument) for argument in call.args]
+        named = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in call.keywords}
+    except (AttributeError, SyntaxError, ValueError):  # what is written is no call, or not with plain values
+        bracket = ""
+    if not bracket or name not in known:
+        raise ValueError(
+            f"a wrapper must be one of {', '.join(known)} with its values, such as FrameStack(4), but is {text!r}"
+        )
+    return partial(_wrap, getattr(edugym, name), given, named)
+
+
+def _wrap(kind: Any, given: list[Any], named: dict[str, Any], mdp: Any) -> Any:
+    return kind.create(mdp, *given, **named)
+
+
+def _wrapped(wrappers: list[partial[Any]], mdp: Any) -> Any:
+    """The MDP in all wrappers, the first one innermost."""
+    for wrap in wrappers:
+        mdp = wrap(mdp)
+    return mdp

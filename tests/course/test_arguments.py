@@ -1,0 +1,260 @@
+"""What is written on the command line, and the report that `edugym profile` makes of it."""
+
+import html.parser
+import re
+import signal
+from pathlib import Path
+from typing import Any
+
+import pytest
+from gymnasium.spaces import Discrete
+
+import edugym
+from edugym import Ladder, make_mdp
+from edugym.experiments.profiles import profile as profiles
+from edugym.experiments.profiles import report
+from edugym.experiments.profiles.ladders import LADDERS
+from edugym_course import agent_profiles, arguments, profiling
+from tests.course.test_commands import run
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("3", 3), ("0.5", 0.5), ("inf", float("inf")), ("None", None), ("[1, 2]", [1, 2]), ("north", "north"), ("", "")],
+)
+def test_values_are_read_as_python_where_they_can_be(text: str, value: Any) -> None:
+    """And else as texts."""
+    (read,) = arguments.parameters([f"name={text}"]).values()
+    assert (type(read), read) == (type(value), value)
+
+
+@pytest.mark.parametrize("texts", [["height"], ["=3"], ["1x=3"], ["a b=3"], ["height=3", "height=4"]])
+def test_a_parameter_is_a_name_and_a_value(texts: list[str]) -> None:
+    """Once; the message shows what came."""
+    with pytest.raises(ValueError, match="height .*twice" if len(texts) > 1 else f"name=value.*'{texts[0]}'"):
+        arguments.parameters(texts)
+    assert arguments.parameters(["a=b=c", "d=1"]) == {"a": "b=c", "d": 1}
+
+
+MINE = """
+from beside import RIGHT
+
+
+class Table:
+    tabular = False
+
+    def __init__(self, environment):
+        self.n_actions = environment.action_space.n
+
+    def act(self, state, rng):
+        return RIGHT
+
+    def learn(self, reward):
+        pass
+
+
+class Model:
+    def predict(self, observation):
+        return RIGHT
+
+
+def make(environment):
+    return Table(environment)
+
+
+model = Model()
+number = 3
+"""
+
+
+@pytest.fixture
+def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a student's file, and another one that it imports."""
+    (tmp_path / "mine.py").write_text(MINE)
+    (tmp_path / "beside.py").write_text("RIGHT = 1")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_agents_of_the_package_and_of_a_file(mine: Path) -> None:
+    """Classes, functions and policies; the label is what is written, without the file."""
+    texts = ["QLearning", f"{mine}/mine.py:Table", "mine.py:make", "mine.py:model", "SARSA+FrameStack(2, actions=True)"]
+    read = arguments.agents(texts)
+    assert list(read) == ["QLearning", "Table", "make", "model", "SARSA + FrameStack(2, actions=True)"]
+    assert read["QLearning"] == edugym.QLearning.create
+    environment = edugym.MDPEnv(make_mdp("Boulder"))
+    assert read["Table"](environment).n_actions == read["make"](environment).n_actions == 2
+    assert read["model"].predict(0) == 1
+    make, wrap = read["SARSA + FrameStack(2, actions=True)"]
+    assert make == edugym.SARSA.create
+    assert wrap(make_mdp("Boulder")).observation_space == Discrete(11 * 2 * 11)
+
+
+def test_wrappers_come_from_the_inside_to_the_outside() -> None:
+    """The first one that is written is the first around the task."""
+    (pair,) = arguments.agents(["QLearning + Discretised(3) + DiscreteActions(2)"]).values()
+    wrapped = pair[1](make_mdp("Trashbot"))
+    assert [type(wrapped).__name__, type(wrapped.mdp).__name__] == ["DiscreteActions", "Discretised"]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("Qlearning", "one of ActorCritic, .*, or be written FILE.py:NAME, but is Qlearning"),
+        ("Boulder", "one of ActorCritic"),
+        ("", "but is missing"),
+        ("mine.py:nobody", "mine.py has no 'nobody'; it has RIGHT, Table"),
+        ("mine.py:number", "number of mine.py must be an agent, or make one, but is 3"),
+        ("no.py:Agent", "no.py"),
+        ("QLearning + FrameStack", "a wrapper must be one of .*FrameStack.*, but is 'FrameStack'"),
+        ("QLearning + Frames(4)", "but is 'Frames\\(4\\)'"),
+        ("QLearning + FrameStack(x)", "but is 'FrameStack\\(x\\)'"),
+        ("QLearning + FrameStack(", "but is 'FrameStack\\('"),
+    ],
+)
+def test_what_is_no_agent(mine: Path, text: str, says: str) -> None:
+    """It says what is allowed."""
+    with pytest.raises((ValueError, OSError), match=says):
+        arguments.agents([text])
+
+
+def test_an_agent_is_given_once() -> None:
+    """Two of the same label could not be told apart."""
+    with pytest.raises(ValueError, match="QLearning is given twice"):
+        arguments.agents(["QLearning", "QLearning"])
+
+
+def wall(height: float, layout_seed: int) -> Any:
+    """A low wall."""
+    return make_mdp("Boulder", height=int(height), layout_seed=layout_seed)
+
+
+LOW = Ladder("Boulder", "exploration", "height of the wall", (2, 3), wall, 200)
+ARM = next(ladder for ladder in LADDERS if ladder.name == "Trashbot")
+
+
+class Page(html.parser.HTMLParser):
+    """What a page asks of others, and which of its tags are not closed."""
+
+    def __init__(self, text: str) -> None:
+        """Read a page."""
+        super().__init__()
+        self.open: list[str] = []
+        self.asks: list[str] = []
+        self.ids: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        """Take note of a tag, and of what it refers to."""
+        self.asks += [value or "" for name, value in attributes if name in ("src", "href", "xlink:href")]
+        self.ids += [value or "" for name, value in attributes if name == "id"]
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        """A tag without contents."""
+        self.handle_starttag(tag, attributes)
+        self.handle_endtag(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        """It must be the last one that is open."""
+        if tag not in ("meta", "br"):
+            assert self.open.pop() == tag
+
+
+def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One HTML file that asks no other host, the same as Markdown, the runs, and a picture."""
+    monkeypatch.setattr(profiles, "LADDERS", (LOW, ARM._replace(strengths=(0.9,), n_steps=10)))
+    done = run("profile", "QLearning", "mine.py:Table", "--repetitions", "2", "--output", "out")
+    assert done.exit_code == 0, done.output
+    assert "Height of the wall: QLearning masters 3" in done.output
+    assert "Width of the container: QLearning and Table cannot enter." in done.output
+    files = sorted(path.name for path in Path("out").iterdir())
+    assert files == ["profile.png", "profile.svg", "report.html", "report.md", "runs.csv"]
+    text = Path("out/report.html").read_text(encoding="utf-8")
+    page = Page(text)
+    assert page.open == []
+    assert all(re.fullmatch(r"#[\w.-]+", asked) for asked in page.asks)
+    assert {asked[1:] for asked in page.asks} <= {*page.ids}
+    assert len({*page.ids}) == len(page.ids)
+    assert "default-src 'none'" in text
+    assert "prefers-color-scheme: dark" in text
+    written = Path("out/report.md").read_text(encoding="utf-8")
+    for says in ("QLearning, Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
+        assert says in written
+        assert says in text
+    assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 2 * 2 * 2
+
+
+def test_a_command_that_is_wrong(tmp_path: Path) -> None:
+    """It ends with one sentence."""
+    for given, says in (
+        (("Nobody",), "an agent must be one of"),
+        (("QLearning", "--challenge", "Chess"), "Chess"),
+        ((), "give agents, or --all"),
+        (("QLearning", "--all"), "give agents, or --all"),
+    ):
+        done = run("profile", *given, "--output", str(tmp_path / "out"))
+        assert done.exit_code == 2
+        assert says in done.output
+
+
+def test_ctrl_c_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The folder stays for the same command."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def interrupted(*_: Any, **how: Any) -> Any:
+        how["checkpoints"].mkdir(parents=True)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(profiling, "profile", interrupted)
+    done = run("profile", "QLearning", "--output", str(tmp_path / "out"))
+    assert done.exit_code == 130
+    assert "the same command goes on" in done.output
+    assert (tmp_path / "out" / "unfinished").exists()
+
+
+def test_the_report_names_those_to_take() -> None:
+    """The best, and those whose difference from it may be chance; none where all fail."""
+    agents = {"Q": edugym.QLearning.create, "nothing": lambda environment: lambda observation: 0}
+    found = edugym.profile(agents, challenges=[LOW], repetitions=3)
+    assert report.best_agents(found, "Boulder") == ["Q"]
+    assert report.said(found, "Boulder").take == "Q"
+    alone = edugym.profile({"nothing": agents["nothing"]}, challenges=[LOW], repetitions=3)
+    assert report.best_agents(alone, "Boulder") == []
+    assert report.said(alone, "Boulder").take == "nobody"
+
+
+def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Profiles are made for agents whose code has changed, and for no other; what is stored is what was measured."""
+    monkeypatch.setattr(agent_profiles, "PATH", tmp_path / "stored.csv")
+    monkeypatch.setattr(agent_profiles, "LADDERS", (LOW,))
+    monkeypatch.setattr(profiles, "LADDERS", (LOW,))
+    agents = {name: getattr(edugym, name).create for name in ("QLearning", "SARSA")}
+    monkeypatch.setattr(agent_profiles, "agents", lambda: agents)
+    assert agent_profiles.load() is None
+    assert agent_profiles.stale() == ["QLearning", "SARSA"]
+    done = run("profile", "--all", "--output", str(tmp_path / "out"))
+    assert done.exit_code == 0, done.output
+    assert "Made again: QLearning, SARSA." in done.output
+    assert agent_profiles.stale() == []
+    stored = agent_profiles.load()
+    assert stored is not None
+    fresh = edugym.profile({"QLearning": edugym.QLearning.create}, challenges=[LOW])
+    assert stored.scores("QLearning", "Boulder") == pytest.approx(fresh.scores("QLearning", "Boulder"), abs=1e-3)
+    assert stored.steps("QLearning", "Boulder") == fresh.steps("QLearning", "Boulder")
+    monkeypatch.setattr(agent_profiles, "code_of", lambda name: "new" if name == "SARSA" else code_of(name))
+    assert agent_profiles.stale() == ["SARSA"]
+    done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
+    assert "Stored profiles of SARSA are stale" in done.output
+    assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
+
+
+code_of = agent_profiles.code_of
+
+
+def test_the_code_of_an_agent_is_its_own_and_that_of_the_tasks() -> None:
+    """Those of two agents differ."""
+    assert code_of("QLearning") != code_of("SARSA")
+    assert len(agent_profiles.agents()) > 10
+    assert not {"DQN", "GaussianActorCritic"} & agent_profiles.agents().keys()
