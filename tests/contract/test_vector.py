@@ -36,7 +36,8 @@ def test_copies(entry: Entry, keywords: Keywords) -> None:
         assert vector.metadata["autoreset_mode"] == mode
 
         def batch(values: Any, space: Any = space) -> Any:
-            return plain(concatenate(space, values, create_empty_array(space, n)))
+            rows: Any = create_empty_array(space, n)
+            return plain(concatenate(space, values, rows))
 
         assert plain(vector.reset(seed=17)) == (batch(alone.observations), {})
         for env in alone.envs:

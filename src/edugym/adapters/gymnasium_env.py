@@ -182,7 +182,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """
         return type(self).reset is MDPEnv.reset and type(self).step is MDPEnv.step
 
-    def of_rows(self, rows: Any) -> Any:
+    def _of_rows(self, rows: Any) -> Any:
         """Observations of the MDP, a row for each of several copies, as elements of the batched observation space.
 
         They are these already, unless a subclass shows something else, as a goal environment does (see `Switches`).

@@ -138,7 +138,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
         self._runner.run(reset_copies, self.np_random, batch, self._few, mask)
-        return self._env.of_rows(batch.observations.rows), {}
+        return self._env._of_rows(batch.observations.rows), {}
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
         """Take one step in every copy.
@@ -186,8 +186,8 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             over = batch.terminations | batch.truncations
             infos = {"final_obs": np.full(self.num_envs, None, object), "_final_obs": over}
             for i in np.flatnonzero(over).tolist():
-                infos["final_obs"][i] = self._env.of_rows(batch.final_observations.rows[i])
-        observations = self._env.of_rows(batch.observations.rows)
+                infos["final_obs"][i] = self._env._of_rows(batch.final_observations.rows[i])
+        observations = self._env._of_rows(batch.observations.rows)
         return observations, batch.rewards, batch.terminations, batch.truncations, infos
 
     @property

@@ -166,7 +166,7 @@ class Switches(NamedTuple):
         """The best expected return; None if the step limit is too low for the largest distance."""
         if self.max_steps < self.n_switches:
             return None
-        n_patterns = 2**self.n_switches
+        n_patterns = 1 << self.n_switches
         return 1.0 - self.n_switches * (n_patterns // 2) / (n_patterns - 1)
 
     @property
@@ -227,7 +227,7 @@ class SwitchesEnv(MDPEnv[Switches]):
         self.observation_space = spaces.Dict(observation=goals, achieved_goal=goals, desired_goal=goals)
         self._shown = partial(as_goals, self.mdp.n_switches)
 
-    def of_rows(self, rows: Any) -> dict[str, Any]:
+    def _of_rows(self, rows: Any) -> dict[str, Any]:
         """The dictionary of arrays, a row for each of several copies, as a vector environment shows it."""
         return as_goals(self.mdp.n_switches, rows)
 
