@@ -38,6 +38,7 @@ ACTORS: dict[str, Callable[[Any], Any]] = {
     ),
     "Golf": lambda env: lambda observation: 2 if env.state.hits == 0 else 1,
     "MemoryCorridor": lambda env: lambda observation: env.info()["right_door"],
+    "Switches": lambda env: lambda seen: int((seen["achieved_goal"] != seen["desired_goal"]).argmax()),
     "Tamagotchi": lambda env: lambda observation: env.state.wanted,
     "Trashbot": lambda env: ScriptedController(env.mdp.action_scale),
 }
@@ -110,7 +111,7 @@ def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
 
 
 def montage(
-    pictures: dict[str, Scene], columns: int = 3, side: int = 240, gap: int = 16, text: int = 26
+    pictures: dict[str, Scene], columns: int = 5, side: int = 240, gap: int = 16, text: int = 26
 ) -> Image.Image:
     """Arrange all pictures in rows, each scaled to fit a square, with its name below."""
     rows = -(-len(pictures) // columns)

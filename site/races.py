@@ -296,4 +296,4 @@ SUPERMARKET = Race(
 )
 
 RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET)
-"""One for each environment, in the order of the lessons."""
+"""One for each environment that has a lesson, in the order of the lessons."""

@@ -104,7 +104,7 @@ def _children(texts: dict[str, str]) -> dict[str, list[str]]:
 
 
 def _gallery() -> str:
-    """Return the nine environments, moving."""
+    """Return the environments, moving."""
     cards = [
         f"[![An episode of {e.name}](pictures/{e.name.lower()}.gif) **{e.name}** {e.challenge}]"
         f"(environments/{e.name.lower()}.md)"

@@ -18,6 +18,11 @@ from edugym.agents.expected_sarsa import ExpectedSARSA as ExpectedSARSA
 from edugym.agents.features import Identity as Identity
 from edugym.agents.gaussian_actor_critic import GaussianActorCritic as GaussianActorCritic
 from edugym.agents.go_explore import GoExplore as GoExplore
+from edugym.agents.hindsight import FinalGoal as FinalGoal
+from edugym.agents.hindsight import FutureGoals as FutureGoals
+from edugym.agents.hindsight import NoHindsight as NoHindsight
+from edugym.agents.hindsight_dqn import HindsightDQN as HindsightDQN
+from edugym.agents.hindsight_q_learning import HindsightQLearning as HindsightQLearning
 from edugym.agents.linear_q_learning import LinearQLearning as LinearQLearning
 from edugym.agents.n_step_sarsa import NStepSARSA as NStepSARSA
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping as PrioritisedSweeping

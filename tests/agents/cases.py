@@ -56,10 +56,18 @@ def _halves(kind: Any, **settings: Any) -> Case:
     return _case(kind, learning_rate=0.5, discount=0.5, **settings)._replace(estimates_return=True)
 
 
+FEW: dict[str, Any] = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
+"""Five hidden units, and learning from the start."""
+
+
 def small_dqn(environment: Any, **settings: Any) -> eg.DQN:
-    """Five hidden units, and learning from the start."""
-    few: dict[str, Any] = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
-    return eg.DQN.create(environment, **{**few, **settings})
+    """A network of a few units."""
+    return eg.DQN.create(environment, **{**FEW, **settings})
+
+
+def small_hindsight(environment: Any, **settings: Any) -> eg.HindsightDQN:
+    """The same with hindsight."""
+    return eg.HindsightDQN.create(environment, **{**FEW, **settings})
 
 
 def small_gaussian(environment: Any, **settings: Any) -> eg.GaussianActorCritic:
@@ -102,6 +110,8 @@ DESCRIBED: dict[str, Case] = {
     "REINFORCE": _case(eg.REINFORCE, longest=200),
     "GaussianActorCritic": Case(eg.GaussianActorCritic, small_gaussian, real_actions=True),
     "DQN": Case(eg.DQN, small_dqn),
+    "HindsightDQN": Case(eg.HindsightDQN, small_hindsight),
+    "HindsightQLearning": _halves(eg.HindsightQLearning),
 }
 STRATEGIES: dict[str, Callable[[Any], Any]] = {
     "greedy": lambda environment: eg.Greedy(),

@@ -76,7 +76,7 @@ RANGES = {
         "TreeBackup.n", "learn_every", "learn_from", "copy_every", "known_after", "explore_steps", "steps",
         "num_envs", "length", "epochs", "minibatches", "hidden",
     ),
-    Range(-1e300, 1e300): ("risk", "highest_return", "lowest_return"),
+    Range(-1e300, 1e300): ("risk", "highest_return", "lowest_return", "reward_at_goal", "reward_elsewhere"),
 }  # fmt: skip
 """The settings of these names, or of one class."""
 

@@ -38,8 +38,9 @@ def odd_values() -> dict[str, Any]:
 
 NUMBER, NOT_NEGATIVE, POSITIVE, WHOLE = "-1 0 2.5 1e30", "0 2.5 1e30", "2.5 1e30", "0 1e30 1e400"
 EVERYWHERE: dict[str, str] = {
-    "action": "0", "bonus": NOT_NEGATIVE, "confidence": "0", "discount": "0", "epsilon": "0",
+    "action": "0", "bonus": NOT_NEGATIVE, "confidence": "0", "discount": "0", "epsilon": "0", "goal_size": "0",
     "exploration_bonus": NOT_NEGATIVE, "initial_value": NUMBER, "layout_seed": WHOLE, "planning_steps": "0",
+    "reward_at_goal": NUMBER, "reward_elsewhere": NUMBER,
     "seed": WHOLE, "state": "0", "threshold": NOT_NEGATIVE, "tolerance": POSITIVE, "trace_decay": "0",
 }  # fmt: skip
 """Which odd values a parameter of this name takes wherever it stands, with spaces between; it refuses the others."""
@@ -175,6 +176,8 @@ CALLS: dict[str, Callable[[], Case]] = {
     "FiniteModel.sample": lambda: Case(
         known().model.sample, {"state": 0, "action": 0, "rng": np.random.default_rng(0)}),
     "FrameStack.create": lambda: Case(edugym.FrameStack.create, {"mdp": known().walk, "k": 2}),
+    "FutureGoals": lambda: Case(
+        lambda goals: edugym.HindsightQLearning.create((4, 2), hindsight=edugym.FutureGoals(goals)), {"goals": 4}),
     "GaussianActorCritic.create": lambda: Case(
         edugym.GaussianActorCritic.create, {"environment": (2, 1)}, {"spread": POSITIVE}),
     "Hashed.create": lambda: Case(edugym.Hashed.create, {"mdp": known().image}),

@@ -28,6 +28,7 @@ OTHERS: dict[str, tuple[dict[str, Any], ...]] = {
     "MemoryCorridor": ({"num_doors": 5}, {"num_doors": 50}),
     "Roadrunner": ({"size": 24, "stop_zone": 5}, {"size": 60, "stop_zone": 35}),
     "Study": ({"total_days": 38}, {"total_days": 38, "lectures_needed": 1, "energy_needed": 3}),
+    "Switches": ({"n_switches": 20}, {"n_switches": 1}),
     "Tamagotchi": ({"max_msg_length": 10, "vocab_size": 9}, {"vocab_size": 3, "tau": 0.1}),
     "Trashbot": ({"n_bins": 2}, {"n_bins": 16, "container_width": 1.0}),
 }
@@ -135,6 +136,7 @@ LARGEST: list[tuple[str, dict[str, Any]]] = [
     ("Roadrunner", {"size": 10**6, "stop_zone": 10**6 - 2}),
     ("Study", {"total_days": 10**5, "lecture_days": 50_000, "n_actions": 1000}),
     ("MemoryCorridor", {"num_doors": 1000, "max_steps": 2**62}),
+    ("Switches", {"n_switches": 62}),
     ("Tamagotchi", {"max_msg_length": 56, "vocab_size": 2}),
     ("Tamagotchi", {"vocab_size": 2**31}),
     ("Trashbot", {"n_bins": 2**31}),

@@ -10,7 +10,7 @@ import pytest
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode
-from gymnasium.vector.utils import batch_space
+from gymnasium.vector.utils import batch_space, concatenate, create_empty_array
 
 from edugym.adapters.registration import Entry
 from edugym.adapters.vector_env import MDPVectorEnv
@@ -36,7 +36,8 @@ def test_copies(entry: Entry, keywords: Keywords) -> None:
         assert vector.metadata["autoreset_mode"] == mode
 
         def batch(values: Any, space: Any = space) -> Any:
-            return plain(np.array(values, space.dtype).reshape(n, *(space.shape or ())))
+            rows: Any = create_empty_array(space, n)
+            return plain(concatenate(space, values, rows))
 
         assert plain(vector.reset(seed=17)) == (batch(alone.observations), {})
         for env in alone.envs:

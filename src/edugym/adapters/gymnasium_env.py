@@ -182,6 +182,13 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """
         return type(self).reset is MDPEnv.reset and type(self).step is MDPEnv.step
 
+    def _of_rows(self, rows: Any) -> Any:
+        """Observations of the MDP, a row for each of several copies, as elements of the batched observation space.
+
+        They are these already, unless a subclass shows something else, as a goal environment does (see `Switches`).
+        """
+        return rows
+
     def info(self) -> dict[str, Any]:
         """What a teacher may want to plot and an agent may not use: a new dictionary at every call."""
         if self._info is None:

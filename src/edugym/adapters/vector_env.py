@@ -72,11 +72,12 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
                 f"env must do in a step what its MDP does and no more, but {env!r} does more: use Gymnasium's"
                 " SyncVectorEnv"
             )
-        for name in ("observation_space", "action_space"):
-            if not isinstance(getattr(env, name), ARRAYS):
+        self._row_space = env.mdp.observation_space
+        for name, space in (("observation_space", self._row_space), ("action_space", env.action_space)):
+            if not isinstance(space, ARRAYS):
                 raise ValueError(
                     f"{name} must be Discrete, Box, MultiDiscrete or MultiBinary in a vector environment, but is"
-                    f" {getattr(env, name)}"
+                    f" {space}"
                 )
         self._env = copy.copy(env)  # to draw with
         self.closed = False
@@ -116,9 +117,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
     def spec(self, spec: EnvSpec | None) -> None:
         self._spec = filled(spec, self.mdp, self._limit)
 
-    def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[np.ndarray[Any, Any], dict[str, Any]]:
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Start an episode in every copy, or in those that `options["reset_mask"]`, booleans of shape (n,), picks.
 
         Raises:
@@ -139,7 +138,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
         self._runner.run(reset_copies, self.np_random, batch, self._few, mask)
-        return batch.observations.rows, {}
+        return self._env._of_rows(batch.observations.rows), {}
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
         """Take one step in every copy.
@@ -187,8 +186,9 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             over = batch.terminations | batch.truncations
             infos = {"final_obs": np.full(self.num_envs, None, object), "_final_obs": over}
             for i in np.flatnonzero(over).tolist():
-                infos["final_obs"][i] = batch.final_observations.rows[i]
-        return batch.observations.rows, batch.rewards, batch.terminations, batch.truncations, infos
+                infos["final_obs"][i] = self._env._of_rows(batch.final_observations.rows[i])
+        observations = self._env._of_rows(batch.observations.rows)
+        return observations, batch.rewards, batch.terminations, batch.truncations, infos
 
     @property
     def is_compiled(self) -> bool:
@@ -256,7 +256,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         return self._batch_of(self._steps[:n].copy(), self._over[:n].copy())
 
     def _batch_of(self, steps: Any, over: Any) -> Batch:
-        n, space = len(steps), self.single_observation_space
+        n, space = len(steps), self._row_space
         shape = space.shape or ()
         finals = n if self.autoreset_mode is AutoresetMode.SAME_STEP else 0
         return Batch(

@@ -42,6 +42,9 @@ class MDP(Protocol[State, Observation_co]):
     * `info(state, ...)`: a dictionary with extra information for plots; agents must not use it;
     * `observe_into(state, rng, out)`, if observations are arrays: writes the observation into the array `out`. This
       saves time, since no new array is made at each step;
+    * `goal_space`, if the goal changes from episode to episode: the Gymnasium space of a goal. The second half of an
+      observation is then the goal, and the first half, of the same form, what has been achieved: the goal is reached
+      where both are equal (see `edugym.HindsightQLearning`);
     * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
     `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (the list of the actions so
