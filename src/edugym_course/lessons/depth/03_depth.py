@@ -228,6 +228,10 @@ print(f"optimum      {study.reward_threshold:.2f}")
 # does not explore, so it may rise above the dotted line. The last panel shows training itself, and there an ε-greedy
 # agent cannot.
 #
+# The cell after the next is the whole experiment. `repeat` makes each agent 60 times, trains it, and plays three episodes
+# without exploring every 1 250 steps. `methods.counted` counts how often an agent passes the exam while it trains. (Further
+# down `methods.compare` does all this, with other settings.)
+#
 # **Predict.** With the noisiest rewards, $\sigma = 1$: who is ahead after 250 episodes (2 500 steps), and who at the
 # end?
 
@@ -244,14 +248,17 @@ ahead = predict(
 ahead
 
 # %%
+settings = {"learning_rate": 0.1, "discount": 1.0, "exploration": EpsilonGreedy(0.1)}
+settings["longest"] = 10  # the steps of an episode, for Monte Carlo
+agents = {
+    "n = 1": methods.counted(lambda study: NStepSARSA.create(study, n=1, **settings)),
+    "n = 3": methods.counted(lambda study: NStepSARSA.create(study, n=3, **settings)),
+    "n = 5": methods.counted(lambda study: NStepSARSA.create(study, n=5, **settings)),
+    "Monte Carlo": methods.counted(lambda study: NStepSARSA.create(study, n=math.inf, **settings)),
+}
+how = {"repetitions": 60, "evaluate_every": 1_250, "evaluation_episodes": 3}
 by_sigma = {
-    sigma: methods.compare(
-        depths=methods.BY_DEPTH,
-        sigma=sigma,
-        repetitions=60,
-        points=32,
-        count_passes=True,  # in training
-    )
+    sigma: repeat("Study", agents, 40_000, parameters={"action_reward_noise_sigma": sigma}, **how)
     for sigma in (0.0, 0.2, 1.0)
 }
 panels = [figures.curves(results, f"σ = {sigma:g}") for sigma, results in by_sigma.items()]
