@@ -20,7 +20,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import EpsilonGreedy, NStepSARSA, TreeBackup, make_mdp, repeat
+from edugym import EpsilonGreedy, NStepSARSA, TabularObservation, TreeBackup, make_mdp, repeat
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets
 from edugym_course.notebook import frames, play, predict, sliders, source
@@ -130,11 +130,39 @@ for n in (1, 3, 10):
 # %% [markdown]
 # Work these three out by hand: $-1 + 6$, then $-1 - 2 - 3 + 8$, and $-1 - 2 - 3 + 10$.
 #
-# The agent does not wait for the end of the episode, so its code looks different. It keeps only the last $n$ steps, in
-# places that are used again and again: hence `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$
-# rewards are now complete. The first loop makes its target, backwards, and the second one is the update. When the
-# episode ends, all steps that are left learn. (For $n = \infty$ the agent keeps as many rewards as the longest episode
-# has.)
+# With that an agent can learn when an episode is over, from the lists of all that happened:
+
+
+# %%
+def learn_from_lists(Q, states, actions, rewards, n, alpha):
+    """Move the value of every step of an episode towards its n-step target."""
+    for t in range(len(rewards)):
+        values = [Q[s, a] for s, a in zip(states, actions)]
+        Q[states[t], actions[t]] += alpha * (n_step_target(t, n, rewards, values) - values[t])
+
+
+semester, rng = TabularObservation(gym.make("edugym/Study-v0")), np.random.default_rng(0)
+agent = NStepSARSA.create(semester, n=3, learning_rate=0.1, discount=1.0)
+Q = agent.Q.copy()
+for _ in range(100):
+    states, actions, rewards, over = [], [], [], False
+    state, info = semester.reset()
+    action = agent.act(state, rng)
+    while not over:
+        next_state, reward, terminated, truncated, info = semester.step(action)
+        next_action = agent.act(next_state, rng)  # as SARSA: before it learns
+        agent.learn(state, action, reward, next_state, next_action, terminated, truncated)
+        states, actions, rewards = [*states, state], [*actions, action], [*rewards, reward]
+        state, action, over = next_state, next_action, terminated or truncated
+    learn_from_lists(Q, states, actions, rewards, n=3, alpha=0.1)
+print("after 100 episodes both tables are the same but for rounding:", np.allclose(agent.Q, Q))
+
+# %% [markdown]
+# The agent of the package learns the same, although its code looks different. It does not wait for the end of the
+# episode and needs no lists that grow. It keeps only the last $n$ steps, in places that are used again and again: hence
+# `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$ rewards are now complete. The first loop makes
+# its target, backwards, and the second one is the update. When the episode ends, all steps that are left learn. (For $n
+# = \infty$ the agent keeps as many rewards as the longest episode has.)
 
 # %%
 source(NStepSARSA.learn)

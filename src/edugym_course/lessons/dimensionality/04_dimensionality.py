@@ -184,10 +184,22 @@ source(dqn.forward)
 # $$
 #
 # If $S'$ is terminal, $y = R$. Mind the names in the code: `self.target` is $\theta^-$, the old *weights*, and the
-# variable `target` is $y$. `row` is the place of a transition in the memory. `act` fills `batch`, before the step.
+# variable `target` is $y$. `row` is the place of a transition in the memory. `act` fills `batch` before the step: it alone is
+# given random numbers.
 
 # %%
 source(DQN, "learn", "add_gradient")
+
+# %% [markdown]
+# This is the rest of the agent: how it acts, how it remembers, when an update is due, and how the old weights become new.
+# The memory is written from its beginning again when it is full, hence `%`. (Weights, like counters, stand in arrays, since the
+# fields of a `NamedTuple` are fixed: `self.steps[0]` is a number.)
+
+# %%
+source(DQN, "act", "write_values", "remember", "is_due")
+
+# %%
+source(dqn.copy)
 
 # %% [markdown]
 # See what comes out of it. This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
