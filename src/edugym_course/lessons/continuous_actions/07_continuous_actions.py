@@ -19,12 +19,13 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import REINFORCE, GaussianActorCritic, TileCoding, make_mdp, paired_difference, train
+from edugym import REINFORCE, GaussianActorCritic, TileCoding, make_mdp, paired_difference, repeat, train
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from edugym.agents.tables import greedy_action
 from edugym.deep.ppo import clipped_gain
 from edugym.envs.trashbot.task import TrashbotInBins
 from edugym.experiments.figures import Sheet
+from edugym.experiments.results.tables import joined
 from edugym_course.lessons.continuous_actions import exact, figures, methods, ppo, release
 from edugym_course.notebook import frames, play, predict, sliders, source
 
@@ -406,6 +407,9 @@ source(GaussianActorCritic.learn)
 #
 # The dotted lines are the best possible returns. (The line of 9 bins is next to that of real numbers.)
 #
+# The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. `repeat` makes each agent
+# 20 times, trains it, and plays a greedy episode every 4 000 steps. (Further down `methods.learn_all` does all this.)
+#
 # **Predict.** Which of the four needs the fewest steps to a return of 3.5, on average over the runs?
 
 # %%
@@ -413,7 +417,21 @@ first = predict("The first to reach a return of 3.5:", ["3 bins", "5 bins", "9 b
 first
 
 # %%
-learned = methods.learn_all(repetitions=20, jobs=2)
+how = {"n_steps": 100_000, "repetitions": 20, "evaluate_every": 4_000, "jobs": 2}
+rates = {"learning_rate": 0.4, "value_learning_rate": 0.4}
+runs = []
+for n in (3, 5, 9):
+    agents = {f"{n} bins": lambda task: REINFORCE.create(task, discount=0.99, longest=200, **rates)}
+    runs.append(repeat(methods.in_a_table(n), agents, **how))
+
+arm = make_mdp("Trashbot", container_width=0.45)
+tiles = TileCoding.create(arm, tiles=[1, 1, 20, 20, 1, 1, 2], tilings=8)
+rates = {"learning_rate": 0.02, "value_learning_rate": 0.4, "initial_value": 1.0}
+agents = {
+    "continuous": lambda task: GaussianActorCritic.create(task, features=tiles, spread=0.5, discount=0.99, **rates)
+}
+runs.append(repeat(arm, agents, **how))
+learned = joined(runs)
 display(Sheet("learning", [[figures.curves(learned, "table and tiles")]]))
 soon = {label: methods.steps_to(learned, label, 3.5).mean() for label in learned.methods}
 for label in learned.methods:

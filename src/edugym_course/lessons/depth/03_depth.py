@@ -20,7 +20,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import EpsilonGreedy, NStepSARSA, TreeBackup, make_mdp, repeat
+from edugym import EpsilonGreedy, NStepSARSA, TabularObservation, TreeBackup, make_mdp, repeat
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets
 from edugym_course.notebook import frames, play, predict, sliders, source
@@ -130,11 +130,39 @@ for n in (1, 3, 10):
 # %% [markdown]
 # Work these three out by hand: $-1 + 6$, then $-1 - 2 - 3 + 8$, and $-1 - 2 - 3 + 10$.
 #
-# The agent does not wait for the end of the episode, so its code looks different. It keeps only the last $n$ steps, in
-# places that are used again and again: hence `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$
-# rewards are now complete. The first loop makes its target, backwards, and the second one is the update. When the
-# episode ends, all steps that are left learn. (For $n = \infty$ the agent keeps as many rewards as the longest episode
-# has.)
+# With that an agent can learn when an episode is over, from the lists of all that happened:
+
+
+# %%
+def learn_from_lists(Q, states, actions, rewards, n, alpha):
+    """Move the value of every step of an episode towards its n-step target."""
+    for t in range(len(rewards)):
+        values = [Q[s, a] for s, a in zip(states, actions)]
+        Q[states[t], actions[t]] += alpha * (n_step_target(t, n, rewards, values) - values[t])
+
+
+semester, rng = TabularObservation(gym.make("edugym/Study-v0")), np.random.default_rng(0)
+agent = NStepSARSA.create(semester, n=3, learning_rate=0.1, discount=1.0)
+Q = agent.Q.copy()
+for _ in range(100):
+    states, actions, rewards, over = [], [], [], False
+    state, info = semester.reset()
+    action = agent.act(state, rng)
+    while not over:
+        next_state, reward, terminated, truncated, info = semester.step(action)
+        next_action = agent.act(next_state, rng)  # as SARSA: before it learns
+        agent.learn(state, action, reward, next_state, next_action, terminated, truncated)
+        states, actions, rewards = [*states, state], [*actions, action], [*rewards, reward]
+        state, action, over = next_state, next_action, terminated or truncated
+    learn_from_lists(Q, states, actions, rewards, n=3, alpha=0.1)
+print("after 100 episodes both tables are the same but for rounding:", np.allclose(agent.Q, Q))
+
+# %% [markdown]
+# The agent of the package learns the same, although its code looks different. It does not wait for the end of the
+# episode and needs no lists that grow. It keeps only the last $n$ steps, in places that are used again and again: hence
+# `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$ rewards are now complete. The first loop makes
+# its target, backwards, and the second one is the update. When the episode ends, all steps that are left learn. (For $n
+# = \infty$ the agent keeps as many rewards as the longest episode has.)
 
 # %%
 source(NStepSARSA.learn)
@@ -228,6 +256,10 @@ print(f"optimum      {study.reward_threshold:.2f}")
 # does not explore, so it may rise above the dotted line. The last panel shows training itself, and there an ε-greedy
 # agent cannot.
 #
+# The cell after the next is the whole experiment. `repeat` makes each agent 60 times, trains it, and plays three episodes
+# without exploring every 1 250 steps. `methods.counted` counts how often an agent passes the exam while it trains. (Further
+# down `methods.compare` does all this, with other settings.)
+#
 # **Predict.** With the noisiest rewards, $\sigma = 1$: who is ahead after 250 episodes (2 500 steps), and who at the
 # end?
 
@@ -244,14 +276,17 @@ ahead = predict(
 ahead
 
 # %%
+settings = {"learning_rate": 0.1, "discount": 1.0, "exploration": EpsilonGreedy(0.1)}
+settings["longest"] = 10  # the steps of an episode, for Monte Carlo
+agents = {
+    "n = 1": methods.counted(lambda study: NStepSARSA.create(study, n=1, **settings)),
+    "n = 3": methods.counted(lambda study: NStepSARSA.create(study, n=3, **settings)),
+    "n = 5": methods.counted(lambda study: NStepSARSA.create(study, n=5, **settings)),
+    "Monte Carlo": methods.counted(lambda study: NStepSARSA.create(study, n=math.inf, **settings)),
+}
+how = {"repetitions": 60, "evaluate_every": 1_250, "evaluation_episodes": 3}
 by_sigma = {
-    sigma: methods.compare(
-        depths=methods.BY_DEPTH,
-        sigma=sigma,
-        repetitions=60,
-        points=32,
-        count_passes=True,  # in training
-    )
+    sigma: repeat("Study", agents, 40_000, parameters={"action_reward_noise_sigma": sigma}, **how)
     for sigma in (0.0, 0.2, 1.0)
 }
 panels = [figures.curves(results, f"σ = {sigma:g}") for sigma, results in by_sigma.items()]

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import DQN, LinearQLearning, QLearning, make_mdp
+from edugym import DQN, EpsilonGreedy, LinearQLearning, QLearning, make_mdp, repeat
 from edugym.agents import dqn, features
 from edugym.agents.tables import greedy_action
 from edugym.experiments.results.tables import joined
@@ -184,10 +184,22 @@ source(dqn.forward)
 # $$
 #
 # If $S'$ is terminal, $y = R$. Mind the names in the code: `self.target` is $\theta^-$, the old *weights*, and the
-# variable `target` is $y$. `row` is the place of a transition in the memory. `act` fills `batch`, before the step.
+# variable `target` is $y$. `row` is the place of a transition in the memory. `act` fills `batch` before the step: it alone is
+# given random numbers.
 
 # %%
 source(DQN, "learn", "add_gradient")
+
+# %% [markdown]
+# This is the rest of the agent: how it acts, how it remembers, when an update is due, and how the old weights become new.
+# The memory is written from its beginning again when it is full, hence `%`. (Weights, like counters, stand in arrays, since the
+# fields of a `NamedTuple` are fixed: `self.steps[0]` is a number.)
+
+# %%
+source(DQN, "act", "write_values", "remember", "is_due")
+
+# %%
+source(dqn.copy)
 
 # %% [markdown]
 # See what comes out of it. This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
@@ -221,6 +233,9 @@ frames("Catch", choose, seed=2)
 #
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
 #
+# The cell after the next is the whole experiment, once for positions and once for boards. `repeat` makes the agent 30 times,
+# trains it, and plays 30 greedy episodes every 250 steps. (`methods.learn` makes this call too.)
+#
 # **Predict.** How fast does the table of boards learn, compared with the table of positions?
 
 # %%
@@ -231,9 +246,17 @@ slower = predict(
 slower
 
 # %%
-how = {"n_steps": 5_000, "repetitions": 30, "jobs": 1}
-by_position = methods.learn(tasks.catch("vectorised"), methods.POSITIONS, **how)
-by_board = methods.learn(methods.pixels(), methods.PIXELS, **how)
+settings = {"learning_rate": 0.5, "discount": 0.9, "exploration": EpsilonGreedy(0.1)}
+how = {"repetitions": 30, "evaluate_every": 250, "evaluation_episodes": 30, "jobs": 1}
+
+
+def table(task):
+    """Make Q-learning with a table for a task."""
+    return QLearning.create(task, **settings)
+
+
+by_position = repeat(tasks.catch("vectorised"), {methods.POSITIONS: table}, 5_000, **how)
+by_board = repeat(methods.pixels(), {methods.PIXELS: table}, 5_000, **how)
 display(figures.table_and_network({"no noise": joined([by_position, by_board])}))
 curves = [one.curves(one.methods[0]).to_numpy() for one in (by_position, by_board)]
 print(f"largest difference between the two, in all {curves[0].shape[1]} runs: {np.abs(curves[0] - curves[1]).max():g}")

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat
+from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, record_visits, repeat
 from edugym.agents.tables import best_value, epsilon_greedy_action, greedy_action, one_step_target, tied
 from edugym.experiments.figures import Sheet
 from edugym.experiments.figures.sheet import in_pairs
@@ -233,6 +233,10 @@ watch("Go-Explore")
 # probability $\varepsilon = 0.1$ all the time. Evaluation does not explore, so a learner may rise above the dotted line;
 # an ε-greedy agent cannot while it *trains*.
 #
+# The cell after the next is the whole experiment. `repeat` makes every agent 100 times, each for a wall of its own, trains it, and
+# plays an episode without exploring every 200 steps. `record_visits` counts how often it is at each height. (Further down
+# `compare(height, ...)` does all this, with other settings.)
+#
 # **Predict.** A random climber needs two billion steps to the top of the middle wall. Which methods will solve it in
 # 20 000?
 
@@ -244,7 +248,17 @@ middle = predict(
 middle
 
 # %%
-walls = {height: compare(height, repetitions=100) for height in (10, 30, 100)}
+settings = {"learning_rate": 0.5, "discount": 0.9}
+slips = {**settings, "exploration": EpsilonGreedy(0.1)}
+agents = {
+    "ε-greedy": lambda wall: record_visits(QLearning.create(wall, **slips), wall, 20_000),
+    "novelty reward": lambda wall: record_visits(CountBased.create(wall, bonus=1.0, **slips), wall, 20_000),
+    "Go-Explore": lambda wall: record_visits(GoExplore.create(wall, explore_steps=20, **settings), wall, 20_000),
+}
+walls = {
+    height: repeat("Boulder", agents, 20_000, parameters={"height": height}, repetitions=100)
+    for height in (10, 30, 100)
+}
 display(figures.learning_curves(walls))
 print("runs that solve height 10 by step 2 000, and heights 10, 30 and 100 at the end:")
 for method in METHODS:

@@ -20,7 +20,17 @@ import gymnasium as gym
 import numpy as np
 from gymnasium import spaces
 
-from edugym import DQN, FrameStack, QLearning, SeparateFrames, make_mdp, stack_size, wrapper
+from edugym import (
+    DQN,
+    EpsilonGreedy,
+    FrameStack,
+    QLearning,
+    SeparateFrames,
+    make_mdp,
+    repeat,
+    stack_size,
+    wrapper,
+)
 from edugym.agents.tables import best_value, one_step_target
 from edugym.experiments.figures import Curves, Sheet
 from edugym.experiments.results.tables import joined
@@ -196,6 +206,10 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # guess. (A computer plays all sequences of doors at once. For each window it picks the door that adds most to the mean
 # return, given what it does in all others, and repeats that until nothing gets better.) (The optimum with full memory, 1 000, is far above the panels.)
 #
+# The cell after the next is the whole experiment: one task for each window. `repeat` makes the agent 50 times, trains it, and
+# plays 40 greedy episodes every 4 000 steps. `players.learn_all` makes these calls too, and with `actions=True` the window
+# shows actions as well.
+#
 # **Predict.** With $k = 4$ the agent sees the last four observations, but not its actions. It chose its actions itself.
 # Does it help to show them to it?
 
@@ -207,8 +221,15 @@ helps = predict(
 helps
 
 # %%
+settings = {"learning_rate": 0.1, "discount": 0.8, "exploration": EpsilonGreedy(0.1)}
+curve = {"evaluate_every": 4_000, "evaluation_episodes": 40}
+runs = []
+for k in (1, 2, 3, 4):
+    task = FrameStack.create(make_mdp("MemoryCorridor"), k)
+    agents = {f"k = {k}": lambda task: QLearning.create(task, **settings)}
+    runs.append(repeat(task, agents, 100_000, repetitions=50, jobs=2, **curve))
+alone = joined(runs)
 how = {"n_steps": 100_000, "repetitions": 50, "jobs": 2}
-alone = players.learn_all([1, 2, 3, 4], **how)
 both = players.learn_all([1, 2, 3, 4, 5], actions=True, **how)
 display(figures.compare_windows(alone, both))
 for results, title in ((alone, "observations alone"), (both, "observations and actions")):

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import DynaQ, PrioritisedSweeping, QLearning, RMax, make_mdp, repeat
+from edugym import DynaQ, EpsilonGreedy, PrioritisedSweeping, QLearning, RMax, make_mdp, repeat
 from edugym.exact.tables import FiniteModel
 from edugym.experiments.figures import Sheet
 from edugym.training.attempt import attempt
@@ -264,6 +264,9 @@ watch("prioritised sweeping")
 # Two black lines show what is possible, computed from the exact model: the optimum (dashed), and the return of the best
 # *ε-soft* policy (dotted), which takes a random action with probability $\varepsilon = 0.1$ all the time.
 #
+# The cell after the next is the whole experiment. `repeat` makes each agent 100 times, trains it, and plays an episode without
+# exploring every 250 steps. (Further down `compare` makes this call, with other methods.)
+#
 # **Predict.** The methods with a model will learn in fewer steps. But who has the best policy *at the end*?
 
 # %%
@@ -274,8 +277,14 @@ at_the_end = predict(
 at_the_end
 
 # %%
-planners = {label: LEARNED[label] for label in at_the_end.options}
-learned = compare(planners, repetitions=100)
+settings = {"learning_rate": 1.0, "discount": 0.99, "exploration": EpsilonGreedy(0.1)}
+planners = {
+    "Q-learning": lambda shop: QLearning.create(shop, **settings),
+    "Dyna-10": lambda shop: DynaQ.create(shop, planning_steps=10, **settings),
+    "Dyna-50": lambda shop: DynaQ.create(shop, planning_steps=50, **settings),
+    "prioritised sweeping": lambda shop: PrioritisedSweeping.create(shop, planning_steps=10, **settings),
+}
+learned = repeat("Supermarket", planners, 10_000, repetitions=100, evaluate_every=250)
 display(figures.learning_curves(learned))
 for method in learned.methods:
     steps = figures.steps_to(learned, method, 70)

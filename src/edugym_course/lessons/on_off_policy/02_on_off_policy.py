@@ -28,11 +28,13 @@ from edugym import (
     finite_model,
     make_mdp,
     policy_evaluation,
+    repeat,
     table_size,
     value_iteration,
 )
 from edugym.agents.tables import best_value, epsilon_greedy_value, greedy_action, one_step_target
 from edugym.experiments.figures import Sheet
+from edugym.training import loops
 from edugym_course.lessons.on_off_policy import exact, figures, methods
 from edugym_course.notebook import frames, play, predict, sliders, source
 
@@ -138,6 +140,14 @@ for _ in range(500):
         state, action, total = next_state, next_action, total + reward
 print("return of the last episode:", total)
 
+# %% [markdown]
+# And this is the loop that really runs when you call `train` or `repeat`. It asks the rules of the road themselves, `mdp`,
+# and not an environment of Gymnasium. Look for the line in which $A'$ is chosen: it stands before `agent.learn`. (`log` adds
+# up the returns of the training episodes, and `carry` is where the loop goes on when it is called again.)
+
+# %%
+source(loops.on_policy)
+
 # %%
 source(SARSA.learn)
 
@@ -191,6 +201,10 @@ source(best_value)
 # *ε-soft* policy (dotted): the best policy among those that take a random action with probability $\varepsilon = 0.1$ in
 # every state. No agent that explores with this $\varepsilon$ can earn more in the long run.
 #
+# The cell after the next is the whole experiment. `repeat` makes each agent 30 times, trains it, and plays a greedy episode
+# every 10 000 steps. All methods get the same 30 seeds. (Further down `methods.compare` makes this call, with other
+# settings.)
+#
 # **Predict.** Who is ahead at the end?
 
 # %%
@@ -206,7 +220,13 @@ ahead = predict(
 ahead
 
 # %%
-edge = methods.compare(repetitions=30)
+settings = {"learning_rate": 0.03, "discount": 1.0, "exploration": EpsilonGreedy(0.1)}
+agents = {
+    "Q-learning": lambda road: QLearning.create(road, **settings),
+    "SARSA": lambda road: SARSA.create(road, **settings),
+    "expected SARSA": lambda road: ExpectedSARSA.create(road, **settings),
+}
+edge = repeat("Roadrunner", agents, n_steps=200_000, repetitions=30, evaluate_every=10_000)
 display(figures.learning_curves(edge))
 greedy = {method: edge.final(method).mean() for method in edge.methods}
 exploring = {method: methods.online(edge, method).mean() for method in edge.methods}

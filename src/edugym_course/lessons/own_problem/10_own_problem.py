@@ -21,7 +21,22 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 from gymnasium.utils.env_checker import check_env
 
-from edugym import FiniteModel, MDPEnv, QLearning, check_mdp, finite_model, policy_evaluation, read_mdp, share
+from edugym import (
+    SARSA,
+    CountBased,
+    DynaQ,
+    EpsilonGreedy,
+    FiniteModel,
+    MDPEnv,
+    NStepSARSA,
+    QLearning,
+    check_mdp,
+    finite_model,
+    policy_evaluation,
+    read_mdp,
+    repeat,
+    share,
+)
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.own_problem import exact, experiments, figures, methods, races
 from edugym_course.lessons.own_problem.bedroom import bedroom
@@ -320,7 +335,21 @@ frames(morning, exact.player(morning), seed=3)
 # (The code of your class is compiled for each agent first, which takes half a minute.)
 
 # %%
-learned = methods.learn(morning)
+settings = {"learning_rate": 0.1, "discount": 1.0, "exploration": EpsilonGreedy(0.1)}
+agents = {
+    "Q-learning": lambda task: QLearning.create(task, **settings),
+    "SARSA": lambda task: SARSA.create(task, **settings),
+    "Dyna-10": lambda task: DynaQ.create(task, planning_steps=10, **settings),
+    "3-step SARSA": lambda task: NStepSARSA.create(task, n=3, **settings),
+    "novelty reward": lambda task: CountBased.create(task, **settings),
+}
+learned = repeat(morning, agents, 10_000, repetitions=20, evaluate_every=500, evaluation_episodes=20)
+
+# %% [markdown]
+# That is the whole experiment: `repeat` makes each agent 20 times, trains it, and plays 20 greedy episodes every 500 steps.
+# (From here on `methods.learn` makes this call.)
+
+# %%
 worth = {method: methods.true_returns(learned, method, morning) for method in learned.methods}
 display(figures.race(learned, worth, best.start, exact.random_return(morning)))
 for method, returns in worth.items():

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import QLearning, repeat
+from edugym import EpsilonGreedy, QLearning, repeat
 from edugym.envs.tamagotchi import happiness
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.signal import figures, methods, moody
@@ -227,6 +227,9 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # loses a good policy for a while much more often. Try it in "Your turn".) The dashed line is the optimum, 6 707,
 # computed by planning with the whole state.
 #
+# The cell after the next is the whole experiment. For each noise `repeat` makes the agent 20 times, trains it, and plays ten
+# greedy episodes every 10 000 steps. (Further down `methods.learn` makes this call, with other settings.)
+#
 # **Predict.** At which noise does Q-learning first get less than half of the optimum?
 
 # %%
@@ -234,7 +237,13 @@ half = predict("Less than half of the optimum first at ...", ["τ = 0.02", "τ =
 half
 
 # %%
-by_tau = methods.compare_noise(repetitions=20)
+settings = {"learning_rate": 0.02, "discount": 0.5, "exploration": EpsilonGreedy(0.1)}
+agents = {"Q-learning": lambda toy: QLearning.create(toy, **settings)}
+curve = {"evaluate_every": 10_000, "evaluation_episodes": 10}
+by_tau = {
+    tau: repeat("Tamagotchi", agents, 200_000, parameters={"tau": tau}, repetitions=20, **curve)
+    for tau in (0.0, 0.02, 0.05, 0.1, math.inf)
+}
 display(figures.noise_sheet(by_tau))
 means = {tau: methods.late(results, "Q-learning").mean() for tau, results in by_tau.items()}
 for tau, mean in means.items():

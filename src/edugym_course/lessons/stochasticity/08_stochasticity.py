@@ -19,7 +19,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import EpsilonGreedy, QLearning, RiskSensitiveQLearning, table_size
+from edugym import EpsilonGreedy, QLearning, RiskSensitiveQLearning, repeat, table_size
 from edugym.agents.tables import best_value, one_step_target
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.stochasticity import drive, exact, figures, methods
@@ -186,6 +186,9 @@ for label, beta in methods.RISKS.items():
 # return of the best ε-soft policy (dotted, in the right panel only), the best one that takes a random swing with
 # probability $\varepsilon$. Both are computed from the exact dynamics.
 #
+# The cell after the next is the whole experiment. `repeat` makes each player 30 times, trains it, and lets it play 20 greedy
+# games every 30 000 steps. (Further down `methods.learn` makes this call, with other settings.)
+#
 # **Predict.** Which player has the highest *mean* return in the end, without exploring?
 
 # %%
@@ -196,7 +199,15 @@ highest = predict(
 highest
 
 # %%
-results = methods.learn()
+settings = {"learning_rate": 0.02, "discount": 1.0, "exploration": EpsilonGreedy(0.1)}
+agents = {
+    "averse, β = -2": lambda golf: RiskSensitiveQLearning.create(golf, risk=-2.0, **settings),
+    "neutral, β = 0": lambda golf: RiskSensitiveQLearning.create(golf, risk=0.0, **settings),
+    "seeking, β = 2": lambda golf: RiskSensitiveQLearning.create(golf, risk=2.0, **settings),
+}
+game = {"stochasticity_level": 0.015, "observe_hits": True}
+curve = {"evaluate_every": 30_000, "evaluation_episodes": 20}
+results = repeat("Golf", agents, 300_000, parameters=game, repetitions=30, **curve)
 played = methods.play(results)
 display(figures.learning_curves(results))
 display(figures.outcomes(played))
