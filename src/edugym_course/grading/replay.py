@@ -9,6 +9,7 @@ mistakes.
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -21,9 +22,6 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import NAME, Step, require_reproducible, run_program
 
-N_STEPS = 2000
-WORLDS = 2
-"""How many small worlds a program is tried in."""
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
 SLACK = 0.3
@@ -35,7 +33,7 @@ LOW = "low values are preferred to high ones: is there an `argmin`, or a minus s
 
 
 class SmallWorld(gymnasium.Env[Any, Any]):
-    """A small random MDP in layers, with noise: no state comes twice in an episode.
+    """A small random MDP in layers: no state comes twice in an episode.
 
     An episode may end after any step. The number that is observed then is that of an ordinary state, as Gymnasium
     allows, so a program that looks up the value of a terminal state finds one.
@@ -43,9 +41,10 @@ class SmallWorld(gymnasium.Env[Any, Any]):
     Args:
         seed: the number from which the MDP is drawn.
         truncates: whether episodes may also be truncated.
+        noisy: whether rewards, next states and ends also depend on chance.
     """
 
-    def __init__(self, seed: int, truncates: bool = True) -> None:
+    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
         """Draw an MDP."""
         n, rng = LAYERS * WIDTH, np.random.default_rng(seed)
         self.observation_space = spaces.Discrete(n)
@@ -54,7 +53,7 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, ACTIONS))
         self._ends = rng.choice([0.03, 0.2], (n, ACTIONS))
         self._next = rng.integers(WIDTH, size=(n, ACTIONS, 2))
-        self._truncates = truncates
+        self._truncates, self._noisy = truncates, noisy
         self._place = 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
@@ -65,11 +64,14 @@ class SmallWorld(gymnasium.Env[Any, Any]):
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Go to the next layer, or end."""
-        reward = float(self._rewards[self._place, action] + self.np_random.integers(-2, 3))
+        noise, end, way = self.np_random.integers(-2, 3), self.np_random.random(), self.np_random.integers(2)
+        if not self._noisy:
+            noise, end, way = 0, 0.1, 0
+        reward = float(self._rewards[self._place, action] + noise)
         is_last = self._place >= (LAYERS - 1) * WIDTH
-        terminated = bool(is_last or self.np_random.random() < self._ends[self._place, action])
+        terminated = bool(is_last or end < self._ends[self._place, action])
         layer = (self._place // WIDTH + 1) % LAYERS
-        self._place = layer * WIDTH + int(self._next[self._place, action, self.np_random.integers(2)])
+        self._place = layer * WIDTH + int(self._next[self._place, action, way])
         truncated = bool(self._truncates and not terminated and self.np_random.random() < 0.3)
         return int(self._names[self._place]), reward, terminated, truncated, {}
 
@@ -153,10 +155,15 @@ class Surprises(NamedTuple):
         return float(self.chances.sum())
 
     @property
+    def too_many(self) -> float:
+        """How many there are above those that are to be expected."""
+        return float(self.found.sum()) - self.expected
+
+    @property
     def is_usual(self) -> bool:
         """Whether there are about as many as are to be expected."""
         deviation = math.sqrt(float((self.chances * (1 - self.chances)).sum()))
-        return abs(float(self.found.sum()) - self.expected) <= SIGMAS * deviation + SLACK * self.expected
+        return abs(self.too_many) <= SIGMAS * deviation + SLACK * self.expected
 
     def explains_better_than(self, other: "Surprises") -> bool:
         """Whether it has fewer, by more than chance, where the two differ (sign test)."""
@@ -203,6 +210,9 @@ class Rule:
         truncates: whether episodes are truncated in the small worlds; not for a method that needs the action after the
             last.
         otherwise: what to ask where no mistake fits.
+        noisy: whether chance plays a part in the small worlds.
+        worlds: in how many small worlds a program is tried.
+        n_steps: how many steps it takes in each.
     """
 
     right: Learner
@@ -210,6 +220,9 @@ class Rule:
     epsilon: float
     truncates: bool = True
     otherwise: str = ""
+    noisy: bool = True
+    worlds: int = 2
+    n_steps: int = 2000
 
     def check(self, program: Any, seed: int) -> None:
         """Check that the actions of a program follow from its steps by the equation.
@@ -221,16 +234,20 @@ class Rule:
         Raises:
             WrongAnswer: they do not; or the program breaks the contract.
         """
-        seeds = range(WORLDS * seed, WORLDS * seed + WORLDS)
-        require_reproducible(program, lambda: SmallWorld(seeds[0], self.truncates), TRIAL, seed)
-        runs = [run_program(program, SmallWorld(number, self.truncates), N_STEPS, number).steps for number in seeds]
+        seeds = range(self.worlds * seed, self.worlds * (seed + 1))
+        worlds = [partial(SmallWorld, number, self.truncates, self.noisy) for number in seeds]
+        require_reproducible(program, worlds[0], TRIAL, seed)
+        runs = [
+            run_program(program, world(), self.n_steps, number).steps
+            for number, world in zip(seeds, worlds, strict=True)
+        ]
         right = self._surprises(runs, self.right)
         counted = {sentence: self._surprises(runs, mistake) for sentence, mistake in self.mistakes.items()}
         better = [sentence for sentence in counted if counted[sentence].explains_better_than(right)]
         if right.is_usual and not better:
             return
         likely = min(better, key=lambda sentence: counted[sentence].found.sum(), default="")
-        fits = likely and counted[likely].is_usual
+        fits = likely and (counted[likely].is_usual or counted[likely].too_many < right.too_many / 3)
         cause = f"They fit a usual mistake: {likely}" if fits else self._cause(right)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"

@@ -949,6 +949,70 @@ def my_agent(shop):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: Dyna, its model and its loop, some 40 lines. After
+# each real step it takes ten imagined ones.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
+# action with the highest value. All else is up to you: functions, classes, any names.
+#
+# - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
+#   many there are. They differ from one environment to the next.
+# - Take $\alpha = 1$, $\gamma = 0.95$, $\varepsilon = 0.1$, ten imagined steps and first values of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own and for 2 000 steps in the shop. It sees the steps that your program takes, and no
+# line of it. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by Dyna for `n_steps` real steps, and return the greedy policy."""
+    gamma, epsilon, n_imagined = 0.95, 0.1, 10
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    model, pairs = {}, []
+
+    def learn(state, action):
+        """Learn from what the model remembers of a pair, with α = 1."""
+        reward, next_state, terminated = model[state, action]
+        Q[state, action] = reward if terminated else reward + gamma * Q[next_state].max()
+
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        action = int(choose_action(Q[state], epsilon, rng))
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        if (state, action) not in model:
+            pairs.append((state, action))
+        model[state, action] = reward, next_state, terminated
+        learn(state, action)
+        for number in rng.integers(len(pairs), size=n_imagined):
+            learn(*pairs[number])
+        state = next_state
+        if terminated or truncated:
+            state, _ = environment.reset()
+    return lambda state: choose_action(Q[state], 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.model_based.project import project_9
+
+check(project_9, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - With the right model an agent needs no experience: value iteration finds the best way before the first step.

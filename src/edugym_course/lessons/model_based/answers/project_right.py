@@ -1,0 +1,32 @@
+# %% lists of lists
+class Dyna:
+    def __init__(self, n_states, n_actions, rng):
+        self.values = [[0.0] * n_actions for _ in range(n_states)]
+        self.seen = {}
+        self.rng = rng
+
+    def policy(self, s):
+        return int(np.argmax(self.values[s]))
+
+    def improve(self, s, a, r, s2, over):
+        self.values[s][a] = r + (0 if over else 0.95 * max(self.values[s2]))
+
+    def dream(self):
+        memories = list(self.seen.items())
+        for k in self.rng.choice(len(memories), 10):
+            (s, a), what = memories[k]
+            self.improve(s, a, *what)
+
+
+def my_program(env, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    me = Dyna(env.observation_space.n, env.action_space.n, rng)
+    s, _ = env.reset(seed=seed)
+    for _ in range(n_steps):
+        a = int(rng.integers(env.action_space.n)) if rng.random() < 0.1 else me.policy(s)
+        s2, r, over, cut, _ = env.step(a)
+        me.seen[s, a] = (r, s2, over)
+        me.improve(s, a, r, s2, over)
+        me.dream()
+        s = env.reset()[0] if over or cut else s2
+    return me.policy
