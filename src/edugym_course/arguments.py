@@ -18,6 +18,15 @@ HELP = (
 )
 
 
+def path_of(text: str) -> Path:
+    """The path that is written in an option; an empty one would silently mean the current folder."""
+    import typer
+
+    if not text:
+        raise typer.BadParameter("the path is empty; the current folder is written '.'")
+    return Path(text)
+
+
 def parameters(texts: list[str]) -> dict[str, Any]:
     """Read parameters that are written NAME=VALUE.
 

@@ -30,6 +30,8 @@ from rich import box
 from rich.console import Console
 from rich.table import Column, Table
 
+from edugym_course.teaching.commands import assign, grade, handout
+
 CLAIMS = "claims.csv"
 """The file with the claims of a lesson."""
 
@@ -37,13 +39,6 @@ REPORT = "report.md"
 """The report on all lessons."""
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
-
-
-def _path(text: str) -> Path:
-    """The path that is written in an option; an empty one would silently mean the current folder."""
-    if not text:
-        raise typer.BadParameter("the path is empty; the current folder is written '.'")
-    return Path(text)
 
 
 @app.callback()
@@ -78,7 +73,8 @@ def play(
         int | None, typer.Option(min=0, help="The seed of the first episode; by default a new one each time.")
     ] = None,
     gif: Annotated[
-        Path | None, typer.Option(parser=_path, metavar="PATH", help="Save the last finished episode as a film.")
+        Path | None,
+        typer.Option(parser=arguments.path_of, metavar="PATH", help="Save the last whole episode as a film."),
     ] = None,
 ) -> None:
     """Play an environment with the keyboard; the keys are shown on the screen."""
@@ -107,7 +103,7 @@ def _short(default: Any) -> str:
 def profile(
     agents: Annotated[list[str] | None, typer.Argument(metavar="[AGENT...]", help=arguments.HELP)] = None,
     output: Annotated[
-        Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for the report and its data.")
+        Path, typer.Option(parser=arguments.path_of, metavar="FOLDER", help="The folder for the report and its data.")
     ] = Path("profile"),
     challenge: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="An environment; can be repeated. By default all.")
@@ -145,7 +141,7 @@ def profile(
 def reproduce(
     lesson: Annotated[str | None, typer.Argument(help=f"One of: {', '.join(lesson_names())}. By default all.")] = None,
     output: Annotated[
-        Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for figures and data.")
+        Path, typer.Option(parser=arguments.path_of, metavar="FOLDER", help="The folder for figures and data.")
     ] = Path("results"),
     repetitions: Annotated[
         int | None, typer.Option(min=2, help="Runs of each method; by default the number of the lesson.")
@@ -287,7 +283,7 @@ def lab(
     folders = [argument for argument in arguments or [] if not argument.startswith("-")] or ["edugym-lessons"]
     if len(folders) > 1:
         raise typer.BadParameter(f"one folder is enough, but there are {', '.join(folders)}", param_hint="DIRECTORY")
-    folder = _path(folders[0])
+    folder = arguments.path_of(folders[0])
     server.require_jupyterlab()
     try:
         messages = server.prepare(folder)
@@ -301,108 +297,8 @@ def lab(
     server.serve(folder, options)
 
 
-@app.command()
-def assign(
-    lesson: Annotated[
-        str,
-        typer.Argument(help="In a checkout a name, such as 01_exploration; else the path of the teacher's notebook."),
-    ],
-    students: Annotated[
-        Path, typer.Option(parser=_path, metavar="LIST", help="A CSV file with a column id and, if you like, name.")
-    ],
-    output: Annotated[Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder to write to.")] = Path(
-        "assigned"
-    ),
-) -> None:
-    """For teachers: make a lesson for each student, with numbers of her own.
-
-    OUTPUT/handout/ID is for the student ID. OUTPUT/teacher is for nobody else: it has the secret from which the numbers
-    come, the solutions, and the hidden tests. With a longer list, the same command makes the lessons of those who
-    came late, and leaves the others' numbers as they are.
-    """
-    from edugym_course.teaching import assignment
-    from edugym_course.teaching.students import read_students
-
-    try:
-        made = assignment.assign(assignment.teacher_edition(lesson), read_students(students), output)
-    except (OSError, ValueError) as error:
-        raise typer.BadParameter(str(error)) from error
-    for task, draw in zip(made.tasks, next(iter(made.draws.values())), strict=True):
-        own = f"own {' and '.join(draw.numbers)}" if draw.numbers else "the same for all, with other cases"
-        typer.echo(f"Exercise {task.number}: {own}.")
-    count = len(made.students)
-    typer.echo(
-        f"{count} lessons to hand out are in {output / assignment.HANDOUT}. Keep {made.path.parent} to yourself."
-    )
-
-
-@app.command()
-def handout(
-    lesson: Annotated[
-        str,
-        typer.Argument(help="In a checkout a name, such as 01_exploration; else the path of the teacher's notebook."),
-    ],
-    system: Annotated[Literal["otter", "classroom"], typer.Option("--for", help="Otter-Grader, or GitHub Classroom.")],
-    output: Annotated[Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder to write to.")] = Path(
-        "handout"
-    ),
-) -> None:
-    """For teachers: make a lesson for Otter-Grader or GitHub Classroom.
-
-    For Otter it is OUTPUT/LESSON.ipynb, a master notebook for `otter assign`; it has the solutions. For GitHub
-    Classroom OUTPUT is a template repository whose workflow grades every push; it has no solutions.
-    """
-    from edugym_course.teaching import handouts
-    from edugym_course.teaching.assignment import read_lesson, teacher_edition
-
-    try:
-        notebook = teacher_edition(lesson)
-        if system == "classroom":
-            handouts.classroom_repository(read_lesson(notebook), notebook.stem, output)
-            typer.echo(f"{output} is a template repository for GitHub Classroom.")
-        else:
-            master = handouts.otter_master(read_lesson(notebook), notebook.stem)
-            write_whole(output / notebook.name, master.encode())
-            typer.echo(f"Now: otter assign {output / notebook.name} FOLDER")
-    except (OSError, ValueError) as error:
-        raise typer.BadParameter(str(error)) from error
-
-
-@app.command()
-def grade(
-    assigned: Annotated[
-        Path, typer.Argument(parser=_path, help="What `edugym assign` wrote: assigned/teacher/01_exploration.json.")
-    ],
-    submitted: Annotated[
-        Path, typer.Option(parser=_path, metavar="FOLDER", help="It has a folder ID with the notebook of each student.")
-    ] = Path("submitted"),
-    output: Annotated[
-        Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for the results of the class.")
-    ] = Path("results"),
-    seconds: Annotated[float, typer.Option(min=1, help="The longest time for one student.")] = 600,
-) -> None:
-    """For teachers: grade what came back, with the checks of each student's own numbers.
-
-    It runs the students' code on this machine, as you: use a container for people whom you do not trust. The results of
-    the class are OUTPUT/LESSON.html, and the same as .md and .csv.
-    """
-    from edugym_course.teaching import grading, page
-    from edugym_course.teaching.assignment import Assignment
-
-    try:
-        assignment = Assignment.read(assigned)
-        for name in grading.strangers(assignment, submitted):
-            typer.echo(f"edugym: {submitted / name} belongs to nobody on the list", err=True)
-        graded = []
-        for one in grading.grade(assignment, submitted, seconds):
-            graded.append(one)
-            remarks = "; ".join([*page.belongs(one, assignment), *one.remarks])
-            typer.echo(f"{one.student.name} ({one.student.id}): {one.points:g}{f' ({remarks})' if remarks else ''}")
-        for ending, text in (("html", page.as_html), ("md", page.markdown), ("csv", page.as_csv)):
-            write_whole(output / f"{assignment.lesson}.{ending}", text(assignment, graded).encode())
-    except (OSError, ValueError) as error:
-        raise typer.BadParameter(str(error)) from error
-    typer.echo(f"The results are in {output / assignment.lesson}.html, .md and .csv.")
+for _command in (assign, handout, grade):
+    app.command()(_command)
 
 
 def run() -> None:
