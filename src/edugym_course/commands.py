@@ -17,6 +17,7 @@ from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
 from edugym.system.interrupts import INTERRUPTED, SignalGuard, call_interruptibly
 from edugym_course import arguments
+from edugym_course.arguments import path_of
 from edugym_course.lessons import lesson_names, load_experiments
 from edugym_course.report import Report, Section, explanation, markdown, rows_of
 
@@ -74,7 +75,7 @@ def play(
     ] = None,
     gif: Annotated[
         Path | None,
-        typer.Option(parser=arguments.path_of, metavar="PATH", help="Save the last whole episode as a film."),
+        typer.Option(parser=path_of, metavar="PATH", help="Save the last whole episode as a film."),
     ] = None,
 ) -> None:
     """Play an environment with the keyboard; the keys are shown on the screen."""
@@ -103,7 +104,7 @@ def _short(default: Any) -> str:
 def profile(
     agents: Annotated[list[str] | None, typer.Argument(metavar="[AGENT...]", help=arguments.HELP)] = None,
     output: Annotated[
-        Path, typer.Option(parser=arguments.path_of, metavar="FOLDER", help="The folder for the report and its data.")
+        Path, typer.Option(parser=path_of, metavar="FOLDER", help="The folder for the report and its data.")
     ] = Path("profile"),
     challenge: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="An environment; can be repeated. By default all.")
@@ -141,7 +142,7 @@ def profile(
 def reproduce(
     lesson: Annotated[str | None, typer.Argument(help=f"One of: {', '.join(lesson_names())}. By default all.")] = None,
     output: Annotated[
-        Path, typer.Option(parser=arguments.path_of, metavar="FOLDER", help="The folder for figures and data.")
+        Path, typer.Option(parser=path_of, metavar="FOLDER", help="The folder for figures and data.")
     ] = Path("results"),
     repetitions: Annotated[
         int | None, typer.Option(min=2, help="Runs of each method; by default the number of the lesson.")
@@ -283,7 +284,7 @@ def lab(
     folders = [argument for argument in arguments or [] if not argument.startswith("-")] or ["edugym-lessons"]
     if len(folders) > 1:
         raise typer.BadParameter(f"one folder is enough, but there are {', '.join(folders)}", param_hint="DIRECTORY")
-    folder = arguments.path_of(folders[0])
+    folder = path_of(folders[0])
     server.require_jupyterlab()
     try:
         messages = server.prepare(folder)
