@@ -26,6 +26,10 @@ def stable_baselines3_env(
 
         PPO("MlpPolicy", stable_baselines3_env("Catch", 64, rows=5)).learn(100_000)
 
+    RecurrentPPO of sb3-contrib refuses every `MultiDiscrete` observation, such as that of Golf: "input_size should be
+    of type int". It takes one as a vector, from Stable-Baselines3's own copies:
+    `make_vec_env("edugym/Golf-v0", wrapper_class=gymnasium.wrappers.FlattenObservation)`.
+
     Args:
         environment: the name or id of an environment; an environment of one's own, such as `MDPEnv(Walk(7))`, or its
             MDP; or a vector environment that resets its copies in the same step (`autoreset_mode="SameStep"`).

@@ -2,7 +2,7 @@
 
 from edugym.checks.parameters import between
 from edugym.exact.tables import FiniteModel
-from edugym.exact.values import StateValues, Values, sweep_until_settled
+from edugym.exact.values import StateValues, Values, largest, sweep_until_settled
 from edugym.mdp.protocol import Reals
 
 
@@ -56,7 +56,7 @@ def best_values(epsilon: float) -> StateValues:
     between("epsilon", epsilon, 0, 1)
 
     def best(Q: Reals) -> Reals:
-        V: Reals = (1 - epsilon) * Q.max(axis=1) + epsilon * Q.mean(axis=1)
-        return V
+        greedy = largest(Q)
+        return (1 - epsilon) * greedy + epsilon * Q.mean(axis=1) if epsilon else greedy
 
     return best

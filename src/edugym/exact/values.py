@@ -67,6 +67,12 @@ class Values(NamedTuple):
         return policy
 
 
+def largest(Q: Reals) -> Reals:
+    """The largest action value of each state; by columns, since NumPy takes ten times as long for many short rows."""
+    values: Reals = np.asfortranarray(Q).max(axis=1)
+    return values
+
+
 def sweeps(model: FiniteModel, state_values: StateValues, discount: float) -> Iterator[tuple[Reals, Reals]]:
     """V and Q with 0, 1, 2, ... steps left: each from the one before, by looking one step ahead in every state."""
     Q: Reals = np.zeros(model.successors.shape[:2])

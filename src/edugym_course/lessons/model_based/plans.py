@@ -8,6 +8,7 @@ import numpy as np
 from edugym.envs.supermarket import Supermarket
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
+from edugym.exact.values import largest
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.lessons.model_based.methods import DISCOUNT, LOST, NOISES, PLANNING_DISCOUNT, exact_model
@@ -117,7 +118,7 @@ def best_by_what_was_seen(agent: Any, discount: float = DISCOUNT, model: FiniteM
     V: Reals = np.zeros(len(model.states))
     for _ in range(len(V)):
         Q = np.where(known, model.action_values(V, discount), IMPOSSIBLE)
-        V, before = np.where(model.terminal, 0.0, Q.max(axis=1)), V
+        V, before = np.where(model.terminal, 0.0, largest(Q)), V
         if np.array_equal(V, before):
             break
     return follow(Q.argmax(axis=1), model).total
