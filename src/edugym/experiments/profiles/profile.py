@@ -13,6 +13,7 @@ import numpy as np
 from gymnasium.spaces import Discrete
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks.contract import contract_of
 from edugym.checks.parameters import a_path, in_short, true_or_false, whole_number
 from edugym.experiments.configuration import planned_runs
 from edugym.experiments.fingerprints import fingerprint
@@ -26,11 +27,12 @@ from edugym.system.interrupts import Interrupted, SignalGuard
 from edugym.system.memory import in_digits
 from edugym.training.progress import progress_bar
 from edugym.training.train import train
+from edugym.training.trainers import trainer
 
 POINTS = 20
 """The evaluations of a run, besides the one before training."""
 TRIED = 200
-"""The steps for which an agent is tried on a challenge, to see whether it can enter."""
+"""The steps for which a student's agent is tried on a challenge, to see whether it can enter."""
 
 MOST_NUMBERS = 30_000_000
 """The largest table of a wrapped task: a quarter of a gigabyte for each run."""
@@ -195,10 +197,7 @@ def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, str]:
     for ladder in ladders:
         for strength in ladder.strengths:
             try:
-                environment = _task(ladder, strength, method.wrap, layout_seed=0)
-                with warnings.catch_warnings():
-                    warnings.simplefilter("ignore")
-                    train(environment, method.make(environment), TRIED, evaluate_every=TRIED)
+                _try(method, ladder, strength)
             except Exception as error:  # a student's agent may fail in any way where it does not fit
                 kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
                 reasons[ladder.name] = f"{kind}{error}"
@@ -208,6 +207,21 @@ def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, str]:
         errors[0].add_note(f"agents[{method.label!r}] can enter none of the challenges")
         raise errors[0]
     return reasons
+
+
+def _try(method: Method, ladder: Ladder, strength: float) -> None:
+    """Make an agent for a rung; a student's also takes some steps on the easiest one.
+
+    Raises:
+        Exception: it does not fit.
+    """
+    environment = _task(ladder, strength, method.wrap, layout_seed=0)
+    contract = contract_of(method.make(environment))
+    trainer(environment, contract, 0, None, 0)
+    if not contract.is_own and strength == ladder.strengths[0]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            train(environment, contract.agent, TRIED, evaluate_every=TRIED)
 
 
 def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) -> MDPEnv[Any]:
