@@ -801,7 +801,7 @@ def my_program(environment, n_steps, seed):
     state, _ = environment.reset(seed=seed)
     for _ in range(n_steps):
         action = policy(state)
-        next_state, reward, terminated, truncated, _ = environment.step(action)
+        next_state, _, terminated, truncated, _ = environment.step(action)
         if next_state == state + 1:
             known[state] = action
         elif action in untried[state]:

@@ -950,10 +950,9 @@ play("my_problem.py")
 # The check plays a hundred episodes and calls Gymnasium's own checker. Then let your program of lesson 0 learn it.
 
 # %% tags=["project"]
-import gymnasium
-
-MyEnvironment = ...  # your class
+MyEnvironment = ...  # your program
 ### BEGIN PROGRAM
+import gymnasium
 
 
 class MyEnvironment(gymnasium.Env):
