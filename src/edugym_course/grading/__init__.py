@@ -31,6 +31,7 @@ To check something else than a number, take
 | an agent's `act` | `choices.check_choices` | other probabilities |
 | what `repeat` returned | `results.check_results` | another setting |
 | something of your own | `mistakes.mistake_that_fits` names the mistake | a rule that explains all cases |
+| a program from a blank file | `replay.Rule`, and `curves.Race` against ours | an agent of ours that makes it |
 | an agent that learns well | `challenge.Challenge`, on tasks that belong to a name | none: it gets points |
 
 `agents` makes the agent of a student's class, and `cases` draws cases in which no two mistakes look alike.

@@ -28,6 +28,8 @@ Program = Callable[[Environment, int, int], Policy]
 NAME = "my_program"
 ENOUGH = 0.9
 """The share of the steps that a program must take."""
+APART = 1_000_003
+"""How far the seed of an environment is from that of a program: two generators with one seed draw the same numbers."""
 GYMNASIUM = {
     "only integers|unhashable type: 'dict'": "reset gives two things: state, info = environment.reset()",
     "values to unpack": "step gives five things: state, reward, terminated, truncated, info = environment.step(action)",
@@ -48,6 +50,8 @@ class Step(NamedTuple):
 
 class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
     """An environment that notes every step, and refuses those that no environment allows.
+
+    It shows no more than what an agent may know: no info, and not the environment itself.
 
     Attributes:
         steps: the steps so far.
@@ -70,6 +74,11 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         self._state: Any = None
         self._is_new, self._is_over, self._has_begun = False, True, False
 
+    @property
+    def unwrapped(self) -> Environment:
+        """This environment: what is inside would tell the way."""
+        return self
+
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin an episode."""
         if self._has_begun and seed is not None:
@@ -80,10 +89,10 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not self._is_over and not self._is_new:
             self._refuse("calls reset() in the middle of an episode: go on until `terminated` or `truncated` is True")
         if not self._has_begun:
-            seed = self._fixed if self._fixed is not None else self._seed if seed is None else seed
-        state, info = self.env.reset(seed=seed, options=options)
+            seed = APART + (self._fixed if self._fixed is not None else self._seed if seed is None else seed)
+        state, _ = self.env.reset(seed=seed, options=options)
         self._state, self._has_begun, self._is_new, self._is_over = state, True, True, False
-        return state, info
+        return state, {}
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Take a step."""
@@ -97,10 +106,10 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         if self._is_new and len(self.steps) >= self._most:
             self._refuse(f"begins another episode after its {self._most} steps: count the steps of all episodes")
         taken = self._allowed(action)
-        state, reward, terminated, truncated, info = self.env.step(taken)
+        state, reward, terminated, truncated, _ = self.env.step(taken)
         self.steps.append(Step(self._state, taken, float(reward), state, bool(terminated), bool(truncated)))
         self._state, self._is_new, self._is_over = state, False, bool(terminated or truncated)
-        return state, float(reward), bool(terminated), bool(truncated), info
+        return state, float(reward), bool(terminated), bool(truncated), {}
 
     def _allowed(self, action: Any) -> Any:
         """Return an action that the environment can take, or refuse it."""

@@ -20,12 +20,14 @@ from edugym.agents.tables import best_value, tied
 from edugym.checks.contract import learns_from
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import NAME, Step, require_reproducible, run_program
+from edugym_course.grading.programs import APART, NAME, Step, require_reproducible, run_program
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
 SLACK = 0.3
 """The share by which a right program may explore more or less often, as one that draws among the *other* actions."""
+NATS = 20.0
+"""How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
 SIGMAS = 4.0
 """How many standard deviations are more than chance."""
 LAYERS, WIDTH, ACTIONS = 6, 2, 4
@@ -46,7 +48,7 @@ class SmallWorld(gymnasium.Env[Any, Any]):
 
     def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
         """Draw an MDP."""
-        n, rng = LAYERS * WIDTH, np.random.default_rng(seed)
+        n, rng = LAYERS * WIDTH, np.random.default_rng(APART + seed)
         self.observation_space = spaces.Discrete(n)
         self.action_space = spaces.Discrete(ACTIONS)
         self._names = rng.permutation(n)
@@ -64,7 +66,8 @@ class SmallWorld(gymnasium.Env[Any, Any]):
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Go to the next layer, or end."""
-        noise, end, way = self.np_random.integers(-2, 3), self.np_random.random(), self.np_random.integers(2)
+        noise, way = (int(self.np_random.integers(*limits)) for limits in ((-2, 3), (0, 2)))
+        end = float(self.np_random.random())
         if not self._noisy:
             noise, end, way = 0, 0.1, 0
         reward = float(self._rewards[self._place, action] + noise)
@@ -144,10 +147,12 @@ class Surprises(NamedTuple):
     Attributes:
         found: for each step, 1 if it was so, else 0.
         chances: for each step, how likely that was by ε.
+        logs: for each step, the logarithm of the probability of its action.
     """
 
     found: Reals
     chances: Reals
+    logs: Reals
 
     @property
     def expected(self) -> float:
@@ -166,22 +171,25 @@ class Surprises(NamedTuple):
         return abs(self.too_many) <= SIGMAS * deviation + SLACK * self.expected
 
     def explains_better_than(self, other: "Surprises") -> bool:
-        """Whether it has fewer, by more than chance, where the two differ (sign test)."""
-        differs = self.found != other.found
-        return bool((other.found - self.found).sum() > SIGMAS * math.sqrt(differs.sum()))
+        """Whether it makes the actions more probable, by more than chance.
+
+        Under the right equation a wrong one does so by k nats with a probability below e⁻ᵏ (Markov's inequality).
+        """
+        return bool(self.logs.sum() > other.logs.sum() + NATS)
 
 
 def surprises(steps: Sequence[Step], learner: Learner, epsilon: float) -> Surprises:
     """Let an agent learn from the steps of a program, and note the actions that did not look best to it."""
     agent = learner.make((LAYERS * WIDTH, ACTIONS))
     names = learns_from(agent)
-    found, chances = np.zeros(len(steps)), np.zeros(len(steps))
+    found, chances, logs = np.zeros((3, len(steps)))
     waiting: Step | None = None
     before: Step | None = None
     for t, real in enumerate(steps):
         step = before = learner.alter(real, before)
         best = [tied(value, best_value(agent.Q, step.state)) for value in agent.Q[step.state]]
         found[t], chances[t] = not best[step.action], epsilon * (1 - sum(best) / len(best))
+        logs[t] = math.log(epsilon / len(best) + (1 - epsilon) * best[step.action] / sum(best))
         if waiting is not None:
             _learn(agent, names, waiting, step.action)
         waiting = None
@@ -191,7 +199,7 @@ def surprises(steps: Sequence[Step], learner: Learner, epsilon: float) -> Surpri
             waiting = step
         else:
             _learn(agent, names, step, step.action)
-    return Surprises(found, chances)
+    return Surprises(found, chances, logs)
 
 
 def _learn(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:
@@ -246,7 +254,7 @@ class Rule:
         better = [sentence for sentence in counted if counted[sentence].explains_better_than(right)]
         if right.is_usual and not better:
             return
-        likely = min(better, key=lambda sentence: counted[sentence].found.sum(), default="")
+        likely = max(better, key=lambda sentence: counted[sentence].logs.sum(), default="")
         fits = likely and (counted[likely].is_usual or counted[likely].too_many < right.too_many / 3)
         cause = f"They fit a usual mistake: {likely}" if fits else self._cause(right)
         raise WrongAnswer(
@@ -266,7 +274,7 @@ class Rule:
         found, by_chance = float(right.found.sum()), right.expected / self.epsilon
         if found < right.expected:
             return "So it seldom tries an action at random: is ε that of the text, up to the last step?"
-        if found > 1.2 * by_chance:
+        if found > 1.1 * by_chance:
             return f"The likely cause: {LOW}"
         if found > 0.9 * by_chance:
             return (

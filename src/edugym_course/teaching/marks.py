@@ -8,6 +8,9 @@ from typing import Any
 MARKED = ("SOLUTION", "HIDDEN TESTS", "PROGRAM")
 """Regions between `### BEGIN ...` and `### END ...`."""
 
+EMPTY = "= ...  # your program"
+"""How the line ends that stands in the place of a program from a blank file."""
+
 OWN = "# own: "
 """In a solution, the line below it with a student's own numbers, in the place of the line above it."""
 
@@ -33,9 +36,11 @@ def is_project(cell: Any) -> bool:
 
 
 def without_marks(source: str) -> str:
-    """Takes the lines that are marks out of a source, and leaves what they mark."""
+    """Takes the lines that are marks or placeholders out of a source, and leaves what they mark."""
     return "\n".join(
-        line for line in source.splitlines() if not line.strip().startswith(("### BEGIN ", "### END ", OWN))
+        line
+        for line in source.splitlines()
+        if not line.strip().startswith(("### BEGIN ", "### END ", OWN)) and not line.endswith(EMPTY)
     )
 
 

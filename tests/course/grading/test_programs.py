@@ -150,7 +150,7 @@ def test_a_program_that_breaks_the_contract(name: str) -> None:
 def test_a_reset_in_the_middle_of_an_episode() -> None:
     """It is refused; two resets without a step between them are not."""
     recorder = Recorder(SmallWorld(0), N_STEPS, 0)
-    recorder.reset(seed=3)
+    recorder.reset(seed=0)
     recorder.reset()
     assert recorder.step(0)[2:4] == (False, False)
     says = r"calls reset\(\) in the middle of an episode: go on until `terminated` or `truncated` is True"

@@ -18,7 +18,13 @@ RULES: dict[str, Rule] = {
     if (path.parent / "project.py").exists()
     and hasattr(project := import_module(f"edugym_course.lessons.{path.parent.name}.project"), "RULE")
 }
-CASES = [(lesson, sentence) for lesson, rule in RULES.items() for sentence in rule.mistakes]
+SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
+CASES = [
+    pytest.param(lesson, sentence, marks=[pytest.mark.slow] * (lesson != "00_loop"), id=f"{lesson}-{number}")
+    for lesson, rule in RULES.items()
+    for number, sentence in enumerate(rule.mistakes)
+]
+"""The quick tests of the other lessons are their answers `project_wrong.py`."""
 
 
 def program_with(learner: Learner) -> Program:
@@ -55,7 +61,7 @@ def program_with(learner: Learner) -> Program:
 
 
 @pytest.mark.parametrize(("lesson", "sentence"), CASES)
-@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("seed", SEEDS)
 def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
     """No two of a lesson are taken for each other."""
     with pytest.raises(WrongAnswer) as refused:
@@ -67,7 +73,7 @@ def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
 
 
 @pytest.mark.parametrize("lesson", RULES)
-@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("seed", SEEDS)
 def test_a_right_program_has_no_surprises(lesson: str, seed: int) -> None:
     """Whatever the seed is."""
     RULES[lesson].check(program_with(RULES[lesson].right), seed)

@@ -150,7 +150,7 @@ def test_editions(source: Path) -> None:
 
 PROJECT = """\
 # %% tags=["project"]
-my_program = ...
+my_program = ...  # your program
 ### BEGIN PROGRAM
 my_program = "a long secret"
 ### END PROGRAM
@@ -168,7 +168,7 @@ def test_a_program_from_a_blank_file(source: Path) -> None:
     for name, notebook in made.items():
         program, check = (cell for cell in notebook.cells if "project" in cell.metadata.get("tags", []))
         assert ("secret" in program.source) == (name == "solution")
-        assert program.source.startswith("my_program = ...")
+        assert program.source.startswith("my_program = ...") == (name != "solution")
         assert check.source == "check(project_1, my_program)"
         assert ("raises-exception" in check.metadata.tags) == (name != "solution")
         assert "nbgrader" not in program.metadata

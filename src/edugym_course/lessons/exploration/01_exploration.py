@@ -780,6 +780,60 @@ def my_agent(wall):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall of
+# height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an idea of
+# your own. Some 30 lines are enough.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode. In the end it returns its *policy*: a function that takes a state and returns an action, and climbs to the top.
+# All else is up to you: functions, classes, any names.
+#
+# - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
+#   many there are. The walls have two grips or three, and are all different.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So when it
+# names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def my_program(environment, n_steps, seed):
+    """Climb as far as the way is known, and try there what was not tried yet; return the way."""
+    rng = np.random.default_rng(seed)
+    n_states, n_actions = environment.observation_space.n, environment.action_space.n
+    known = np.full(n_states, -1)  # the grip that holds at each place, -1 where none is known
+    untried = [[int(grip) for grip in rng.permutation(n_actions)] for _ in range(n_states)]
+
+    def policy(state):
+        """The grip that holds, or one that was not tried."""
+        return int(known[state]) if known[state] >= 0 else untried[state][0]
+
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        action = policy(state)
+        next_state, _, terminated, truncated, _ = environment.step(action)
+        if next_state == state + 1:
+            known[state] = action
+        elif action in untried[state]:
+            untried[state].remove(action)
+        state = next_state
+        if terminated or truncated:
+            state, _ = environment.reset()
+    return policy
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.exploration.project import project_1
+
+check(project_1, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - Random exploration takes a number of steps that grows exponentially with the depth of the reward. It is not slow,

@@ -963,6 +963,61 @@ play("my_problem.py")
 # mean.
 
 # %% [markdown]
+# ### From a blank file
+# The form of `edugym` did much for you: it counted steps, seeded chance and kept the state. Now write an environment without it, from
+# an empty cell, with NumPy and Gymnasium only, so that anybody's agent can play it. Some 40 lines; take your problem of
+# exercise 4, or a new one.
+#
+# **What it must do.** `MyEnvironment()` makes an environment, a class that inherits from `gymnasium.Env`:
+#
+# - `__init__` sets `self.observation_space`, and `self.action_space`, which is `Discrete(n)` with two actions or more.
+# - `reset(self, *, seed=None, options=None)` begins with `super().reset(seed=seed)`, which makes the generator
+#   `self.np_random`. It sets everything anew, and returns the first observation and a dictionary.
+# - `step(self, action)` returns the observation, the reward, *terminated*, *truncated* and a dictionary. Every episode ends.
+# - The same seed and the same actions give the same episode.
+#
+# The check plays a hundred episodes and calls Gymnasium's own checker. Then let your program of lesson 0 learn it.
+
+# %% tags=["project"]
+MyEnvironment = ...  # your program
+### BEGIN PROGRAM
+import gymnasium
+
+
+class MyEnvironment(gymnasium.Env):
+    """A flower shop, from Monday to Saturday: how many bunches to order each morning; the state is (day, stock)."""
+
+    def __init__(self):
+        """Seven mornings with the last one, and up to 6 bunches; order 0 to 3."""
+        self.observation_space = gymnasium.spaces.MultiDiscrete([7, 7])
+        self.action_space = gymnasium.spaces.Discrete(4)
+
+    def reset(self, *, seed=None, options=None):
+        """Monday, and nothing in stock."""
+        super().reset(seed=seed)
+        self.day, self.stock = 0, 0
+        return self.observation(), {}
+
+    def step(self, action):
+        """Order, sell what is asked for, and go home; half of what is left has withered."""
+        there = min(self.stock + int(action), 6)
+        sold = min(there, int(self.np_random.binomial(6, 0.4)))
+        self.day, self.stock = self.day + 1, (there - sold) // 2
+        return self.observation(), 3.0 * sold - 1.0 * int(action), self.day == 6, False, {}
+
+    def observation(self):
+        """The day and the stock."""
+        return np.array([self.day, self.stock], dtype=np.int64)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.own_problem.project import project_10
+
+check(project_10, MyEnvironment)
+
+# %% [markdown]
 # ## What you saw
 #
 # - A problem is four answers: what the agent can do, what it must know, what happens, and what it is worth.

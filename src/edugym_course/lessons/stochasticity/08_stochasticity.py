@@ -906,6 +906,62 @@ def my_agent(game):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a learner that avoids risk, and its loop, some
+# 35 lines. It moves $Q(S, A)$ by $\alpha \, 2\sigma(\beta \delta) \, \delta$, with the TD error
+# $\delta = R + \gamma \max_a Q(S', a) - Q(S, A)$ and $\sigma(x) = 1 / (1 + e^{-x})$.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
+# action with the highest value. All else is up to you: functions, classes, any names.
+#
+# - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
+#   many there are. They differ from one environment to the next.
+# - Take $\alpha = 0.4$, $\beta = -0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own and at a fork, where one way pays a sure 1 and the other throws a coin for 5 or −2. It sees the steps that your program takes, and no
+# line of it. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by risk-sensitive Q-learning for `n_steps` steps, and return the greedy policy."""
+    alpha, beta, gamma, epsilon = 0.4, -0.5, 0.9, 0.1
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        action = choose_action(Q[state], epsilon, rng)
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        target = reward if terminated else reward + gamma * Q[next_state].max()
+        delta = target - Q[state, action]
+        weight = 2 / (1 + np.exp(-beta * delta))
+        Q[state, action] += alpha * weight * delta
+        state = next_state
+        if terminated or truncated:
+            state, _ = environment.reset()
+    return lambda state: choose_action(Q[state], 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.stochasticity.project import project_8
+
+check(project_8, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - Q-learning learns means. The spread of the return is not in its table.

@@ -250,7 +250,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% only the last pair at the end
-# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
+# says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
 def choose(values, rng, epsilon=0.1):
     if rng.random() < epsilon:
         return rng.integers(len(values))

@@ -106,7 +106,6 @@ def my_program(environment, n_steps, seed):
 
 # %% the lowest value
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
-# says: The likely cause:
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)

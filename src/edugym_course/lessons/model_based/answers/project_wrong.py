@@ -182,7 +182,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% costs
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# says: The likely cause: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 def my_program(environment, n_steps, seed):
     n_states, n_actions = environment.observation_space.n, environment.action_space.n
     Q = np.zeros((n_states, n_actions))

@@ -1,0 +1,109 @@
+# %% ε-greedy
+# says: 3000 steps do not reach the top: the highest place is
+# says: : likely it also tries actions at random where it knows the way, and falls; go the known way without trying, and try at its end
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = rng.integers(len(Q[s])) if rng.random() < 0.1 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
+        s2, r, over, cut, _ = environment.step(a)
+        Q[s, a] += 0.5 * (r + 0.9 * (not over) * Q[s2].max() - Q[s, a])
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: int(Q[s].argmax())
+
+
+# %% slips on the known way
+# says: of the steps begin below place 3
+def my_program(environment, n_steps, seed):
+    n_states, n_actions = environment.observation_space.n, environment.action_space.n
+    known, rng = {}, np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = known[s] if s in known and rng.random() > 0.8 else int(rng.integers(n_actions))
+        s2, r, over, cut, _ = environment.step(a)
+        if s2 > s:
+            known[s] = a
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: known.get(s, 0)
+
+
+# %% the wrong grip again
+# says: on a wall of height 30 with 2 grips,
+# says:  times, though it sends the climber to the ground every time: remember what did not hold, and try something else there
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    N = np.zeros_like(Q[:, 0])
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = rng.integers(len(Q[s])) if rng.random() < 0.01 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
+        s2, r, over, cut, _ = environment.step(a)
+        N[s2] += 1
+        r += 1 / N[s2]
+        Q[s, a] += 0.5 * (r + 0.9 * (not over) * Q[s2].max() - Q[s, a])
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: int(Q[s].argmax())
+
+
+# %% the policy forgets the way
+# says: but the policy that it returns does not: does it remember the way, and go it without trying anything?
+# says: , the program reached the top
+# says:  times while it learned, but the policy that it returns does not: does it remember the way, and go it without trying anything?
+def my_program(environment, n_steps, seed):
+    n_states, n_actions = environment.observation_space.n, environment.action_space.n
+    known, rng = {}, np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = known[s] if s in known else int(rng.integers(n_actions))
+        s2, r, over, cut, _ = environment.step(a)
+        if s2 > s:
+            known[s] = a
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: 0
+
+
+# %% the policy tries
+# says: but the policy that it returns does not
+def my_program(environment, n_steps, seed):
+    n_states, n_actions = environment.observation_space.n, environment.action_space.n
+    known, rng = {}, np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = known[s] if s in known else int(rng.integers(n_actions))
+        s2, r, over, cut, _ = environment.step(a)
+        if s2 > s:
+            known[s] = a
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: known[s] if rng.random() > 0.5 else int(rng.integers(n_actions))
+
+
+# %% two grips
+# says: raises IndexError
+def my_program(environment, n_steps, seed):
+    n_states, n_actions = environment.observation_space.n, 3
+    known, tries, rng = {}, [0, 0], np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = known[s] if s in known and rng.random() > 0.8 else int(rng.integers(n_actions))
+        tries[a] += 1
+        s2, r, over, cut, _ = environment.step(a)
+        if s2 > s:
+            known[s] = a
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: known.get(s, 0)
+
+
+# %% reads the answer
+# says: raises
+def my_program(environment, n_steps, seed):
+    n_states, n_actions = environment.observation_space.n, environment.action_space.n
+    known, rng = {}, np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = environment.unwrapped.mdp.grips[s]
+        s2, r, over, cut, _ = environment.step(a)
+        if s2 > s:
+            known[s] = a
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: known.get(s, 0)

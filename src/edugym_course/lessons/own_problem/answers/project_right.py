@@ -1,0 +1,20 @@
+# %% a walk home
+import gymnasium as gym
+from gymnasium import spaces
+
+
+class MyEnvironment(gym.Env):
+    observation_space = spaces.Discrete(9)
+    action_space = spaces.Discrete(2)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self.place, self.steps = int(self.np_random.integers(3, 6)), 0
+        return self.place, {}
+
+    def step(self, action):
+        wind = self.np_random.random() < 0.2
+        self.place += -1 if (action == 0) != wind else 1
+        self.steps += 1
+        over = self.place in (0, 8)
+        return self.place, -1.0 if not over else 10.0 * (self.place == 8), over, self.steps == 50 and not over, {}

@@ -1,0 +1,141 @@
+"""The project of lesson 10: a Gymnasium environment of one's own, from a blank file."""
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from gymnasium.utils.env_checker import check_env
+
+from edugym.checks.parameters import in_short
+from edugym_course.grading.agents import require_class
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import Environment
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import number
+
+NAME = "MyEnvironment"
+EPISODES, SCRIPTED, MOST_STEPS = 100, 5, 10_000
+"""How many episodes are played at random and with given actions, and how many steps one may take."""
+
+Episode = list[tuple[Any, float]]
+"""The observations and rewards of an episode; the first reward is 0."""
+
+
+def project_10(answer: Any, seed: int) -> str:
+    """Check an environment: what it returns, that seeds and actions matter, and what Gymnasium's checker says."""
+    require_class(NAME, answer)
+    if not issubclass(answer, gymnasium.Env):
+        raise WrongAnswer(f"{NAME} should inherit from gymnasium.Env: class {NAME}(gymnasium.Env)")
+    environment, rng = _made(answer), np.random.default_rng(seed)
+    assert isinstance(environment.action_space, spaces.Discrete)
+    n_actions = int(environment.action_space.n)
+    played = [
+        _episode(environment, lambda: int(rng.integers(n_actions)), seed if k == 0 else None) for k in range(EPISODES)
+    ]
+    script = [int(action) for action in rng.integers(n_actions, size=MOST_STEPS)]
+    again, new, other = (_scripted(one, script, seed) for one in (environment, _made(answer), _made(answer)))
+    if not _same(new, other):
+        raise WrongAnswer(
+            f"two environments with seed {seed} and the same actions differ: begin reset with super().reset(seed=seed),"
+            " and draw all random numbers from self.np_random"
+        )
+    if not _same(again, new):
+        raise WrongAnswer(
+            f"after {EPISODES} episodes reset(seed={seed}) begins another episode than in a new environment: reset must"
+            " set everything anew that an episode changes"
+        )
+    if all(_same(_scripted(environment, [action] * MOST_STEPS, seed), new) for action in range(n_actions)):
+        raise WrongAnswer("whatever the actions are, the same is observed and paid: what should the agent decide?")
+    with student_code("Gymnasium's check_env"):
+        check_env(_made(answer), skip_render_check=True)
+    length, total = (float(np.mean([of(one) for one in played])) for of in (len, _total))
+    return f"Right: Gymnasium's checker passes it. Random play takes {length - 1:.1f} steps and gets {total:.4g}."
+
+
+def _made(answer: Any) -> Environment:
+    """Make an environment, and look at its spaces."""
+    with student_code(f"{NAME}()"):
+        made = answer()
+    for name in ("observation_space", "action_space"):
+        if not isinstance(getattr(made, name, None), spaces.Space):
+            raise WrongAnswer(
+                f"{NAME} should set self.{name} in __init__, a space such as gymnasium.spaces.Discrete(4)"
+            )
+    if not isinstance(made.action_space, spaces.Discrete) or made.action_space.n < 2 or made.action_space.start != 0:
+        raise WrongAnswer(
+            f"the action space of {NAME} is {made.action_space}, and it should be Discrete(n) with two actions or more"
+        )
+    environment: Environment = made
+    return environment
+
+
+def _scripted(environment: Environment, script: list[int], seed: int) -> Episode:
+    """Play some episodes, each with the same actions, and return them as one."""
+    played: Episode = []
+    for index in range(SCRIPTED):
+        actions = iter(script)
+        played += _episode(environment, partial(next, actions), None if index else seed)
+    return played
+
+
+def _episode(environment: Environment, choose: Callable[[], int], seed: int | None) -> Episode:
+    """Play an episode, and check all that comes."""
+    with student_code("reset(seed=...)"):
+        begun: Any = environment.reset(seed=seed)
+    if not isinstance(begun, tuple) or len(begun) != 2 or not isinstance(begun[1], dict):
+        raise WrongAnswer(
+            f"reset should return two things, an observation and a dictionary, `return observation, {{}}`, but returns"
+            f" {in_short(begun)}"
+        )
+    episode = [(_observed(environment, begun[0], "reset"), 0.0)]
+    for _ in range(MOST_STEPS):
+        action = choose()
+        with student_code(f"step({action})"):
+            came: Any = environment.step(action)
+        if not isinstance(came, tuple) or len(came) != 5:
+            raise WrongAnswer(
+                f"step({action}) should return five things, observation, reward, terminated, truncated and a"
+                f" dictionary, but returns {in_short(came)}"
+            )
+        observation, reward, terminated, truncated, _ = came
+        for name, ended in (("terminated", terminated), ("truncated", truncated)):
+            if not isinstance(ended, bool | np.bool_):
+                raise WrongAnswer(
+                    f"step({action}) should say by True or False whether it is {name}, but says {in_short(ended)}"
+                )
+        episode.append((_observed(environment, observation, f"step({action})"), number("the reward", reward)))
+        if terminated or truncated:
+            return episode
+    raise WrongAnswer(
+        f"an episode of {NAME} has not ended after {MOST_STEPS} steps: when is `terminated` or `truncated` True?"
+    )
+
+
+def _observed(environment: Environment, observation: Any, call: str) -> Any:
+    """Return a copy of an observation that lies in its space."""
+    if not environment.observation_space.contains(observation):
+        hint = ""
+        if isinstance(environment.observation_space, spaces.Box | spaces.MultiDiscrete) and not hasattr(
+            observation, "dtype"
+        ):
+            hint = f": make an array of it, np.array(..., dtype=np.{environment.observation_space.dtype})"
+        raise WrongAnswer(
+            f"{call} gives the observation {in_short(observation)}, which is not in the observation space"
+            f" {environment.observation_space}{hint}"
+        )
+    return np.array(observation)
+
+
+def _same(one: Episode, other: Episode) -> bool:
+    """Whether two episodes are the same."""
+    return len(one) == len(other) and all(
+        np.array_equal(here[0], there[0]) and here[1] == there[1] for here, there in zip(one, other, strict=True)
+    )
+
+
+def _total(episode: Episode) -> float:
+    return math.fsum(reward for _, reward in episode)

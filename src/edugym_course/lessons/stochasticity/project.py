@@ -1,0 +1,83 @@
+"""The project of lesson 8: a learner that avoids risk, from a blank file."""
+
+from functools import partial
+from typing import Any
+
+import gymnasium
+from gymnasium import spaces
+
+from edugym.agents.q_learning import QLearning
+from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import run_program
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+
+LEARNING_RATE, DISCOUNT, RISK, EPSILON = 0.4, 0.9, -0.5, 0.1
+N_STEPS, FORKS = 1_000, 5
+SURE, GAIN, LOSS = 1.0, 5.0, -2.0
+
+
+class Fork(gymnasium.Env[Any, Any]):
+    """One decision: a sure payment, or a coin that pays more on average and may cost."""
+
+    def __init__(self, risky: int) -> None:
+        """Make a fork whose action `risky` throws the coin."""
+        self.observation_space = spaces.Discrete(2)
+        self.action_space = spaces.Discrete(2)
+        self._risky = risky
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Stand at the fork, state 0."""
+        super().reset(seed=seed)
+        return 0, {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Pay, and end in state 1."""
+        coin = GAIN if self.np_random.random() < 0.5 else LOSS
+        return 1, coin if action == self._risky else SURE, True, False, {}
+
+
+def agent(
+    shape: tuple[int, int], risk: float = RISK, learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT
+) -> RiskSensitiveQLearning:
+    """Make an agent with the settings of the project."""
+    return RiskSensitiveQLearning.create(shape, risk=risk, learning_rate=learning_rate, discount=discount)
+
+
+def neutral(shape: tuple[int, int]) -> QLearning:
+    """Make an agent that does not mind risk."""
+    return QLearning.create(shape, learning_rate=LEARNING_RATE, discount=DISCOUNT)
+
+
+RULE = Rule(
+    Learner(agent),
+    mistakes_of_loops(agent)
+    | {
+        "all surprises weigh the same: that is Q-learning": Learner(neutral),
+        "good surprises weigh more than bad ones: β is below 0": Learner(partial(agent, risk=-RISK)),
+        "the weight is half as large as it should be: 2σ(βδ) is 1 where δ = 0": Learner(
+            partial(agent, learning_rate=LEARNING_RATE / 2)
+        ),
+        "γ max_a Q(S', a) is missing in the target": Learner(partial(agent, discount=0.0)),
+    },
+    EPSILON,
+    otherwise="; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it",
+)
+
+
+def project_8(answer: Any, seed: int) -> str:
+    """Check a program with risk-sensitive Q-learning."""
+    RULE.check(answer, seed)
+    careful = 0
+    for number in range(FORKS * seed, FORKS * (seed + 1)):
+        risky = number % 2
+        careful += int(run_program(answer, Fork(risky), N_STEPS, number).policy(0)) != risky
+    if careful <= FORKS // 2:
+        raise WrongAnswer(
+            f"a sure payment of {SURE:g}, or a coin that pays {GAIN:g} or {LOSS:g}: with β = {RISK:g} the sure payment"
+            f" is worth more, but the policy takes it in {careful} of {FORKS} runs only; does it take the best action?"
+        )
+    return (
+        f"Right: it takes a sure payment of {SURE:g} in {careful} of {FORKS} runs, although a coin that pays {GAIN:g}"
+        f" or {LOSS:g} brings more on average."
+    )
