@@ -66,6 +66,7 @@ def build(folder: Path) -> dict[str, int] | None:
         for name, content in {**dict(_numpy(numpy)), **dict(_installed()), **dict(_own())}.items():
             packages.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
     (folder / "draws.wasm").write_bytes(draws.module())
+    (folder / "draws.json").write_text(json.dumps(draws.tables()))
     return {file.name: file.stat().st_size for file in sorted(folder.iterdir())}
 
 

@@ -29,7 +29,7 @@ const LATE = 100 // points of a curve
 
 export class Editor {
   constructor(find, sizes, seeds) {
-    Object.assign(this, { find, sizes, seeds, number: 0 })
+    Object.assign(this, { find, sizes, seeds, number: 0, template: 0, filled: '' })
     this.draw = this.draw.bind(this)
     this.source = find('source')
     this.source.oninput = () => {
@@ -38,7 +38,10 @@ export class Editor {
     }
     this.source.onscroll = () => { find('gutter').scrollTop = this.source.scrollTop }
     this.source.onkeydown = event => this.indent(event)
-    find('template').onchange = () => this.fill()
+    find('template').onchange = () => {
+      if (this.edited() && !confirm('Replace your code?')) find('template').selectedIndex = this.template
+      else this.fill()
+    }
     find('rival').onchange = () => this.clear()
     find('run-code').onclick = () => this.run()
     find('stop-code').onclick = () => this.stop('Stopped. The next run loads Python again.')
@@ -54,24 +57,27 @@ export class Editor {
       const names = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
       this.find('template').innerHTML = `<option>a short one</option>${names}`
       this.find('rival').innerHTML = names
-      this.fill()
+      if (!this.edited()) await this.fill()
     }
     this.clear()
   }
 
+  edited() {
+    return this.source.value !== this.filled
+  }
+
   async fill() {
-    const k = this.find('template').selectedIndex - 1
-    if (k < 0) this.source.value = SHORT
-    else {
-      const sources = await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
-      this.source.value = `${sources[this.race.agents[k].kind]}\n\n${this.code.agent(this.race.agents[k])}`
-    }
+    this.template = this.find('template').selectedIndex
+    const agent = this.race.agents[this.template - 1]
+    const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
+    this.source.value = this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : SHORT
     this.mark(null)
   }
 
   clear() {
     if (this.running) this.stop()
     this.ours = this.theirs = []
+    this.find('code-said').textContent = 'Your code finds the task as mdp. The seed is that of the race.'
     this.tell(this.worker ? 'Change something, and run it.' : this.first)
     soon(this.draw)
   }
@@ -160,14 +166,15 @@ export class Editor {
     this.result = data
     soon(this.draw)
     this.tell(this.verdict(data))
+    if (data.said.length) this.find('code-said').textContent = data.said.join(' ')
   }
 
-  verdict({ curve, seconds, said }) {
+  verdict({ curve, seconds }) {
     const { steps } = this.state, pace = steps / seconds
     const mean = line => line.slice(-10).reduce((sum, [, value]) => sum + value, 0) / Math.min(10, line.length)
     const ours = mean(curve), name = this.race.agents[this.find('rival').selectedIndex].label
     const speed = `${short(Number(pace.toPrecision(2)))} steps a second, with evaluation`
-    return `Your agent ends at ${short(ours)}, in ${seconds.toFixed(1)} s: ${speed}. Compare it with ${name} below. ${said.join(' ')}`
+    return `Your agent ends at ${short(ours)}, in ${seconds.toFixed(1)} s: ${speed}. Compare it with ${name} below.`
   }
 
   draw() {

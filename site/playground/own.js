@@ -1,12 +1,14 @@
 // A worker for a reader's own agent: it loads Python, and runs the reader's program. The page stops it by ending it.
 // What the program does runs in Python, checked, and after its first steps as JavaScript where it can be translated.
 
-let python
+import { drawing } from './draws.js'
+
+let loading // a promise, since a second message may come meanwhile
 
 onmessage = async ({ data }) => {
   try {
-    python ??= await load(data.sizes)
-    if (data.kind === 'run') postMessage({ kind: 'done', ...run(data) })
+    const python = await (loading ??= load(data.sizes))
+    if (data.kind === 'run') postMessage({ kind: 'done', ...run(python, data) })
     else postMessage({ kind: 'ready' })
   } catch (error) {
     postMessage({ kind: 'done', error: error.message, line: null })
@@ -36,9 +38,10 @@ async function load(sizes) {
       memories.push(this)
     }
   }
-  const [packages, draws, { loadPyodide }] = await Promise.all([
+  const [packages, draws, tables, { loadPyodide }] = await Promise.all([
     self.fetch('python/packages.zip').then(answer => answer.arrayBuffer()),
     self.fetch('python/draws.wasm').then(answer => answer.arrayBuffer()),
+    self.fetch('python/draws.json').then(answer => answer.json()),
     import('./python/pyodide.mjs'),
   ])
   const pyodide = await loadPyodide({ indexURL: new URL('python/', import.meta.url).href })
@@ -47,17 +50,16 @@ async function load(sizes) {
   postMessage({ kind: 'loading', share: 1 })
   pyodide.unpackArchive(packages, 'zip', { extractDir: '/lib/python3.12/site-packages' })
   const memory = memories.find(({ buffer }) => buffer === pyodide._module.HEAP8.buffer)
-  return begun(pyodide, memory, draws)
+  return begun(pyodide, memory, draws, tables)
 }
 
-async function begun(pyodide, memory, draws) {
-  const stack = new WebAssembly.Global({ value: 'i32', mutable: true }, 0) // which drawing does not use
-  const { instance } = await WebAssembly.instantiate(draws, { env: { __linear_memory: memory, __stack_pointer: stack } })
+async function begun(pyodide, memory, module, tables) {
   const mathematics = 'acos acosh asin asinh atan atan2 atanh cos cosh exp expm1 hypot log log10 log1p log2 pow sin sinh tan tanh'
   const libm = {}
   for (const name of mathematics.split(' ')) if (pyodide._module[`_${name}`]) libm[name] = pyodide._module[`_${name}`]
+  const draw = await drawing(module, tables, memory, libm)
   const make = text => {
-    const program = new Function('memory', 'draw', 'libm', text)(() => memory.buffer, instance.exports, libm)
+    const program = new Function('memory', 'draw', 'libm', text)(() => memory.buffer, draw, libm)
     return numbers => {
       try {
         if (memory.buffer !== pyodide._module.HEAP8.buffer) throw new Error('the memory of Python has moved')
@@ -72,7 +74,7 @@ async function begun(pyodide, memory, draws) {
   return page
 }
 
-function run({ source, task, steps, seed, episodes }) {
+function run(python, { source, task, steps, seed, episodes }) {
   const told = python.run(source, task, steps, seed, episodes)
   const done = told.toJs({ dict_converter: Object.fromEntries })
   told.destroy()

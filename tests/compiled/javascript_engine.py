@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import draws
 import numpy as np
 
 from edugym.compiled.javascript.libraries import LIBM
@@ -16,6 +17,7 @@ from edugym.compiled.javascript.program import Doubt
 
 NODE = shutil.which("node")
 SCRIPT = Path(__file__).with_name("engine.mjs")
+DRAWING = Path(draws.__file__).parent / "playground" / "draws.js"
 FIRST = 2 * 65536
 """Where the memory begins that is not the WebAssembly's own."""
 
@@ -24,11 +26,11 @@ class Node:
     """A process of Node.js.
 
     Args:
-        draws: the file with the WebAssembly that draws.
+        module: the file with the WebAssembly that draws.
         libm: the functions of mathematics that it lends; their last digit may be another than Python's.
     """
 
-    def __init__(self, draws: Path, libm: frozenset[str] = frozenset()) -> None:
+    def __init__(self, module: Path, libm: frozenset[str] = frozenset()) -> None:
         """Starts it."""
         self.libm = libm & LIBM
         self._process = subprocess.Popen(
@@ -36,7 +38,7 @@ class Node:
         )
         self._regions: dict[int, tuple[int, Any, int]] = {}
         self._free = FIRST
-        self._ask(kind="begin", draws=str(draws))
+        self._ask(kind="begin", module=str(DRAWING), draws=str(module), tables=draws.tables())
 
     def close(self) -> None:
         """Ends it."""
@@ -72,13 +74,6 @@ class Node:
             return list(map(float, answer["result"]))
 
         return run
-
-    def milliseconds(self, numbers: Sequence[float], program: int) -> float:
-        """How long a second call takes, with nothing kept."""
-        asked = {"program": program, "numbers": list(map(repr, numbers)), "regions": self._sent()}
-        took: float = self._ask(kind="time", **asked)["milliseconds"]
-        self._regions, self._free = {}, FIRST
-        return took
 
     def _sent(self) -> list[tuple[int, str]]:
         return [(at, base64.b64encode(_content(owner, at)).decode()) for at, owner, _ in self._regions.values()]

@@ -31,9 +31,9 @@ REFUSED_HERE = {
     "power of infinity": "a power of real numbers",
     "largest and smallest": "0 and -0",
     "softmax": "it uses exp",
-    "draws": "rng.normal",
-    "draws with defaults": "rng.normal",
-    "arrays of draws": "rng.normal",
+    "draws": "rng.poisson",
+    "draws with defaults": "rng.poisson",
+    "arrays of draws": "rng.normal is translated only for one draw",
     "choices": "np.argwhere",
     "picture": "an array of another type",
     "picture of bytes": "an array of another type",
@@ -69,6 +69,10 @@ TRAPS = {
     "picked from a tuple": program("return s + (1, 2, 4)[int(s) % 3] + (0.5, 2)[int(s) % -2]"),
     "in a list": program("best = [a for a in range(3) if self.Q[0, 0] >= 0 and a != 1]\nreturn s + 1 + (2 in best) + (int(s) not in (3, 4))", **Q),
     "chain with draws": program("return 0.5 * s + (0.1 < rng.random() < rng.random() < 0.9) + (rng.random() < 0.5 or rng.random() < 0.2)"),
+    "normal numbers": program(
+        "for i in range(20): s = 0.9 * s + rng.normal() + rng.normal(0.5) * rng.exponential() + rng.exponential(scale=0.5) - rng.normal(0.0, scale=2.0)\nreturn s"
+    ),
+    "a negative deviation": program("return s + 1 + 0 * rng.normal(0.0, 700 - s) + 0 * rng.exponential(800 - s)"),
     "values of and": program("k = int(s) % 3 and 7\nj = int(s) % 2 or 5\nreturn 0.5 * s + k + j"),
     "memory of another shape": program("x = self.Q.shape[0] + len(self.Q[0]) + self.Q.size + self.Q[2:].shape[0]\nreturn 0.5 * s + x", **Q),
     "two rows at once": program("self.Q[0], self.Q[1] = self.Q[1] + 1, self.Q[0] * 0.5\nreturn (s + self.Q[0, 1]) % 50", **Q),
@@ -185,8 +189,12 @@ def test_students_agents_learn(adapted: bool, node: Node, monkeypatch: pytest.Mo
 AGENTS: list[Any] = [edugym.QLearning, edugym.SARSA, edugym.ExpectedSARSA, edugym.DoubleQLearning]
 
 
-@pytest.mark.parametrize("environment", ["Boulder", "MemoryCorridor", "Roadrunner", "Supermarket"])
-@pytest.mark.parametrize("kind", AGENTS, ids=lambda kind: kind.__name__)
+ENVIRONMENTS = ["Boulder", "MemoryCorridor", "Roadrunner", "Supermarket", "Study", "Golf"]
+QUICK = [("Boulder", edugym.QLearning), ("Golf", edugym.SARSA), ("MemoryCorridor", edugym.DoubleQLearning)]
+SLOW = [pytest.param(one, kind, marks=pytest.mark.slow) for one in ENVIRONMENTS for kind in AGENTS]
+
+
+@pytest.mark.parametrize(("environment", "kind"), [*QUICK, *SLOW])
 def test_the_packages_agents(environment: str, kind: Any, node: Node, monkeypatch: pytest.MonkeyPatch) -> None:
     """Tables and curve are those of `train`, to the last bit."""
     runs = []

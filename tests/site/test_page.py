@@ -218,7 +218,7 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     until(lambda: "Press Run" in reader.text("#code-status"), "Python", 300)
     said = ran(reader)
     assert "Your agent ends at 1," in said
-    assert "interpreted" not in said
+    assert "interpreted" not in reader.text("#code-said")
     until(lambda: reader("document.querySelectorAll('#code-chart polyline[points*=\",\"]').length") == 2, "two curves")
     if SCREENSHOTS:
         _photograph(reader, f"code-{size[0]}")
@@ -227,7 +227,8 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     assert reader.text("#gutter b") == "17"
     change(reader, "target - sef", "target - self")
     change(reader, "        target =", "        notes = {}\n        target =")
-    assert "it makes a dict (line 16)" in ran(reader)
+    ran(reader)
+    assert "it makes a dict (line 16)" in reader.text("#code-said")
     change(reader, "        notes = {}\n", "        while True: pass\n")
     reader.click("#run-code")
     reader.click("#stop-code")
@@ -239,14 +240,18 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
 
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
 def test_a_reader_runs_the_packages_agents(race: Any, address: str, browser: Any) -> None:
-    """From their own files, in every task: the curve is that of the kernel."""
+    """From their own files, in every task; Python is loaded by the run, and the curve is that of the kernel."""
     reader = Reader(browser, f"{address}#task={race.environment}&code=true&steps=10000")
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
     until(lambda: reader("document.querySelector('#source').value"), "the program")
     reader("(e => { e.selectedIndex = 1; e.onchange() })(document.querySelector('#template'))")
     until(lambda: "create(mdp" in reader("document.querySelector('#source').value"), "the agent's file")
-    assert "Your agent ends at" in ran(reader)
+    said = ran(reader)
+    assert "Your agent ends at" in said
+    assert "something else than Python" not in reader.text("#code-said")
+    lines = "[...document.querySelectorAll('#code-chart polyline')].map(line => line.getAttribute('points'))"
+    until(lambda: len(set(reader(lines))) == 1 and "," in reader(lines)[0], "one curve on the other")
     reader.check()
 
 

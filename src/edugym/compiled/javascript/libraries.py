@@ -236,24 +236,35 @@ def _new_array(writer: "Expressions", node: ast.AST, name: str, given: Given, na
 # Draws
 
 
+PARAMETERS: dict[str, dict[str, str]] = {
+    "integers": dict.fromkeys(("low", "high", "size", "dtype", "endpoint"), ""),
+    "choice": dict.fromkeys(("a", "size", "replace", "p"), ""),
+    "uniform": {"low": "0", "high": "1"},
+    "normal": {"loc": "0", "scale": "1"},
+    "exponential": {"scale": "1"},
+}
+"""The draws that are translated: their parameters, with defaults where all are numbers."""
+
+
 def draw(writer: "Expressions", node: ast.AST, rng: str, name: str, given: Given, named: Named) -> Code:
     """A call of a method of `rng`, which stands for the place of its state."""
     if name == "random" and not given and not named:
         return Code(f"draw.next_double({rng})", FLOAT)
-    names = {
-        "integers": ("low", "high", "size", "dtype", "endpoint"),
-        "uniform": ("low", "high"),
-        "choice": ("a", "size", "replace", "p"),
-    }
-    if name in names and len(given) <= len(names[name]) and list(named) == [one for one in names[name] if one in named]:
-        told = dict(zip(names[name], given, strict=False)) | named
-        made = {"integers": _integers, "uniform": _uniform, "choice": _choice}[name](writer, node, rng, told)
-        if made is not None:
-            return made
+    if name not in PARAMETERS:
+        known = ", ".join(f"rng.{one}" for one in ("random", *PARAMETERS))
+        raise writer.refused(node, f"it draws with rng.{name}; JavaScript knows {known}")
+    names = PARAMETERS[name]
+    made = None
+    if len(given) <= len(names) and list(named) == [one for one in names if one in named]:
+        told = dict(zip(names, given, strict=False)) | named
+        if name in ("integers", "choice"):
+            made = (_integers if name == "integers" else _choice)(writer, node, rng, told)
+        elif all(one.kind in NUMBERS for one in told.values()):
+            texts = [told[one].text if one in told else usual for one, usual in names.items()]
+            made = Code(f"{name}({','.join([rng, *texts])})", FLOAT)
+    if made is None:
         raise writer.refused(node, f"rng.{name} is translated only for one draw of a number")
-    raise writer.refused(
-        node, f"it draws with rng.{name}: rng.random, rng.integers, rng.uniform and rng.choice are translated"
-    )
+    return made
 
 
 def _integers(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Code | None:
@@ -266,13 +277,6 @@ def _integers(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Co
     more = "+1" if endpoint.text == "true" else ""
     bounds = f"0,{low.text}{more}" if high is None else f"{low.text},{high.text}{more}"
     return Code(f"bounded({rng},{bounds})", INT)
-
-
-def _uniform(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Code | None:
-    if not all(one.kind in NUMBERS for one in told.values()):
-        return None
-    low, high = (told[name].text if name in told else text for name, text in (("low", "0"), ("high", "1")))
-    return Code(f"uniform({rng},{low},{high})", FLOAT)
 
 
 def _choice(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Code | None:

@@ -71,8 +71,9 @@ class Engine(Protocol):
     def load(self, text: str) -> Callable[[Sequence[float]], Sequence[float]]:
         """What runs a translation: from its numbers to those of its result.
 
-        `text` is the body of a JavaScript function of `memory` (which gives the ArrayBuffer), `draw` (what draws from
-        the state of a random stream) and `libm`. What it throws is raised as `Doubt`.
+        `text` is the body of a JavaScript function of `memory` (which gives the ArrayBuffer), `draw` (which has
+        next_double, normal and exponential of the state of a random stream, and bounded) and `libm`. What it throws is
+        raised as `Doubt`.
         """
 
     def address(self, array: Any) -> int:

@@ -89,12 +89,16 @@ class Strided {
     this.stride = strides[0]
     this.columns = shape.length > 1 ? shape[1] : 0
     this.next = shape.length > 1 ? strides[1] : 0
+    this.rowShape = undefined
+    this.rowStrides = undefined
   }
   get size() { return this.shape.reduce((a, b) => a * b, 1) }
   at3(i, j, k) { return this.part(i).at2(j, k) }
   put3(i, j, k, value) { this.part(i).put2(j, k, value) }
   row(i) {
-    return new this.constructor(this.data, this.offset + at(i, this.length) * this.stride, this.shape.slice(1), this.strides.slice(1))
+    this.rowShape ??= this.shape.slice(1)
+    this.rowStrides ??= this.strides.slice(1)
+    return new this.constructor(this.data, this.offset + at(i, this.length) * this.stride, this.rowShape, this.rowStrides)
   }
   // The part that numbers and slices [begin, end, step] pick, one for each of the first axes.
   part(...picked) {
@@ -354,6 +358,9 @@ const uniform = (state, low, high) => {
   if (!(range >= 0 && range < Infinity)) doubt('high - low < 0')
   return low + range * draw.next_double(state)
 }
+const scaled = scale => scale > 0 || Object.is(scale, 0) ? scale : doubt('scale < 0')
+const normal = (state, loc, scale) => loc + scaled(scale) * draw.normal(state)
+const exponential = (state, scale) => scaled(scale) * draw.exponential(state)
 const weighted = (state, n, p) => {
   if (p.length !== n) doubt('a and p must have the same size')
   let total = 0
