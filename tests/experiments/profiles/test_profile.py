@@ -76,7 +76,7 @@ def test_a_students_agent_that_fails_in_a_challenge_is_blank_there() -> None:
 
 def test_wrappers_are_part_of_an_agent() -> None:
     """Two observations are enough for a corridor of two places, one is not."""
-    corridor = LADDERS[4]._replace(strengths=(2,), n_steps=20_000, evaluation_episodes=10)
+    corridor = LADDERS[4]._replace(strengths=(2,), n_steps=4_900, evaluation_episodes=10)  # not worth compiling
     agents = {"one": QLearning.create, "two": (QLearning.create, lambda mdp: FrameStack.create(mdp, 2))}
     found = profile(agents, challenges=[corridor], repetitions=3)
     assert found.score("one", "MemoryCorridor").high < 0.8

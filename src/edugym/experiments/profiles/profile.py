@@ -89,7 +89,7 @@ def profile(
     Args:
         agents: a dictionary from labels to agents, as `repeat` takes them. With a wrapper, give a pair of the agent and
             a function that wraps an MDP: `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`.
-        challenges: names among those of `edugym.ENVIRONMENTS`, or ladders of your own; None is every environment.
+        challenges: names of environments of the course, or ladders of your own; None is every environment that has one.
         repetitions: the number of runs on each rung, from 1 to 1 000 000.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more.
         jobs: the number of runs at a time, as in `repeat`.
