@@ -87,8 +87,9 @@ def index() -> str:
         for e in in_course_order()
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
+    new = "The first nine are those of the paper. Switches is new: goals, which the paper leaves out."
     more = f"For users of the original code: [what has changed]({ORIGINAL})."
-    return "\n".join(["# The environments", "", *head, *rows, "", more, ""])
+    return "\n".join(["# The environments", "", new, "", *head, *rows, "", more, ""])
 
 
 def pages() -> dict[Path, str]:

@@ -136,16 +136,20 @@ def test_copies_show_dictionaries_too() -> None:
     assert (seen["achieved_goal"] != seen["desired_goal"]).all()
 
 
-def test_replay_in_hindsight_of_stable_baselines3() -> None:
-    """Its `HerReplayBuffer` fills a memory from the dictionary, and its DQN learns from it."""
+@pytest.mark.parametrize("copies", [0, 4])
+def test_replay_in_hindsight_of_stable_baselines3(copies: int) -> None:
+    """Its `HerReplayBuffer` fills a memory from the dictionaries, of copies too, and its DQN learns from it."""
     sb3, her = pytest.importorskip("stable_baselines3"), pytest.importorskip("stable_baselines3.her")
-    env = gymnasium.make("edugym/Switches-v0", n_switches=4)
+    env: Any = gymnasium.make("edugym/Switches-v0", n_switches=4)
+    if copies:
+        env = pytest.importorskip("edugym.deep").stable_baselines3_env("Switches", copies, n_switches=4)
     agent = sb3.DQN(
         "MultiInputPolicy",
         env,
         replay_buffer_class=her.HerReplayBuffer,
         replay_buffer_kwargs={"n_sampled_goal": 4, "goal_selection_strategy": "future"},
-        learning_starts=50,
+        learning_starts=100,
+        train_freq=10,
         batch_size=32,
         policy_kwargs={"net_arch": [16]},
         device="cpu",
