@@ -55,6 +55,8 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, ACTIONS))
         self._ends = rng.choice([0.03, 0.2], (n, ACTIONS))
         self._next = rng.integers(WIDTH, size=(n, ACTIONS, 2))
+        if not noisy:  # no two actions that were tried are worth the same: which one wins then is up to the program
+            self._rewards += rng.random((n, ACTIONS))
         self._truncates, self._noisy = truncates, noisy
         self._place = 0
 
