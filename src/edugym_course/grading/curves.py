@@ -11,7 +11,7 @@ from gymnasium import spaces
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import Environment, Policy, Program, Run, Step, returns_of, run_program
+from edugym_course.grading.programs import Environment, Policy, Program, Run, Step, learn_from, returns_of, run_program
 
 SEEDS = 5
 """How many runs of a program are compared with ours."""
@@ -146,8 +146,8 @@ def program_of(make: Callable[[tuple[int, int]], Any]) -> Program:
             next_state, reward, terminated, truncated, _ = environment.step(action)
             on_policy = "next_action" in names and not terminated
             next_action = agent.act(next_state, rng) if on_policy else action
-            step = Step(state, action, float(reward), next_state, terminated, truncated)._asdict()
-            agent.learn(**{name: (step | {"next_action": next_action})[name] for name in names})
+            step = Step(state, action, float(reward), next_state, terminated, truncated)
+            learn_from(agent, names, step, next_action)
             state, over = next_state, terminated or truncated
             if over:
                 state, _ = environment.reset()

@@ -224,6 +224,12 @@ def returns_of(policy: Policy, environment: Environment, episodes: int, seed: in
     return Run(recorder.steps, policy).returns
 
 
+def learn_from(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:
+    """Let an agent of the package learn from a step; `names` are what its `learn` asks for."""
+    told = step._asdict() | {"next_action": next_action}
+    agent.learn(**{name: told[name] for name in names})
+
+
 def require_reproducible(program: Any, make: Callable[[], Environment], n_steps: int, seed: int) -> None:
     """Refuse a program whose seed changes nothing, or that does not repeat itself with the same seed.
 

@@ -2,8 +2,8 @@
 
 What a tabular method has learned follows from its steps. So the steps of a program are given to an agent of ours, which
 says before each of them which actions look best. A program with the same equation takes one of these, but for ε of its
-steps. Every other one was a surprise. For a program with too many surprises the same is tried with each of the usual
-mistakes.
+steps. Every other one is a surprise, and of these there must not be too many. The same is tried with agents that make
+the usual mistakes: one that makes the actions much more probable than the right equation does is the likely cause.
 """
 
 import math
@@ -20,7 +20,7 @@ from edugym.agents.tables import best_value, tied
 from edugym.checks.contract import learns_from
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import APART, NAME, Step, require_reproducible, run_program
+from edugym_course.grading.programs import APART, NAME, Step, learn_from, require_reproducible, run_program
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -55,6 +55,8 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, ACTIONS))
         self._ends = rng.choice([0.03, 0.2], (n, ACTIONS))
         self._next = rng.integers(WIDTH, size=(n, ACTIONS, 2))
+        if not noisy:  # no two actions that were tried are worth the same: which one wins then is up to the program
+            self._rewards += rng.random((n, ACTIONS))
         self._truncates, self._noisy = truncates, noisy
         self._place = 0
 
@@ -173,7 +175,8 @@ class Surprises(NamedTuple):
     def explains_better_than(self, other: "Surprises") -> bool:
         """Whether it makes the actions more probable, by more than chance.
 
-        Under the right equation a wrong one does so by k nats with a probability below e⁻ᵏ (Markov's inequality).
+        If a program has the right equation, and breaks ties at random, a wrong one does so by k nats with a probability
+        below e⁻ᵏ (Markov's inequality).
         """
         return bool(self.logs.sum() > other.logs.sum() + NATS)
 
@@ -191,20 +194,15 @@ def surprises(steps: Sequence[Step], learner: Learner, epsilon: float) -> Surpri
         found[t], chances[t] = not best[step.action], epsilon * (1 - sum(best) / len(best))
         logs[t] = math.log(epsilon / len(best) + (1 - epsilon) * best[step.action] / sum(best))
         if waiting is not None:
-            _learn(agent, names, waiting, step.action)
+            learn_from(agent, names, waiting, step.action)
         waiting = None
         if learner.skips(real):
             getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
         elif "next_action" in names and not real.terminated:
             waiting = step
         else:
-            _learn(agent, names, step, step.action)
+            learn_from(agent, names, step, step.action)
     return Surprises(found, chances, logs)
-
-
-def _learn(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:
-    told = step._asdict() | {"next_action": next_action}
-    agent.learn(**{name: told[name] for name in names})
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import pytest
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer
-from edugym_course.grading.programs import Program, Step
+from edugym_course.grading.programs import Program, Step, learn_from
 from edugym_course.grading.replay import Learner, Rule, SmallWorld
 
 RULES: dict[str, Rule] = {
@@ -35,15 +35,11 @@ def program_with(learner: Learner) -> Program:
         names, rng = learns_from(agent), np.random.default_rng(seed)
         state, before, waiting = environment.reset(seed=seed)[0], None, None
 
-        def learn(step: Step, next_action: int) -> None:
-            told = step._asdict() | {"next_action": next_action}
-            agent.learn(**{name: told[name] for name in names})
-
         for _ in range(n_steps):
             thought = learner.alter(Step(state, 0, 0.0, state, False, False), before).state
             action = agent.act(thought, rng)
             if waiting is not None:
-                learn(waiting, action)
+                learn_from(agent, names, waiting, action)
             next_state, reward, terminated, truncated, _ = environment.step(action)
             real = Step(state, action, reward, next_state, terminated, truncated)
             before = learner.alter(real, before)
@@ -53,7 +49,7 @@ def program_with(learner: Learner) -> Program:
             elif "next_action" in names and not terminated:
                 waiting = before
             else:
-                learn(before, action)
+                learn_from(agent, names, before, action)
             state = environment.reset()[0] if terminated or truncated else next_state
         return lambda state: agent.greedy(state, rng)
 

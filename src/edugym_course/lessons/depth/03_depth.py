@@ -908,9 +908,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its loop, some 40
-# lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the episode. After step $t$
-# the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended, all pairs have the rewards that there are.
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its
+# loop, some 40 lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the
+# episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended, all
+# pairs have the rewards that there are.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -921,8 +922,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $n = 3$, $\alpha = 0.5$, $\gamma = 0.99$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program in small worlds of its own and in Study with eight days and numbered states. It sees the steps that your program takes, and no
-# line of it. So when it names a mistake, this is the likely cause.
+# The check runs your program in small worlds of its own and in Study with eight days and numbered states. It sees the
+# steps that your program takes, and no line of it. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -781,9 +781,9 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall of
-# height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an idea of
-# your own. Some 30 lines are enough.
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall
+# of height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an
+# idea of your own. Some 30 lines are enough.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode. In the end it returns its *policy*: a function that takes a state and returns an action, and climbs to the top.
@@ -793,8 +793,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   many there are. The walls have two grips or three, and are all different.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So when it
-# names a mistake, this is the likely cause.
+# The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So when
+# it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program

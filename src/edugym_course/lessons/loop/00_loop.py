@@ -537,9 +537,10 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 # - Take $\alpha = 0.5$, $\gamma = 0.99$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program in small worlds of its own and in the shop. It sees the steps that your program takes, and no line of
-# it. So when it names a mistake, this is the likely cause. Print what you like on the way, such as the return of
-# each episode, and plot it: a learning curve of your own is the best tool to find a mistake.
+# The check runs your program in small worlds of its own and in the shop. It sees the steps that your program takes,
+# and no line of it. So when it names a mistake, this is the likely cause. Try it yourself first, with
+# `my_program(gym.make("edugym/Supermarket-v0"), 10_000, seed=0)`, and plot the returns of its episodes: a learning
+# curve of your own is the best tool to find a mistake.
 
 # %% tags=["project"]
 my_program = ...  # your program

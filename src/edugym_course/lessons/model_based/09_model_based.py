@@ -950,8 +950,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: Dyna, its model and its loop, some 40 lines. After
-# each real step it takes ten imagined ones.
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: Dyna, its model and its loop, some 40
+# lines. After each real step it takes ten imagined ones.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -962,8 +962,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $\alpha = 1$, $\gamma = 0.95$, $\varepsilon = 0.1$, ten imagined steps and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program in small worlds of its own and for 2 000 steps in the shop. It sees the steps that your program takes, and no
-# line of it. So when it names a mistake, this is the likely cause.
+# The check runs your program in small worlds of its own and for 2 000 steps in the shop. It sees the steps that your
+# program takes, and no line of it. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -771,8 +771,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: SARSA and its loop, some 35 lines. The loop is the
-# difficult part. It chooses $A'$ before it learns, and then really takes it.
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: SARSA and its loop, some 35 lines. The
+# loop is the difficult part. It chooses $A'$ before it learns, and then really takes it.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -783,8 +783,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the steps that your program takes, and no
-# line of it. So when it names a mistake, this is the likely cause.
+# The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the
+# steps that your program takes, and no line of it. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -907,9 +907,9 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a learner that avoids risk, and its loop, some
-# 35 lines. It moves $Q(S, A)$ by $\alpha \, 2\sigma(\beta \delta) \, \delta$, with the TD error
-# $\delta = R + \gamma \max_a Q(S', a) - Q(S, A)$ and $\sigma(x) = 1 / (1 + e^{-x})$.
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a learner that avoids risk, and its
+# loop, some 35 lines. It moves $Q(S, A)$ by $\alpha \, 2\sigma(\beta \delta) \, \delta$, with the TD error $\delta =
+# R + \gamma \max_a Q(S', a) - Q(S, A)$ and $\sigma(x) = 1 / (1 + e^{-x})$.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -920,8 +920,9 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $\alpha = 0.4$, $\beta = -0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program in small worlds of its own and at a fork, where one way pays a sure 1 and the other throws a coin for 5 or −2. It sees the steps that your program takes, and no
-# line of it. So when it names a mistake, this is the likely cause.
+# The check runs your program in small worlds of its own and at a fork, where one way pays a sure 1 and the other
+# throws a coin for 5 or −2. It sees the steps that your program takes, and no line of it. So when it names a mistake,
+# this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program
