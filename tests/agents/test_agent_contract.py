@@ -141,7 +141,8 @@ def as_a_student_makes_it(case: Case, entry: Any) -> Any:
     if case.vectors:
         return FlattenObservation(gymnasium.make(entry.id))
     if entry.name == "Catch":  # a table over its images has a row for each that has occurred
-        env = MDPEnv(Hashed.create(make_mdp("Catch"), capacity=250))
+        task: Any = Hashed.create(make_mdp("Catch"), capacity=250)
+        env = MDPEnv(task)
         state, rng = env.reset(seed=0)[0], np.random.default_rng(0)
         while env.mdp.used < 210:  # all that are possible, so that an evaluation adds none
             state, _, terminated, truncated, _ = env.step(int(rng.integers(3)))
@@ -177,7 +178,7 @@ def test_the_plain_loop_gives_the_tables_of_train_in_every_environment_of_the_co
 @pytest.mark.parametrize("name", ["Roadrunner", "Study", "Golf", "Tamagotchi"])
 def test_an_action_from_a_table_that_was_indexed_with_an_observation_is_refused_with_the_remedy(name: str) -> None:
     """The argmax over several rows at once is a number beyond the last action."""
-    env = gymnasium.make(f"edugym/{name}-v0")
+    env: Any = gymnasium.make(f"edugym/{name}-v0")
     env.reset(seed=0)
     observation, Q = np.arange(len(env.observation_space.nvec)), np.zeros(table_size(env))
     Q[1, -1] = 1.0

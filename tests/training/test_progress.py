@@ -1,12 +1,12 @@
 """How long a run still takes: said of long runs only, once for all runs of an experiment."""
 
 import threading
-import time
 from types import SimpleNamespace
 
 import pytest
 
 from edugym.system import waiting
+from edugym.training import progress
 from edugym.training.progress import progress_bar
 
 
@@ -23,7 +23,7 @@ def said(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def clock(monkeypatch: pytest.MonkeyPatch) -> SimpleNamespace:
     """The time, which passes when the test says so."""
     clock = SimpleNamespace(now=0.0)
-    monkeypatch.setattr(time, "perf_counter", lambda: clock.now)
+    monkeypatch.setattr(progress, "time", SimpleNamespace(perf_counter=lambda: clock.now))
     return clock
 
 

@@ -7,6 +7,13 @@ import numpy as np
 
 Case = TypeVar("Case")
 MOST_DRAWS = 1_000
+LEARNING_RATES = (0.125, 0.25)
+DISCOUNTS = (0.625, 0.7)
+"""α and γ of made-up cases. No two of α, 2α, 1 − α, γ, 1 − γ and 1 are equal, so that none can stand for another."""
+STARTS = (0, 1, 10, 100, 1_000)
+"""From what (or from its negative) a search for the largest value is often started, where all values may be lower."""
+FAR_BELOW = 2_000.0
+"""What is taken off some made-up values, so that each of `STARTS` shows."""
 
 
 def telling_draw(
@@ -35,6 +42,21 @@ def telling_draw(
         if len(outcomes) == len(rules):
             return np.random.default_rng([seed, draw])
     raise ValueError(f"rules must differ in some cases, but two of them never differed in {MOST_DRAWS} draws")
+
+
+def from_a_start(row: Any, start: int) -> float:
+    """Return the largest value, as found from a start at -`start` on."""
+    return max(-float(start), float(np.max(row)))
+
+
+def starts(sentence: Callable[[str], str], setting: Callable[[int], Any]) -> dict[str, Any]:
+    """Return the mistakes of `STARTS` by the sentences that tell of them.
+
+    Args:
+        sentence: what is said of a start, given as a text.
+        setting: what makes the mistake with a start.
+    """
+    return {sentence(f"−{start}" if start else "0"): setting(start) for start in STARTS}
 
 
 def _rounded(rule: Callable[[Case], Any], cases: Iterable[Case]) -> list[float]:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from edugym.mdp.protocol import Reals
+from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts
 from edugym_course.grading.updates import Tables, Transition, Update
 
 
@@ -82,6 +83,8 @@ def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], fl
     if not isinstance(backup, str):
         return backup(Q, now)
     row = Q[now.next_state]
+    if backup.startswith("from "):
+        return from_a_start(row, int(backup.removeprefix("from ")))
     values = {
         "max": row.max(),
         "none": 0.0,
@@ -92,9 +95,6 @@ def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], fl
         "same action": row[now.action],
         "next action": row[now.next_action],
         "old": Q[now.state, now.action],
-        "from zero": max(0.0, row.max()),
-        "from -1": max(-1.0, row.max()),
-        "from -10": max(-10.0, row.max()),
         "first": row[0],
         "two": row[:2].max(),
         "index": float(row.argmax()),
@@ -108,7 +108,7 @@ def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], fl
 def made_up_values(n_states: int, n_actions: int, rng: np.random.Generator) -> Reals:
     """Return a table of simple values, with a row so far below 0 that no maximum should start from a fixed number."""
     Q: Reals = rng.choice(np.arange(-2.0, 2.25, 0.25), (n_states, n_actions))
-    Q[rng.integers(n_states)] -= 200.0
+    Q[rng.integers(n_states)] -= FAR_BELOW
     return Q
 
 
@@ -149,13 +149,10 @@ Q_LEARNING = Update(
             "backup": "next action"
         },
         "Q(S, A) stands where the maximum of Q(S', a) should": {"backup": "old"},
-        "the maximum starts from 0, so a row of negative values counts as 0": {"backup": "from zero"},
-        **{
-            f"the maximum starts from −{start}, and all values may be lower: start from the first one": {
-                "backup": f"from -{start}"
-            }
-            for start in (1, 10)
-        },
+        **starts(
+            lambda start: f"the maximum starts from {start}, and all values may be lower: start from the first one",
+            lambda start: {"backup": f"from {start}"},
+        ),
         "only the first action of the next state is looked at": {"backup": "first"},
         "only the last action of the next state is looked at": {"backup": "last"},
         "only the first two actions of the next state are looked at, and there may be more": {"backup": "two"},

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
+from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
@@ -138,6 +139,7 @@ def exercise_2(answer: Any, seed: int, margin: Margin = 0) -> str:
         ([1.0, 3.0, 2.0], 0.0),
         ([-1.0, -5.0, -3.0, -0.5], 0.0),
         ([-400.0, -300.0, -500.0], 0.0),
+        ([2.0, 2.0003, 1.0], 0.0),  # near is not equal
         ([5.0, 0.0, -2.0], 0.0),
         ([2.0, 4.0, 4.0, 1.0], 0.0),
         ([0.0, 0.0, 0.0, 0.0], 0.0),
@@ -197,12 +199,14 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     n, best = len(values), values >= values.max() - margin
     actions = np.arange(n)
     uniform, greedy = np.full(n, 1 / n), best / best.sum()
+    nearly = values >= values.max() - margin - 0.001
     first, last = np.eye(n)[int(values.argmax())], np.eye(n)[n - 1 - int(values[::-1].argmax())]
     worst = (values == values.min()) / (values == values.min()).sum()
     others = ~best / (~best).sum() if (~best).any() else uniform
     but_last, but_first, among = actions < n - 1, actions > 0, actions < best.sum()
     mixed = {
         "ties should be broken at random, and it takes the first of equals": (first, uniform),
+        "values that differ are no ties: compare with ==": (nearly / nearly.sum(), uniform),
         "ties should be broken at random, and it takes the last of equals": (last, uniform),
         "it never explores: what is `epsilon` for?": (greedy, greedy),
         "it always acts at random: it should take the highest value with probability 1 − ε": (uniform, uniform),
@@ -240,8 +244,8 @@ def exercise_3(answer: Any, seed: int, cost: Cost = 0) -> str:
     rng = np.random.default_rng(seed)
     for shape in ((6, 3), (5, 2), (7, 4)):
         settings = {
-            "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
-            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "learning_rate": float(rng.choice(LEARNING_RATES)),
+            "discount": float(rng.choice(DISCOUNTS)),
         }
         make = partial(agent_with_table, "MyAgent", answer, shape, settings)
         Q_LEARNING.check(make, shape, settings | {"extra": -cost}, seed)

@@ -11,6 +11,7 @@ from edugym.envs.roadrunner import Roadrunner
 from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
+from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES, from_a_start, starts
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
@@ -152,6 +153,7 @@ def two_policies_update(
         row = Q[{"left": now.state}.get(mean, now.next_state)]
         p = {"behaviour": epsilon, "inverted": 1 - target_epsilon}.get(mean, target_epsilon)
         others, gamma = np.delete(row, row.argmax()), one_step["discount"]
+        best = from_a_start(row, int(mean.removeprefix("from "))) if mean.startswith("from ") else row.max()
         return float(
             {
                 "nothing": 0.0,
@@ -174,7 +176,7 @@ def two_policies_update(
                 "best twice": (1 - p + p / len(row)) * row.max() + p * row.mean(),
                 "divided twice": (1 - p) * row.max() + p * row.mean() / len(row),
                 "states": (1 - p) * row.max() + p * row.sum() / len(Q),
-            }.get(mean, (1 - p) * row.max() + p * row.mean())
+            }.get(mean, (1 - p) * best + p * row.mean())
         )
 
     one_step_update(tables, now, backup=value, **one_step)
@@ -207,6 +209,10 @@ MEAN_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the mean is divided by n once more": {"mean": "divided twice"},
     "it divides by the number of states; n is the number of actions, self.Q.shape[1]": {"mean": "states"},
     "argmax gives the *number* of the best action; its value is needed, max": {"mean": "index"},
+    **starts(
+        lambda start: f"the maximum starts from {start}, and all values may be lower: start from the first one",
+        lambda start: {"mean": f"from {start}"},
+    ),
     "Q(S, A) stands where the mean of Q(S', a) should": {"mean": "old"},
     "the values are those of the state that was left, Q(S, a), instead of Q(S', a)": {"mean": "left"},
     "a terminal state has no future: its value is 0, so the target is R alone when `terminated`": {"ends": "never"},
@@ -235,8 +241,8 @@ def exercise_3(answer: Any, seed: int) -> str:
     rng = np.random.default_rng(seed)
     for n_states, n_actions, epsilon in ((6, 3, 0.15), (5, 2, 0.9), (7, 4, 0.25)):  # below ε_π, and above it
         settings = {
-            "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
-            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "learning_rate": float(rng.choice(LEARNING_RATES)),
+            "discount": float(rng.choice(DISCOUNTS)),
             "epsilon": epsilon,
             "target_epsilon": float(rng.choice([0.3, 0.6, 0.8])),
         }

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
+from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, numbers_of, one_step_update
@@ -299,8 +300,8 @@ def exercise_3(answer: Any, seed: int) -> str:
     rng = np.random.default_rng(seed)
     for n_states, n_actions, sign in ((6, 3, 1), (5, 2, -1), (7, 4, 1)):
         settings = {
-            "learning_rate": float(rng.choice([0.125, 0.25, 0.5])),
-            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "learning_rate": float(rng.choice(LEARNING_RATES)),
+            "discount": float(rng.choice(DISCOUNTS)),
             "kappa": sign * float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(agent_with_table, "TwoWeights", answer, (n_states, n_actions), settings)

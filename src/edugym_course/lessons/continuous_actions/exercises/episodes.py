@@ -23,7 +23,7 @@ OLD = 7.0
 """The reward that an earlier, longer episode has left in every place of `rewards`."""
 UNWRITTEN = 0
 """What stands in `states` behind the last step: what `create` has put there."""
-SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.5, "value_learning_rate": 0.25, "discount": 0.8})
+SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.3, "value_learning_rate": 0.25, "discount": 0.8})
 
 EPISODES = (
     (1, True, False),
@@ -84,7 +84,7 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
     theta, V, n = case.preferences.copy(), case.V.copy(), len(case.states)
     if change.get("cut off") == "forgotten" and not case.terminates:
         return theta, V
-    rate, value_rate, discount = SETTINGS.values()
+    rate, value_rate, discount = (change.get(name, right) for name, right in SETTINGS.items())
     if change.get("rates") == "swapped":
         rate, value_rate = value_rate, rate
     if change.get("rates") == "policy":
@@ -117,15 +117,20 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
             delta = returns[t] - V[state]
         if change.get("delta") == "return":
             delta = returns[t]
+        elif change.get("delta") == "missing":
+            delta = 1.0
         power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}
+        power["once"] = discount
         size, kind = rate * power[change.get("power", "t")] * delta, change.get("score", "full")
         if change.get("look") == "often":
             for a in range(SHAPE[1]):
                 theta[state, a] += size * _score(_softmax(theta[state]), action, kind)[a]
             continue
         looked_at = case.preferences if change.get("look") == "old" else theta
-        pi = np.array(STALE) if change.get("look") == "never" else _softmax(looked_at[state])
-        theta[wrong_state] = theta[wrong_state] + size * _score(pi, action, kind)
+        seen_from = t if change.get("look") == "t" else state
+        pi = np.array(STALE) if change.get("look") == "never" else _softmax(looked_at[seen_from])
+        step = size * np.eye(SHAPE[1])[action] - pi if kind == "no brackets" else size * _score(pi, action, kind)
+        theta[wrong_state] = step if change.get("preferences") == "set" else theta[wrong_state] + step
     return theta, V
 
 
@@ -161,6 +166,7 @@ def _score(pi: Any, action: int, kind: str) -> Any:
     one = np.eye(len(pi))[action]
     return {
         "full": one - pi,
+        "no brackets": one - pi,
         "one": one,
         "own": one * (1.0 - pi),
         "minus": pi - one,
@@ -229,6 +235,20 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
             "steps": lambda n: range(1, n)
         },
         "the last step of the episode is left out: its number is n − 1": {"steps": lambda n: range(n - 1)},
+        "only the first step learns: is `return` inside the loop?": {"steps": lambda n: range(1)},
+        "the factor is γ^t, discount**t, and not γ": {"power": "once"},
+        "δ is missing in the step of the preferences": {"delta": "missing"},
+        "the preferences are set to their step; write `+=`": {"preferences": "set"},
+        "self.look takes the *state* of step t, self.states[t], and not t": {"look": "t"},
+        "set brackets around the score: the step is multiplied by (1{a = A} − π(a|S))": {"score": "no brackets"},
+        "the learning rate of the preferences is missing": {"learning_rate": 1.0},
+        "use `self.learning_rate` in place of 0.4: the check takes another one": {"learning_rate": 0.4},
+        "use `self.value_learning_rate` in place of 0.4: the check takes another one": {"value_learning_rate": 0.4},
+        "use `self.discount` in place of 0.99: the check takes another one": {"discount": 0.99},
+        "use `self.learning_rate` and `self.value_learning_rate` in place of 0.4: the check takes others": {
+            "learning_rate": 0.4,
+            "value_learning_rate": 0.4,
+        },
     }
 )
 """By the sentence that tells of it, what each mistake changes in `after`."""

@@ -452,3 +452,16 @@ def hand_back(self, length):
         self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
         if self.Q[s, a] < max(self.Q[s]):
             G = np.argmax(self.Q[s])
+
+
+# %% a maximum that starts from 0
+# says: the search for the largest value starts from 0, and all values may be lower
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        best = max(0.0, *self.Q[s])
+        if self.Q[s, a] < best:
+            G = best

@@ -11,6 +11,7 @@ from gymnasium.spaces import Discrete, MultiDiscrete
 
 from edugym.adapters.registration import make_mdp
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
+from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge, Sizes
 from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
@@ -109,7 +110,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of an agent that looks as deep as its actions were greedy."""
     require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
-    settings = {"learning_rate": float(rng.choice([0.25, 0.75])), "discount": float(rng.choice([0.5, 0.625]))}
+    settings = {"learning_rate": float(rng.choice(LEARNING_RATES)), "discount": float(rng.choice(DISCOUNTS))}
     all_cases, found = cases(seed), []
     for Q, episodes in all_cases:
         agent = _small_agent(answer, settings)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.mdp.protocol import Reals
+from edugym_course.grading.cases import FAR_BELOW, STARTS, from_a_start, starts
 from edugym_course.grading.values import all_same, differing, digits, in_brackets
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, Episode, make_episode
 
@@ -76,6 +77,8 @@ def hand_back(
                 "replaced": G,
             }[step]
         best, mine = float(Q[s].max()), float(Q[s, a])
+        if to.startswith("from "):
+            best = from_a_start(Q[s], int(to.removeprefix("from ")))
         cuts = {
             "after": mine < best,
             "before": mine_before < best_before,
@@ -98,6 +101,7 @@ def hand_back(
                 "discounted": discount * best,
                 "added": G + best,
                 "larger": max(G, best),
+                **{f"from {start}": best for start in STARTS},
             }[to]
 
 
@@ -120,6 +124,10 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the largest value is discounted where G is cut, and once more in the next step": {"to": "discounted"},
     "where G is cut the largest value takes its place; it is not added": {"to": "added"},
     "G takes the largest value also where it is smaller; max(G, ...) keeps lucky returns": {"to": "larger"},
+    **starts(
+        lambda start: f"the search for the largest value starts from {start}, and all values may be lower",
+        lambda start: {"to": f"from {start}"},
+    ),
     "the loop runs forwards; go from the last step to the first": {"order": "forwards"},
     "the first step of the episode, number 0, learns nothing: range(length - 1, -1, -1) ends with 0": {
         "steps": "not the first"
@@ -154,9 +162,10 @@ def cases(seed: int) -> list[Case]:
     rng = np.random.default_rng(seed)
     values = np.arange(-4.0, 8.5, 0.5)
     no_ties = 0.1 * np.arange(N_ACTIONS)  # so that an answer may choose the best action by `argmax`
+    far_below = [FAR_BELOW * (np.arange(N_STATES) == rng.integers(N_STATES))[:, np.newaxis] for _ in range(24)]
     return [
         Case(
-            rng.choice(values, (N_STATES, N_ACTIONS)) + no_ties,
+            rng.choice(values, (N_STATES, N_ACTIONS)) + no_ties - far_below[i],
             [make_episode(1 + i % 5, rng), *([make_episode(3, rng)] if i % 3 == 2 else [])],
         )
         for i in range(24)

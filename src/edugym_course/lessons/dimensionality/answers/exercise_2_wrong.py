@@ -408,7 +408,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% at least 0
-# says: values may all be below 0: start the search for the largest one with the value of an action, not with 0
+# says: all values may be lower: start the search with one of them, not with 0
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     values = self.features(next_state) @ self.w

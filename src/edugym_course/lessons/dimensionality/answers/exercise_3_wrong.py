@@ -311,3 +311,23 @@ def target_of(self, row):
     if memory.terminated[row] == 1:
         return memory.rewards[row]
     return memory.rewards[row] + (self.discount * best if row % 2 else 0.0)
+
+
+# %% a maximum that starts from 0
+# says: all values may be lower: the largest one is one of them, and not 0
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + self.discount * max(0.0, self.Q[0].max())
+
+
+# %% without the sign
+# says: take the largest value, and not the largest without its sign
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + self.discount * abs(self.Q[0]).max()

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
-from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
 from edugym_course.grading.student_code import student_code
@@ -78,9 +78,6 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "that is the *number* of the best action in the next state; take its value, by max and not by argmax": (
             lambda s: _moved(s, _target(s, lambda q: float(np.argmax(q))))
         ),
-        "values may all be below 0: start the search for the largest one with the value of an action, not with 0": (
-            lambda s: _moved(s, _target(s, lambda q: max(0.0, float(q.max()))))
-        ),
         "take the largest value in the next state, and not the largest without its sign": lambda s: _moved(
             s, _target(s, lambda q: float(np.abs(q).max()))
         ),
@@ -147,6 +144,10 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         ),
         "nothing changes: change the entries of `self.w` in place": lambda s: s.w.copy(),
         "the features are multiplied in twice": lambda s: _moved(s, _target(s), by=s.x * s.x),
+        **starts(
+            lambda start: f"all values may be lower: start the search with one of them, not with {start}",
+            lambda start: lambda s: _moved(s, _target(s, partial(from_a_start, start=start))),
+        ),
     }
 )
 """By sentence, what each mistake makes of the weights."""
@@ -203,15 +204,16 @@ def steps_for(seed: int) -> list[Step]:
 def made_up_steps(rng: np.random.Generator) -> list[Step]:
     """Make cases up: ordinary steps, steps after which the episode is cut off, and last ones."""
     return [
-        _some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1, least=-30 if k in (3, 4) else -3) for k in range(9)
+        _some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1, least={3: -30, 4: -int(FAR_BELOW)}.get(k, -3))
+        for k in range(9)
     ]
 
 
 def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool, least: int) -> Step:
     """Make a case up: simple numbers, several features that are not 0, and three different actions.
 
-    These are the one that was taken, the one that comes next, and the best one in the next state. With weights from -30
-    on all values are far below 0.
+    These are the one that was taken, the one that comes next, and the best one in the next state. With weights from
+    `least` on all values are far below 0.
     """
     while True:
         w = rng.integers(least, least + 7, size=(4, 3)).astype(float)
@@ -221,7 +223,7 @@ def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool, leas
         best = int(np.argmax(values))
         if best != action and len({*values}) == 3 and int(np.argmax(here)) != action and not np.array_equal(x, x_next):
             reward, other = float(rng.integers(2, 5)), 3 - action - best
-            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.25, 0.75)
+            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.25, 0.625)
 
 
 def _made(cls: Any, step: Step) -> Any:

@@ -27,14 +27,14 @@ def exercise_1(answer: Any, seed: int) -> str:
             right = ENTRIES[kind](*size)
             mistakes = {why: float(wrong(*size)) for why, wrong in MISTAKES[kind].items() if wrong(*size) != right}
             compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
-    rows, columns = 10, 5
-    call = f"table_entries({rows}, {columns}, 'rgb')"
-    with student_code(call):
-        try:
-            found = answer(rows, columns, "rgb")
-        except OverflowError:
-            found = np.inf
-    exact(call, found, ENTRIES["rgb"](rows, columns))
+    for rows, columns, kind in ((9, 9, "grid"), (10, 5, "rgb")):
+        call = f"table_entries({rows}, {columns}, {kind!r})"
+        with student_code(call):
+            try:
+                found = answer(rows, columns, kind)
+            except OverflowError:
+                found = np.inf
+        exact(call, found, ENTRIES[kind](rows, columns))
     return "Right: for the image of 10 by 5 cells that is a number with 362 digits."
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
-from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import student_code
@@ -55,6 +55,11 @@ def _right(case: Remembered) -> float:
     return _bootstrapped(case, float(case.old_next.max()))
 
 
+FROM_STARTS: Mapping[str, Callable[[Remembered], float]] = starts(
+    lambda start: f"all values may be lower: the largest one is one of them, and not {start}",
+    lambda start: lambda c: _bootstrapped(c, from_a_start(c.old_next, start)),
+)
+"""The searches for the largest value that only low values tell from the right one."""
 TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
     {
         "after a terminal state nothing follows: where `terminated` is 1 the target is the reward alone": lambda c: (
@@ -99,6 +104,13 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
         "that is the target of double DQN: here the old weights choose the action as well": lambda c: _bootstrapped(
             c, c.old_next[c.new_next.argmax()]
         ),
+        "use `self.discount` in place of 0.9: the check takes another one": lambda c: _bootstrapped(
+            c, c.old_next.max(), gamma=0.9
+        ),
+        "take the largest value, and not the largest without its sign": lambda c: _bootstrapped(
+            c, float(np.abs(c.old_next).max())
+        ),
+        **FROM_STARTS,
     }
 )
 """By sentence, what each mistake gives as a target."""
@@ -108,7 +120,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of a DQN."""
     require_class("MyDQN", answer)
     _require_own_methods(answer)
-    agent = _made(answer, 4, discount=0.5)
+    agent = _made(answer, 4, discount=0.75)
     cases, found = [], []
     for row, case in made_up_memories(agent, drawn_for(agent, seed)):
         before = _tables(agent)
@@ -175,6 +187,8 @@ def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
         for layers in (agent.weights, agent.target):
             for layer in layers:
                 layer[:] = rng.integers(-3, 4, size=layer.shape)
+        if row == ROWS[0]:
+            agent.target.second[-1] -= FAR_BELOW
         memory.states[:] = rng.integers(0, 3, size=memory.states.shape)
         memory.next_states[:] = rng.integers(0, 3, size=memory.next_states.shape)
         memory.actions[:] = rng.integers(3, size=4)
@@ -190,7 +204,7 @@ def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
         case = Remembered(
             float(memory.rewards[row]),
             bool(memory.terminated[row]),
-            0.5,
+            agent.discount,
             int(memory.actions[row]),
             old_next,
             new_next,
@@ -198,7 +212,8 @@ def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
             new_here,
         )
         going_on = case._replace(terminated=False)
-        wrong = [rule(going_on) for why, rule in TARGETS.items() if "terminal" not in why and "end of" not in why]
+        elsewhere = [why for why in TARGETS if "terminal" in why or "end of" in why or why in FROM_STARTS]
+        wrong = [rule(going_on) for why, rule in TARGETS.items() if why not in elsewhere]
         if not any(same(value, _bootstrapped(going_on, old_next.max())) for value in wrong):
             return case
 

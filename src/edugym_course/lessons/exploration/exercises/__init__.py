@@ -12,6 +12,7 @@ import numpy as np
 from edugym.adapters.registration import make_mdp
 from edugym.agents.q_learning import QLearning
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
+from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
@@ -171,8 +172,8 @@ def exercise_3(answer: Any, seed: int, power: Power = 0.5) -> str:
         height = int(rng.integers(4, 9))
         wall = make_mdp("Boulder", height=height, n_grips=n_grips)
         settings = {
-            "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
-            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "learning_rate": float(rng.choice(LEARNING_RATES)),
+            "discount": float(rng.choice(DISCOUNTS)),
             "bonus": float(rng.choice([1.5, 3.0, 5.0])),
         }
         make = partial(_explorer, answer, wall, settings)

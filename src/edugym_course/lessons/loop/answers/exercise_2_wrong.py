@@ -151,3 +151,11 @@ def choose(values, epsilon, rng):
     if rng.random() < 0.1:
         return rng.integers(len(values))
     return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% nearly equal
+# says: values that differ are no ties: compare with ==
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values >= values.max() - 0.001))

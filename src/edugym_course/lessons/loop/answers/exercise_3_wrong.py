@@ -142,7 +142,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% a maximum that starts from 0
-# says: the maximum starts from 0, so a row of negative values counts as 0
+# says: the maximum starts from 0, and all values may be lower: start from the first one
 def learn(self, state, action, reward, next_state, terminated):
     best = 0.0
     for a in range(self.Q.shape[1]):
@@ -251,4 +251,18 @@ def learn(self, state, action, reward, next_state, terminated):
 # says: the maximum starts from −1, and all values may be lower: start from the first one
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(-1.0, *self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% a maximum that starts from -100
+# says: the maximum starts from −100, and all values may be lower: start from the first one
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(-100.0, *self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% a maximum that starts from -1000
+# says: the maximum starts from −1000, and all values may be lower: start from the first one
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(-1000.0, *self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])

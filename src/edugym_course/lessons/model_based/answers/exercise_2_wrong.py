@@ -356,3 +356,25 @@ class DynaPlus(NamedTuple):
 # says: that is none of the usual mistakes, so compare your code with the equation, term by term
 def imagine(self, s, a):
     return self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * self.Q[s].max() + 1.0
+
+
+# %% a maximum that starts from 0
+# says: the maximum starts from 0, and all values may be lower: start from the first one
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(0.0, *self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% step 1 is forgotten
+# says: a pair that was tried in step 1 has `last` = 1: only 0 means that it was never tried
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] <= 1:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value

@@ -1,6 +1,6 @@
 # %% unknown pairs too
 # says: pairs that are not known change as well; leave them at U, which is what makes the agent curious
-# says: after many sweeps with γ = 0.5, Q[
+# says: after many sweeps with γ = 0.75, Q[
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -408,4 +408,32 @@ def sweep(self):
                 self.Q[s, a] = new
             else:
                 self.rewards[s, a] = 100.0
+    return largest
+
+
+# %% a reward of 0 is unknown
+# says: a known pair may have a reward of 0: ask `known`, and not the rewards, which pairs are known
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.rewards[s, a] != 0:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% a maximum that starts from 0
+# says: the maximum starts from 0, and all values may be lower: start from the first one
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(0.0, *self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
     return largest

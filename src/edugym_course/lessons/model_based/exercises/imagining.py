@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from edugym_course.grading.cases import STARTS, from_a_start, starts
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.own_numbers import Own
@@ -49,6 +50,7 @@ def imagined(
         "state": case.last[s].any(),
         "reward": stored[0] != 0.0,
         "next state": stored[1] != 0,
+        "after step 1": last > 1,
         "nothing": True,
     }[asks]
     if not known and untried != "stays":
@@ -56,7 +58,8 @@ def imagined(
         return {"zero": 0.0, "bonus only": float(bonus), "its own value": own}[untried]
     reward, next_state, ended = stored if known else (0.0, s, False)
     row = case.Q[next_state]
-    value = {"max": row.max(), "mean": row.mean(), "own": case.Q[s].max(), "same": row[a], "none": 0.0}[backup]
+    value: Any = {"max": row.max(), "mean": row.mean(), "own": case.Q[s].max(), "same": row[a], "none": 0.0}
+    value = {**value, **{f"from {start}": from_a_start(row, start) for start in STARTS}}[backup]
     future = 0.0 if ended and ends == "heeded" else value
     return float(
         {
@@ -98,6 +101,13 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "the next state may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:"
         " `self.last[s, a] == 0`": {"asks": "next state"},
         "the mean over the actions stands where the maximum should": {"backup": "mean"},
+        **starts(
+            lambda start: f"the maximum starts from {start}, and all values may be lower: start from the first one",
+            lambda start: {"backup": f"from {start}"},
+        ),
+        "a pair that was tried in step 1 has `last` = 1: only 0 means that it was never tried": {
+            "asks": "after step 1"
+        },
         "the maximum is taken over Q(s, a) of the state itself instead of the next state": {"backup": "own"},
         "the value of the *same* action stands where the maximum over all actions should": {"backup": "same"},
         "the value of the next state is missing": {"backup": "none"},

@@ -8,6 +8,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 
 from edugym_course.grading.agents import learn_step
+from edugym_course.grading.cases import FAR_BELOW, STARTS, from_a_start, starts
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.own_numbers import Own
@@ -18,7 +19,7 @@ from edugym_course.lessons.model_based.exercises.students import SHAPE, agent_wi
 
 SETTLED = 400
 """After so many sweeps nothing changes any more."""
-SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.5})
+SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.75})
 
 
 class Model(NamedTuple):
@@ -46,13 +47,16 @@ def swept(
     for _ in range(SETTLED):
         before = Q.copy()
         for s, a in np.ndindex(*SHAPE):
+            if unknown == "reward" and model.rewards[s, a] == 0.0:
+                continue
             if (not known[s, a] and unknown == "left") or (unknown == "only" and known[s, a]):
                 continue
             if not known[s, a] and unknown == "zero":
                 Q[s, a] = 0.0
                 continue
             row = Q[model.next_states[s, a]]
-            value = {"max": row.max(), "mean": row.mean(), "own": Q[s].max(), "same": row[a], "none": 0.0}[backup]
+            value: Any = {"max": row.max(), "mean": row.mean(), "own": Q[s].max(), "same": row[a], "none": 0.0}
+            value = {**value, **{f"from {start}": from_a_start(row, start) for start in STARTS}}[backup]
             if model.ends[s, a] == 1 and ends == "heeded":
                 value = 0.0
             reward = model.rewards[s, a] - cost
@@ -76,10 +80,17 @@ SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "pairs that are not known are set to 0; leave them at U, which is what makes the agent curious": {
             "unknown": "zero"
         },
+        "a known pair may have a reward of 0: ask `known`, and not the rewards, which pairs are known": {
+            "unknown": "reward"
+        },
         "the test of `known` is the wrong way round": {"unknown": "only"},
         "after a terminal state there is no future: leave γ max_a Q(s', a) out where `ends` is 1": {"ends": "ignored"},
         "the mean over the actions stands where the maximum should": {"backup": "mean"},
         "the maximum is taken over the state itself instead of the next state": {"backup": "own"},
+        **starts(
+            lambda start: f"the maximum starts from {start}, and all values may be lower: start from the first one",
+            lambda start: {"backup": f"from {start}"},
+        ),
         "the value of the *same* action stands where the maximum over all actions should": {"backup": "same"},
         "the value of the next state is missing": {"backup": "none"},
         "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
@@ -137,14 +148,19 @@ def _check_sweep(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
 
 
 def _some_model(rng: np.random.Generator) -> Model:
-    """Make a model up: all actions of state 0 are known, and of the other pairs 9."""
-    known = rng.permutation(np.repeat([0, 1], [6, 9])).reshape(-1, SHAPE[1])
-    known = np.vstack([np.ones((1, SHAPE[1]), np.int64), known])
+    """Make a model up: all actions of states 0 and 1 are known, and of the other pairs 6.
+
+    A known pair has a reward of 0, and one leads to state 1, where all values end far below 0.
+    """
+    known = rng.permutation(np.repeat([0, 1], [6, 6])).reshape(-1, SHAPE[1])
+    known = np.vstack([np.ones((2, SHAPE[1]), np.int64), known])
     next_states = np.where(known, rng.integers(1, SHAPE[0], SHAPE), 0)
     rewards = np.where(known, rng.choice([-2.0, -1.0, 3.0, 6.0], SHAPE), 0.0)
     ends = np.where(known, rng.random(SHAPE) < 0.25, 0).astype(np.int64)
+    next_states[0, 1], ends[0, 1:] = 1, 0
+    rewards[0, 2], rewards[1], ends[1] = 0.0, rewards[1] - FAR_BELOW, 1
     Q = np.full(SHAPE, 100.0)
-    Q[known == 1] = rng.choice([-4.0, 2.0, 50.0], 12)
+    Q[known == 1] = rng.choice([-4.0, 2.0, 60.0], 12)
     Q[0, 0] = 400.0  # it falls by more than any other value rises
     return Model(Q, known, rewards, next_states, ends)
 
@@ -169,7 +185,7 @@ def _check_values(found: Any, model: Model, rule: Mapping[str, Any]) -> None:
     s, a = wrong[0]
     what = "known" if model.known[s, a] else "not known"
     raise WrongAnswer(
-        f"after many sweeps with γ = 0.5, Q[{s}, {a}], a pair that is {what}, should be"
+        f"after many sweeps with γ = {rule['discount']:g}, Q[{s}, {a}], a pair that is {what}, should be"
         f" {digits(right[s, a], found[s, a])}, but is {digits(found[s, a], right[s, a])}: {why}"
     )
 
