@@ -175,7 +175,7 @@ def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, 
 
 
 def _rehearsed_javascript(loop: Loop, arguments: tuple[Any, ...], code: Code, n: int, replay: Loop) -> Loop:
-    """Returns JavaScript that did in `n` steps, on copies, what the interpreter did, to the last bit.
+    """Returns JavaScript that did in `n` steps, on copies, what the interpreter did, to the last digit.
 
     Raises:
         CompilationError: it cannot be translated, or it does something else.
