@@ -8,6 +8,9 @@ mistake stops machine code. The interpreter then repeats that call from its star
 
 The rehearsal also measures the interpreter's pace. New student code is compiled only if interpreting the remaining run
 would take longer than compiling.
+
+In a web browser, where a page has set an engine, JavaScript (`edugym.compiled.javascript`) takes the place of machine
+code, with the same rehearsal and the same replay.
 """
 
 import inspect
