@@ -73,6 +73,14 @@ TRAPS = {
         "for i in range(20): s = 0.9 * s + rng.normal() + rng.normal(0.5) * rng.exponential() + rng.exponential(scale=0.5) - rng.normal(0.0, scale=2.0)\nreturn s"
     ),
     "a negative deviation": program("return s + 1 + 0 * rng.normal(0.0, 700 - s) + 0 * rng.exponential(800 - s)"),
+    "numbered and alike": program(
+        "a, b = np.arange(4), np.zeros_like(self.Q[0])\na[1] += int(s) % 3\nb[0] = s\nc = np.ones_like(self.Q)\nreturn 0.5 * b[0] + a.sum() + c[8, 1] + len(np.arange(-2))",
+        **Q,
+    ),
+    "three dimensions": program(
+        "x = np.zeros((2, 3, 4))\nx[1, int(s) % 3, -1] += s\nx[0] = 0.5\nreturn (0.5 * x[1].max() + x[0, 1, 2] + x.sum()) % 50",
+    ),
+    "four dimensions": program("x = np.zeros((2, 3, 4, 2))\nx[1, 0, 1, 1] += s\nreturn 0.5 * x[1, 0, 1, 1] + 1"),
     "values of and": program("k = int(s) % 3 and 7\nj = int(s) % 2 or 5\nreturn 0.5 * s + k + j"),
     "memory of another shape": program("x = self.Q.shape[0] + len(self.Q[0]) + self.Q.size + self.Q[2:].shape[0]\nreturn 0.5 * s + x", **Q),
     "two rows at once": program("self.Q[0], self.Q[1] = self.Q[1] + 1, self.Q[0] * 0.5\nreturn (s + self.Q[0, 1]) % 50", **Q),
@@ -122,8 +130,8 @@ def test_what_machine_code_can_do(node: Node) -> None:
 
 
 def test_traps(node: Node) -> None:
-    """Nothing is silently different. What is in doubt at every step is given up, with a sentence."""
-    in_doubt = {"products modulo beyond", "the largest zero", "nan in tuples"}
+    """Nothing is silently different. What is in doubt at every step, or refused, has a sentence."""
+    in_doubt = {"products modulo beyond", "the largest zero", "nan in tuples", "four dimensions"}
     assert check(TRAPS, node).keys() == in_doubt
 
 

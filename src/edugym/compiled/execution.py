@@ -8,6 +8,9 @@ mistake stops machine code. The interpreter then repeats that call from its star
 
 The rehearsal also measures the interpreter's pace. New student code is compiled only if interpreting the remaining run
 would take longer than compiling.
+
+In a web browser, where a page has set an engine, JavaScript (`edugym.compiled.javascript`) takes the place of machine
+code, with the same rehearsal and the same replay.
 """
 
 import inspect
@@ -176,7 +179,7 @@ def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, 
 
 
 def _rehearsed_javascript(loop: Loop, arguments: tuple[Any, ...], code: Code, n: int, replay: Loop) -> Loop:
-    """Returns JavaScript that did in `n` steps, on copies, what the interpreter did, to the last bit.
+    """Returns JavaScript that did in `n` steps, on copies, what the interpreter did, to the last digit.
 
     Raises:
         CompilationError: it cannot be translated, or it does something else.

@@ -19,6 +19,9 @@ from edugym.compiled.javascript.kinds import (
 )
 from edugym.compiled.javascript.operations import Operations
 
+MOST_DIMENSIONS = 3
+"""The most dimensions of arrays whose elements are translated."""
+
 
 class Iteration(NamedTuple):
     """How a `for` goes through something.
@@ -175,7 +178,7 @@ class Expressions(Operations):
             return Code(f"item({owner.text},{self.index(index)})", self.program.part(kind))
         if isinstance(kind, Array):
             indices = self.indices(index)
-            if len(indices) == kind.ndim <= 3 and not any(isinstance(one, ast.Slice) for one in indices):
+            if self.is_one_place(node, kind, indices):
                 return Code(f"{owner.text}.at{kind.ndim}({','.join(map(self.index, indices))})", kind.of)
             return self.part(owner, indices)
         if kind == NEVER:
@@ -191,6 +194,13 @@ class Expressions(Operations):
         for one in kind.parts:
             found = self.joined(node, found, one)
         return Code(f"item({self.as_list(owner)},{self.index(index)})", found)
+
+    def is_one_place(self, node: ast.AST, kind: Array, indices: list[ast.expr]) -> bool:
+        """Whether indices lead to one element of an array."""
+        alone = len(indices) == kind.ndim and not any(isinstance(one, ast.Slice) for one in indices)
+        if alone and kind.ndim > MOST_DIMENSIONS:
+            raise self.refused(node, f"it uses elements of an array of {kind.ndim} dimensions")
+        return alone
 
     def indices(self, index: ast.expr) -> list[ast.expr]:
         """The indices between brackets."""

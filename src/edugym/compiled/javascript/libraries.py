@@ -176,6 +176,8 @@ def of_numpy(writer: "Expressions", node: ast.AST, name: str, given: Given, name
         return _elementwise_libm(writer, node, OF_NUMPY.get(name, name), given)
     if len(given) != 1:
         return None
+    if name == "arange":
+        return Code(f"numbered({given[0].text})", Array(INT, 1)) if given[0].kind == INT else None
     array = _array(writer, node, given[0])
     if not isinstance(array.kind, Array):
         return None
@@ -185,6 +187,9 @@ def of_numpy(writer: "Expressions", node: ast.AST, name: str, given: Given, name
         return Code(f"whereNotZero({array.text})", Array(INT, 1))
     if name == "count_nonzero":
         return Code(f"countOf({array.text}.flat())", INT)
+    if name in ("zeros_like", "ones_like"):
+        kind, number = array.kind._replace(frozen=False), int(name == "ones_like")
+        return Code(f"mapped({ARRAYS[kind.of]},()=>{number},{array.text})", kind)
     if name == "copy":
         return Code(f"copied({ARRAYS[array.kind.of]},{array.text})", array.kind._replace(frozen=False))
     if name == "median":

@@ -12,12 +12,10 @@ is the business of an `Engine`, which a web page gives (or Node.js, in tests).
 
 import ast
 import inspect
-import linecache
 from collections.abc import Callable, Iterator, Sequence
 from enum import Enum
-from functools import cache
 from pathlib import Path
-from types import CodeType, FunctionType
+from types import FunctionType
 from typing import Any, Protocol
 
 import numpy as np
@@ -44,6 +42,7 @@ from edugym.compiled.javascript.kinds import (
     kind_of,
     skeleton,
 )
+from edugym.compiled.javascript.sources import source_of
 from edugym.compiled.javascript.statements import Writer
 
 RUNTIME = Path(__file__).with_name("runtime.js")
@@ -171,9 +170,9 @@ class Program:
             self._open: set[Any] = set()
             main = self._write(_plain(loop), key, dict(zip(names, given, strict=True)))
             result = self.results[key]
-            if result != NONE:
+            if names[-1] == "carry":  # what the next call begins with
                 given[-1] = joined(given[-1], result)
-            if not self._changed and (result in (NONE, given[-1])):
+            if not self._changed and (names[-1] != "carry" or result == given[-1]):
                 break
         else:
             raise Untranslatable("the types of its variables are not to be found out")
@@ -389,50 +388,7 @@ def _require_plain(kind: Kind, name: str) -> None:
         raise Untranslatable(f"{name} holds an array or a list")
 
 
-# Sources
-
-
 def _plain(loop: Loop) -> FunctionType:
     if not isinstance(loop, FunctionType):
         raise Untranslatable("it is no plain function")
     return loop
-
-
-def source_of(function: FunctionType) -> ast.FunctionDef:
-    """The definition of a function, in the text from which it was made.
-
-    Raises:
-        Untranslatable: the text is not there, or is another by now.
-    """
-    code = function.__code__
-    found = _definition("".join(linecache.getlines(code.co_filename, function.__globals__)), code)
-    if found is None:
-        raise Untranslatable(
-            f"the text of {function.__name__} is not there ({place(code.co_filename, code.co_firstlineno)})"
-        )
-    return found
-
-
-@cache
-def _definition(text: str, code: CodeType) -> ast.FunctionDef | None:
-    """The definition from which this code was made."""
-    try:
-        tree = ast.parse(text)
-    except SyntaxError:
-        return None
-    for node in ast.walk(tree):
-        if not isinstance(node, ast.FunctionDef) or node.name != code.co_name:
-            continue
-        if min([node.lineno, *(one.lineno for one in node.decorator_list)]) == code.co_firstlineno:
-            made = _codes(compile(text, code.co_filename, "exec", dont_inherit=True))
-            places = (code.co_name, code.co_firstlineno)
-            same = (one for one in made if (one.co_name, one.co_firstlineno) == places)
-            return node if any(one.co_code == code.co_code for one in same) else None
-    return None
-
-
-def _codes(code: CodeType) -> Iterator[CodeType]:
-    yield code
-    for one in code.co_consts:
-        if isinstance(one, CodeType):
-            yield from _codes(one)

@@ -177,7 +177,7 @@ const made = (kind, shape, values) => {
   return array
 }
 const filled = (kind, shape, value) => made(kind, shape, new Array(shape.reduce((a, b) => a * b, 1)).fill(value))
-const counted = n => Array.from({ length: Math.max(0, n) }, (_, k) => k)
+const numbered = n => made(Whole, [Math.max(0, n)], Array.from({ length: Math.max(0, n) }, (_, k) => k))
 const broadcast = (a, b) => {
   const n = Math.max(a.length, b.length), shape = []
   for (let k = 1; k <= n; k++) {

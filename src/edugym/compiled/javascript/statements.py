@@ -88,7 +88,7 @@ class Writer(Expressions):
         if array.frozen:
             raise self.refused(node, FROZEN)
         indices = self.indices(index)
-        alone = len(indices) == array.ndim and not any(isinstance(one, ast.Slice) for one in indices)
+        alone = self.is_one_place(node, array, indices)
         self.require_fits(node, array.of, value.kind, alone=alone)
         if alone:
             return f"{owner.text}.put{array.ndim}({','.join(map(self.index, indices))},{value.text});"
