@@ -256,7 +256,7 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
     monkeypatch.setattr(agent_profiles, "code_of", lambda name: "new" if name == "SARSA" else code_of(name))
     assert agent_profiles.stale() == ["SARSA"]
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
-    assert "Stored profiles of SARSA are stale" in done.output
+    assert "No stored profile was made from the present code of SARSA" in done.output
     assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
 
 
