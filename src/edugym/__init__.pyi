@@ -61,6 +61,7 @@ from edugym.exact.values import Values as Values
 from edugym.experiments.profiles.ladders import Ladder as Ladder
 from edugym.experiments.profiles.profile import profile as profile
 from edugym.experiments.profiles.scores import Profile as Profile
+from edugym.experiments.profiles.tuning import tuned_profile as tuned_profile
 from edugym.experiments.repeat import repeat as repeat
 from edugym.experiments.results.claims import Above as Above
 from edugym.experiments.results.claims import Below as Below

@@ -50,7 +50,7 @@ def profile_and_report(agents: list[str], output: Path, how: dict[str, Any]) -> 
     if not agents:
         said.append(f"Made again: {', '.join(stale) or 'none'}.")
     elif beside and stale:
-        said.append(f"Stored profiles of {', '.join(stale)} are stale, since code has changed: edugym profile --all.")
+        said.append(f"No stored profile was made from the present code of {', '.join(stale)}: edugym profile --all.")
     return [*(f"edugym: {text}" for text in {str(one.message) for one in warned}), *said, f"The report is {path}."]
 
 

@@ -4,7 +4,7 @@ import inspect
 import math
 import tempfile
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -134,6 +134,16 @@ def walks(**given: Any) -> Any:
 def limited_walk(size: float, layout_seed: int) -> Any:
     """A walk with a step limit."""
     return type("LimitedWalk", (Walk,), {"max_steps": 9, "__slots__": ()})(int(size))
+
+
+def on_walks(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function that profiles agents, on the ladder of walks where it is given no challenges."""
+
+    @wraps(function)
+    def called(challenges: Any = None, **given: Any) -> Any:
+        return function(challenges=[walks()] if challenges is None else challenges, **given)
+
+    return called
 
 
 def profiled(challenges: Any, **given: Any) -> Any:
@@ -268,9 +278,8 @@ CALLS: dict[str, Callable[[], Case]] = {
     "policy_iteration": lambda: Case(edugym.policy_iteration, {"model": known().model}),
     "policy_of": lambda: Case(edugym.policy_of, {"agent": known().agent, "model": known().model}),
     "profile": lambda: Case(
-        edugym.profile,
-        {"agents": {"a": edugym.QLearning.create}, "challenges": [walks()], "repetitions": 1, "jobs": 1},
-        {"challenges": "None", "jobs": "None -1", "checkpoints": "text"}),
+        on_walks(edugym.profile), {"agents": {"a": edugym.QLearning.create}, "repetitions": 1, "jobs": 1},
+        {"jobs": "None -1", "checkpoints": "text"}),
     "proportion_interval": lambda: Case(
         edugym.proportion_interval, {"successes": 1, "n": 2}, {"successes": "0"}, {"n": "successes"}),
     "read_mdp": lambda: Case(lambda path: edugym.read_mdp(path), {"path": known().folder / "catch.py"}),
@@ -290,6 +299,10 @@ CALLS: dict[str, Callable[[], Case]] = {
     "train": lambda: Case(
         edugym.train, {"environment": known().walk, "agent": known().agent, "n_steps": 9, "max_steps": 9},
         {"max_steps": "None", "evaluate_every": "1e30 1e400"}),
+    "tuned_profile": lambda: Case(
+        on_walks(edugym.tuned_profile),
+        {"grids": {"a": {"b": edugym.QLearning.create}}, "repetitions": 1, "tuning_repetitions": 1, "jobs": 1},
+        {"jobs": "None -1", "checkpoints": "text"}),
     "value_iteration": lambda: Case(edugym.value_iteration, {"model": known().model}),
     "wrapper": lambda: Case(edugym.wrapper, {"kind": edugym.Tabular}),
 }  # fmt: skip

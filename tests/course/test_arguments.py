@@ -8,12 +8,14 @@ from typing import Any
 
 import pytest
 from gymnasium.spaces import Discrete
+from matplotlib import pyplot
 
 import edugym
 from edugym import Ladder, make_mdp
 from edugym.experiments.profiles import profile as profiles
 from edugym.experiments.profiles import report
 from edugym.experiments.profiles.ladders import LADDERS
+from edugym.experiments.profiles.pictures import OTHERS, Dots
 from edugym_course import agent_profiles, arguments, profiling
 from tests.course.test_commands import run
 
@@ -214,6 +216,14 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert (tmp_path / "out" / "unfinished").exists()
 
 
+def test_dots_name_the_agents_beside_them_only_where_there_are_some() -> None:
+    """The legend has an entry for each agent, and one for all of those beside."""
+    found = edugym.profile({"Q": edugym.QLearning.create}, challenges=[LOW], repetitions=2)
+    for beside, labels in ((None, ["Q"]), (found, [OTHERS, "Q"])):
+        assert sorted(Dots(found, beside).draw().get_legend_handles_labels()[1]) == sorted(labels)
+    pyplot.close("all")
+
+
 def test_the_report_names_those_to_take() -> None:
     """The best, and those whose difference from it may be chance; none where all fail."""
     agents = {"Q": edugym.QLearning.create, "nothing": lambda environment: lambda observation: 0}
@@ -246,7 +256,7 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
     monkeypatch.setattr(agent_profiles, "code_of", lambda name: "new" if name == "SARSA" else code_of(name))
     assert agent_profiles.stale() == ["SARSA"]
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
-    assert "Stored profiles of SARSA are stale" in done.output
+    assert "No stored profile was made from the present code of SARSA" in done.output
     assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
 
 

@@ -242,9 +242,10 @@ def _maker(label: str, agent: Any) -> Maker:
 
     def make(environment: Any) -> Any:
         made = agent(environment)
-        if is_policy(made) or inspect.isroutine(made):
+        is_agent = any(hasattr(made, name) for name in METHODS)
+        if is_policy(made) or (callable(made) and not is_agent and not isinstance(made, type)):
             return Player(made, environment)
-        if not any(hasattr(made, name) for name in METHODS):
+        if not is_agent:
             raise ValueError(f"agents[{label!r}] must make an agent, but made {in_short(made)}")
         return deep_copy(made, f"{GIVE_A_FUNCTION} that makes all of it")
 

@@ -2,6 +2,7 @@
 
 import math
 import signal
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,10 @@ import pytest
 
 import edugym
 from edugym import Interrupted, Ladder, Profile, QLearning, profile
+from edugym.experiments.configuration import planned_runs
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
+from edugym.experiments.profiles.tuning import other_seed
 from edugym.mdp.frame_stack import FrameStack
 from tests.compiled.cells import WALK, cell
 
@@ -152,6 +155,28 @@ def test_median_steps() -> None:
         rows = [("Q", "Walks", size, i, 0.0, 0.0, 1.0, 1.0, 400, steps[i]) for size in (3, 5) for i in range(3)]
         found = Profile(pandas.DataFrame(rows, columns=list(COLUMNS)), (WALKS,), ("Q",))
         assert found.steps("Q", "Walks") == expected
+
+
+def test_agents_choose_their_settings_on_other_seeds_and_layouts() -> None:
+    """The better one, for each challenge; who cannot enter is blank; and it says what there was to choose."""
+    grid = {
+        "never": partial(QLearning.create, learning_rate=1e-9),
+        "fast": partial(QLearning.create, learning_rate=0.5),
+    }
+    agents: dict[str, Any] = {"Q": grid, "SARSA": {"default": edugym.SARSA.create}}
+    tuned = edugym.tuned_profile(agents, tuning_repetitions=2, challenges=[WALKS, "Trashbot"], repetitions=3)
+    assert tuned.chosen == {"Q": {"Walks": "fast"}, "SARSA": {"Walks": "default"}}
+    assert tuned.profile.blank["Q"].keys() == {"Trashbot"}
+    plain = profile({"Q": grid["fast"]}, challenges=[WALKS], repetitions=3)
+    assert tuned.profile.scores("Q", "Walks").tolist() == plain.scores("Q", "Walks").tolist()
+    assert "Q: never, fast; SARSA: default" in tuned.profile.settings
+    for seed in range(3):
+        for part in ("seed", "layout_seed"):
+            runs, others = (
+                {getattr(run.repetition, part) for run in planned_runs(["Q"], 20, one)}
+                for one in (seed, other_seed(seed))
+            )
+            assert not runs & others
 
 
 @pytest.mark.slow

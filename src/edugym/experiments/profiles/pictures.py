@@ -7,7 +7,7 @@ import numpy as np
 
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import GREY, REFERENCE, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.profiles.scores import HALF, Profile
 from edugym.rendering.palette import INK
 
@@ -95,9 +95,9 @@ class Dots(NamedTuple):
                 ax.errorbar(x, y, xerr=ends, fmt=mark, color=color, markersize=4, linewidth=1.3, label=agent)
         for k, name in enumerate(names):
             others = scores_of(self.beside, name)
-            label = OTHERS if k == 0 else None
+            label = OTHERS if k == 0 and self.beside is not None else None
             ax.plot(
-                [*others.values()], [k] * len(others), "|", color=GREY, markersize=9, alpha=0.6, zorder=1, label=label
+                [*others.values()], [k] * len(others), "|", color=INK, markersize=9, alpha=0.5, zorder=1, label=label
             )
         for k in range(1, len(names)):
             ax.axhline(k - 0.5, color=INK, linewidth=0.3, alpha=0.4)

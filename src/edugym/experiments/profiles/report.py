@@ -112,7 +112,7 @@ def best_agents(profile: Profile, challenge: str) -> list[str]:
     An agent that is not better than random play is none of them.
     """
     scores = {agent: profile.score(agent, challenge) for agent in profile.agents}
-    entered = {agent: score for agent, score in scores.items() if score.n and not score.high < 0 and score.estimate > 0}
+    entered = {agent: score for agent, score in scores.items() if score.n and score.estimate > 0}
     if not entered:
         return []
     best = max(entered, key=lambda agent: entered[agent].estimate)
@@ -184,7 +184,7 @@ def method(profile: Profile) -> list[str]:
         "A score of 0 is the mean return of random play, 1 that of the best play; below 0 is worse than random play.",
         f"The score in a challenge is the mean over the rungs. The intervals are 95 % intervals over the"
         f" {repetitions} repetitions. An agent breaks where its mean score first falls below 0.5, interpolated.",
-        f"Each agent has its settings as given: nothing was tuned. The budgets: {named}.",
+        f"{profile.settings} The budgets: {named}.",
         f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),
     ]
 
@@ -198,8 +198,11 @@ INTRODUCTION = (
 def markdown(profile: Profile, beside: Profile | None = None) -> str:
     """The report as Markdown; its picture is the file profile.svg beside it."""
 
+    def escape(text: str) -> str:
+        return text.replace("|", "\\|").replace("<", "&lt;")
+
     def table(heading: list[str], rows: list[list[str]]) -> list[str]:
-        cells = [[text.replace("|", "\\|").replace("<", "&lt;") for text in row] for row in [heading, *rows]]
+        cells = [[*map(escape, row)] for row in [heading, *rows]]
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
@@ -210,7 +213,7 @@ def markdown(profile: Profile, beside: Profile | None = None) -> str:
         heading, rows = rung_table(profile, challenge)
         lines += [f"### {challenge}: {about.isolates}", "", about.sentence, "", *(table(heading, rows) if rows else [])]
     if reasons(profile):
-        lines += ["## Who cannot enter", "", *(f"- {reason}" for reason in reasons(profile)), ""]
+        lines += ["## Who cannot enter", "", *(f"- {escape(reason)}" for reason in reasons(profile)), ""]
     return "\n".join([*lines, "## How it was measured", "", *(f"- {sentence}" for sentence in method(profile)), ""])
 
 
@@ -238,6 +241,7 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
             numbers = f"<details><summary>numbers</summary>{table(heading, rows)}</details>"
             parts += [_figure(Rungs(profile, challenge), about.sentence), numbers]
         challenges.append("<section>" + "\n".join(parts) + "</section>")
+    grey = " Grey marks are agents of the package, at their defaults." if beside else ""
     blank = f"<h2>Who cannot enter</h2>\n{items(reasons(profile))}" if reasons(profile) else ""
     return f"""\
 <!doctype html>
@@ -258,7 +262,7 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 {_figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
-compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.</p>
+compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.{grey}</p>
 <h2>Which agent to take</h2>
 {table(*score_table(profile, beside))}
 <p class="soft">“Take” names the agent with the highest score, and those whose difference from it may be chance.</p>

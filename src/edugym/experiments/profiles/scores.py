@@ -43,12 +43,14 @@ class Profile:
         ladders: the ladders, in order.
         agents: the labels of the agents, in order.
         blank: for each agent, the challenges that it cannot enter, with the reason.
+        settings: how the agents came by their settings, in a sentence.
     """
 
     runs: "pandas.DataFrame"
     ladders: tuple[Ladder, ...]
     agents: tuple[str, ...]
     blank: dict[str, dict[str, str]] = field(default_factory=dict)
+    settings: str = "Each agent has its settings as given: nothing was tuned."
 
     @property
     def challenges(self) -> list[str]:
