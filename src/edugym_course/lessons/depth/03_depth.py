@@ -137,7 +137,7 @@ for n in (1, 3, 10):
 def learn_from_lists(Q, states, actions, rewards, n, alpha):
     """Move the value of every step of an episode towards its n-step target."""
     for t in range(len(rewards)):
-        values = [Q[s, a] for s, a in zip(states, actions)]
+        values = [Q[s, a] for s, a in zip(states, actions, strict=True)]
         Q[states[t], actions[t]] += alpha * (n_step_target(t, n, rewards, values) - values[t])
 
 
