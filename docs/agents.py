@@ -37,13 +37,15 @@ OUR_STEPS, OTHER_STEPS, OTHER_LIMIT = 100_000, 50_000, 500
 OTHERS = ("FrozenLake", "CliffWalking", "Taxi", "Blackjack", "CartPole", "MountainCar", "Pendulum")
 TABLES = 200_000_000
 """Larger tables (in numbers) are not tried: Go-Explore has one for every goal."""
+MOST_PLANNED = 2_000
+"""In tables of more rows R-max is not tried: it plans over all that it knows, again and again."""
 
 SETTING = """Each agent is trained at its defaults: nothing is tuned, so a low return does not mean that the agent
-cannot learn the task. An empty cell means that agent and environment do not fit: a table needs observations and actions
-that are whole numbers, and `GaussianActorCritic` needs actions that are real numbers (`create` says so). Wrappers such
-as `Discretised`, `Hashed` and `FrameStack` make more of them fit. Agents with features or a network take observations
-as vectors. (One exception to the defaults: on Trashbot, `GaussianActorCritic` has tiles over the wrist and what it
-holds only.)"""
+cannot learn the task. An empty cell means that agent and environment do not fit: a table needs observations and
+actions that are whole numbers, and `GaussianActorCritic` needs actions that are real numbers (`create` says so); or
+that the table is too large, as that of Switches is for `RMax`. Wrappers such as `Discretised`, `Hashed` and
+`FrameStack` make more of them fit. Agents with features or a network take observations as vectors. (One exception to
+the defaults: on Trashbot, `GaussianActorCritic` has tiles over the wrist and what it holds only.)"""
 FIGURES = f"""**Return** is that of the greedy policy after {OUR_STEPS:,} training steps ({OTHER_STEPS:,} in Gymnasium's
 environments, with episodes of at most {OTHER_LIMIT} steps): the mean of {EPISODES} episodes for each of {SEEDS} seeds,
 not discounted. **Speed** is in million training steps a second on one core, without compiling. *Best possible* comes
@@ -99,6 +101,8 @@ def fitting(kind: Any, name: str) -> tuple[Any, Any] | None:
             environment = tabular(environment)
             n_states, n_actions = edugym.table_size(environment)
             if kind is edugym.GoExplore and n_states * n_states * n_actions > TABLES:
+                return None
+            if kind is edugym.RMax and n_states > MOST_PLANNED:
                 return None
         return kind.create(environment, **settings(kind, name, environment)), environment
     except ValueError:

@@ -14,12 +14,12 @@ class HindsightDQN(NamedTuple):
     """DQN for many goals: Q(s‖g, a; θ) of one network for all of them.
 
     While it acts it is `DQN`. An episode that misses its goal has reached others. So when it is over, each of its
-    transitions goes into the memory again, for some goals g' that the episode has achieved after it:
+    transitions goes into the memory again, for some goals G' that the episode has achieved after it (see `hindsight`):
 
-        (S‖G, A, R, S'‖G)  becomes  (S‖g', A, R', S'‖g'),  R' = `reward_at_goal` if S' achieves g', else
-        `reward_elsewhere`
+        R' = `reward_at_goal` if S' achieves G', else `reward_elsewhere`
+        (S‖G, A, R, S'‖G)  becomes  (S‖G', A, R', S'‖G')
 
-    where it counts as terminated if S' achieves g'. An environment has goals if its MDP has a `goal_space`: the second
+    where it counts as terminated if S' achieves G'. An environment has goals if its MDP has a `goal_space`: the second
     half of a state is then the goal, and the first half what has been achieved. In one without, nothing is added, and
     the agent is DQN.
 

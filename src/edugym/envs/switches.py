@@ -92,8 +92,8 @@ class Switches(NamedTuple):
     Andrychowicz et al. compare DQN without and with hindsight: without it, DQN learns up to 13 switches; with it, up to
     50. Here, after 20 000 steps with 8 switches, `edugym.HindsightDQN` at its defaults returns -3.06 (95 % interval
     over five seeds: -3.18 to -2.94); the best is -3.02. Without hindsight it learns 6 switches in 200 000 steps, and
-    nothing of 8 (-7.94). A table tells nothing of one pair of patterns by another; there hindsight saves some steps,
-    but not many.
+    nothing of 8 (-7.94). A table tells nothing of one pair of patterns by another; there, at a learning rate of 1,
+    hindsight saves some steps, but not many.
 
     ## References
     Andrychowicz et al. (2017), Hindsight experience replay, sections 3.1 and 4. It is not one of the nine environments
