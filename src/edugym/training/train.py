@@ -79,9 +79,9 @@ def train(
         max_steps = number_of_steps("max_steps", max_steps)
     true_or_false("progress", progress)
     check_stop(stop)
-    began, done, curve, interrupted = time.perf_counter(), 0, _Curve(), False
+    began, done, curve, interrupted, guard = time.perf_counter(), 0, _Curve(), False, SignalGuard(stop)
     try:
-        with SignalGuard(stop) as guard, progress_bar(n_steps, "steps", shown=progress) as bar:
+        with guard, progress_bar(n_steps, "steps", shown=progress) as bar:
             expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
             training = trainer(environment, agent, seed, max_steps, expected)
             agent = training.agent
