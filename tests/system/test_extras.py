@@ -94,7 +94,7 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
         ("joblib", "experiments", lambda path: repeat_deep({}, 100)),
         ("scipy", "experiments", lambda path: mean_interval([1, 2])),
         ("scipy", "experiments", lambda path: proportion_interval(1, 2)),
-        ("scipy", "experiments", lambda path: from_the_tee(0.1)),
+        ("scipy", "experiments", lambda path: from_the_tee(0.0123)),  # which nobody else asks, for it is kept
         ("matplotlib", "plot", lambda path: Sheet("empty", []).draw()),
         ("matplotlib", "plot", lambda path: axes_or_new(None)),
         ("PIL", "plot", lambda path: to_gif([np.zeros((2, 2, 3), np.uint8)], path)),
