@@ -18,6 +18,7 @@ from edugym_course.grading import WrongAnswer
 
 NAME = re.compile(r"(exercise_(?P<exercise>\d+)|project)_(?P<verdict>right|wrong)")
 SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
+EDIT = re.compile(r"((?:^# - .+\n)+)((?:^# \+ .+\n)*)", flags=re.MULTILINE)
 
 
 class Answer(NamedTuple):
@@ -49,14 +50,31 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
             continue
         found = NAME.fullmatch(path.stem)
         assert found, f"{path}: its name should be like 'exercise_1_wrong.py' or 'project_right.py'"
-        right = found["verdict"] == "right"
+        exercise, right = int(found["exercise"] or 0), found["verdict"] == "right"
         for part in re.split(r"^# %% ", text, flags=re.MULTILINE)[1:]:
             name, _, body = part.partition("\n")
             says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
             assert right or says, f"{path}: {name!r}: a wrong answer has a line '# says: ...'"
             code = SAYS.sub("", body).strip() + "\n"
-            answers.append(Answer(lesson, int(found["exercise"] or 0), right, name, says, code))
+            if code.startswith("# in: "):
+                of, _, edits = code.removeprefix("# in: ").partition("\n")
+                programs = {answer.name: answer.code for answer in answers if answer[1:3] == (exercise, True)}
+                assert of in programs, f"{path}: {name!r}: no right answer to this exercise is called {of!r}"
+                code = _edited(programs[of], edits, f"{path}: {name!r}")
+            answers.append(Answer(lesson, exercise, right, name, says, code))
     return setup, answers
+
+
+def _edited(program: str, edits: str, where: str) -> str:
+    """Return a program after edits: lines '# - ...' that it has once, at any indentation, become '# + ...'."""
+    assert not EDIT.sub("", edits).strip(), f"{where}: only lines '# - ...' and '# + ...' follow '# in: ...'"
+    for pair in EDIT.findall(edits):
+        old, new = (re.sub(r"^# [-+] ", "", lines, flags=re.MULTILINE) for lines in pair)
+        place = r"^( *)" + r"\n\1".join(map(re.escape, old.splitlines())) + r"\n"
+        found = [*re.finditer(place, program, flags=re.MULTILINE)]
+        assert len(found) == 1, f"{where}: the right answer has these lines {len(found)} times, not once:\n{old}"
+        program = program[: found[0].start()] + textwrap.indent(new, found[0][1]) + program[found[0].end() :]
+    return program
 
 
 def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:

@@ -1,6 +1,7 @@
 """Checks of exercises, on right and wrong answers: every lesson's folder `answers` is found by its place."""
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Iterator
 from functools import cache
@@ -120,6 +121,48 @@ def test_every_exercise_has_answers(path: Path) -> None:
         assert counts[0, False] >= FEWEST_WRONG_PROGRAMS
         assert counts[0, True] >= FEWEST_RIGHT_PROGRAMS
     assert len({(answer.exercise, answer.code) for answer in answers}) == len(answers)
+
+
+def edited(edits: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """The code of a wrong answer that edits a right one, "a walk"."""
+    (folder / "answers").mkdir()
+    (folder / "answers" / "project_right.py").write_text(WALK, encoding="utf-8")
+    (folder / "answers" / "project_wrong.py").write_text(f"# %% too far\n# says: x\n{edits}", encoding="utf-8")
+    monkeypatch.setattr(build, "lesson_sources", lambda: {"99_walk": folder / "99_walk.py"})
+    return read_answers("99_walk")[1][-1].code
+
+
+WALK = """# %% a walk
+def walk(n):
+    for _ in range(n):
+        if rest():
+            sleep()
+        step()
+    sleep()
+"""
+
+
+def test_an_edit_of_a_right_answer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One edit after another; new lines are indented as those they replace, and may be none."""
+    edits = "# in: a walk\n# - if rest():\n# -     sleep()\n# - step()\n# + if go():\n# +     step()\n# - sleep()\n"
+    code = edited(edits, tmp_path, monkeypatch)
+    assert code == "def walk(n):\n    for _ in range(n):\n        if go():\n            step()\n"
+
+
+@pytest.mark.parametrize(
+    ("edits", "says"),
+    [
+        ("# in: a run\n# - step()\n", "no right answer to this exercise is called 'a run'"),
+        ("# in: a walk\n# - step()\nleap()\n", "only lines '# - ...' and '# + ...'"),
+        ("# in: a walk\n# + leap()\n# - step()\n", "only lines '# - ...' and '# + ...'"),
+        ("# in: a walk\n# - leap()\n# + step()\n", "0 times, not once:\nleap()"),
+        ("# in: a walk\n# - sleep()\n", "2 times, not once:\nsleep()"),
+    ],
+)
+def test_an_edit_that_does_not_fit(edits: str, says: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The error names the file, the answer, and what the right answer lacks."""
+    with pytest.raises(AssertionError, match=rf"project_wrong\.py: 'too far': .*{re.escape(says)}"):
+        edited(edits, tmp_path, monkeypatch)
 
 
 @pytest.mark.parametrize("lesson", LESSONS)

@@ -22,3 +22,34 @@ def my_program(environment, n_steps, seed):
             Q[s, a] += 0.5 * (G - Q[s, a])
         s, _ = environment.reset()
     return lambda s: int(Q[s].argmax())
+
+
+# %% three steps later
+def choose(values, rng, epsilon=0.1):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return values.argmax()
+
+
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    n = 3
+    t, s = 0, environment.reset(seed=seed)[0]
+    while t < n_steps:
+        S, A, R, over = [s], [choose(Q[s], rng)], [], False
+        while not over:
+            s, r, over, truncated, _ = environment.step(A[-1])
+            t += 1
+            S.append(s)
+            A.append(choose(Q[s], rng))
+            R.append(r)
+            for tau in range(len(R)) if over else [len(R) - n]:
+                if tau < 0 or (over and tau < len(R) - n):
+                    continue
+                G = sum(0.99**k * r for k, r in enumerate(R[tau : tau + n]))
+                if not over:
+                    G += 0.99**n * Q[S[tau + n], A[tau + n]]
+                Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
+        s, _ = environment.reset()
+    return lambda s: int(Q[s].argmax())

@@ -15,17 +15,9 @@ def my_program(environment, n_steps, seed):
 
 # %% slips on the known way
 # says: of the steps begin below place 3
-def my_program(environment, n_steps, seed):
-    n_states, n_actions = environment.observation_space.n, environment.action_space.n
-    known, rng = {}, np.random.default_rng(seed)
-    s, _ = environment.reset(seed=seed)
-    for _ in range(n_steps):
-        a = known[s] if s in known and rng.random() > 0.8 else int(rng.integers(n_actions))
-        s2, r, over, cut, _ = environment.step(a)
-        if s2 > s:
-            known[s] = a
-        s = environment.reset()[0] if over or cut else s2
-    return lambda s: known.get(s, 0)
+# in: a random grip where none is known
+# - a = known[s] if s in known else int(rng.integers(n_actions))
+# + a = known[s] if s in known and rng.random() > 0.8 else int(rng.integers(n_actions))
 
 
 # %% the wrong grip again
@@ -50,60 +42,27 @@ def my_program(environment, n_steps, seed):
 # says: but the policy that it returns does not: does it remember the way, and go it without trying anything?
 # says: , the program reached the top
 # says:  times while it learned, but the policy that it returns does not: does it remember the way, and go it without trying anything?
-def my_program(environment, n_steps, seed):
-    n_states, n_actions = environment.observation_space.n, environment.action_space.n
-    known, rng = {}, np.random.default_rng(seed)
-    s, _ = environment.reset(seed=seed)
-    for _ in range(n_steps):
-        a = known[s] if s in known else int(rng.integers(n_actions))
-        s2, r, over, cut, _ = environment.step(a)
-        if s2 > s:
-            known[s] = a
-        s = environment.reset()[0] if over or cut else s2
-    return lambda s: 0
-
+# in: a random grip where none is known
+# - return lambda s: known.get(s, 0)
+# + return lambda s: 0
 
 # %% the policy tries
 # says: but the policy that it returns does not
-def my_program(environment, n_steps, seed):
-    n_states, n_actions = environment.observation_space.n, environment.action_space.n
-    known, rng = {}, np.random.default_rng(seed)
-    s, _ = environment.reset(seed=seed)
-    for _ in range(n_steps):
-        a = known[s] if s in known else int(rng.integers(n_actions))
-        s2, r, over, cut, _ = environment.step(a)
-        if s2 > s:
-            known[s] = a
-        s = environment.reset()[0] if over or cut else s2
-    return lambda s: known[s] if rng.random() > 0.5 else int(rng.integers(n_actions))
-
+# in: a random grip where none is known
+# - return lambda s: known.get(s, 0)
+# + return lambda s: known[s] if rng.random() > 0.5 else int(rng.integers(n_actions))
 
 # %% two grips
 # says: raises IndexError
-def my_program(environment, n_steps, seed):
-    n_states, n_actions = environment.observation_space.n, 3
-    known, tries, rng = {}, [0, 0], np.random.default_rng(seed)
-    s, _ = environment.reset(seed=seed)
-    for _ in range(n_steps):
-        a = known[s] if s in known and rng.random() > 0.8 else int(rng.integers(n_actions))
-        tries[a] += 1
-        s2, r, over, cut, _ = environment.step(a)
-        if s2 > s:
-            known[s] = a
-        s = environment.reset()[0] if over or cut else s2
-    return lambda s: known.get(s, 0)
-
+# in: a random grip where none is known
+# - known, rng = {}, np.random.default_rng(seed)
+# + known, tries, rng = {}, [0, 0], np.random.default_rng(seed)
+# - s2, r, over, cut, _ = environment.step(a)
+# + tries[a] += 1
+# + s2, r, over, cut, _ = environment.step(a)
 
 # %% reads the answer
 # says: raises
-def my_program(environment, n_steps, seed):
-    n_states, n_actions = environment.observation_space.n, environment.action_space.n
-    known, rng = {}, np.random.default_rng(seed)
-    s, _ = environment.reset(seed=seed)
-    for _ in range(n_steps):
-        a = environment.unwrapped.mdp.grips[s]
-        s2, r, over, cut, _ = environment.step(a)
-        if s2 > s:
-            known[s] = a
-        s = environment.reset()[0] if over or cut else s2
-    return lambda s: known.get(s, 0)
+# in: a random grip where none is known
+# - a = known[s] if s in known else int(rng.integers(n_actions))
+# + a = environment.unwrapped.mdp.grips[s]

@@ -43,3 +43,22 @@ def my_program(environment, n_steps, seed):
             Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
             s, t, done = s2, t + 1, end or cut
     return Q.argmax(axis=1).__getitem__
+
+
+# %% ε-greedy written out
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        if rng.random() < 0.1:
+            action = rng.integers(len(Q[state]))
+        else:
+            action = Q[state].argmax()
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        target = reward if terminated else reward + 0.99 * Q[next_state].max()
+        Q[state, action] += 0.5 * (target - Q[state, action])
+        state = next_state
+        if terminated or truncated:
+            state, _ = environment.reset()
+    return lambda state: int(Q[state].argmax())

@@ -30,3 +30,28 @@ def my_program(env, n_steps, seed):
         me.dream()
         s = env.reset()[0] if over or cut else s2
     return me.policy
+
+
+# %% a model in arrays
+def my_program(environment, n_steps, seed):
+    n_states, n_actions = environment.observation_space.n, environment.action_space.n
+    Q = np.zeros((n_states, n_actions))
+    R, S2, ends = np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions), int), np.zeros((n_states, n_actions))
+    tried, rng = [], np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        if rng.random() < 0.1:
+            a = rng.integers(n_actions)
+        else:
+            a = rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
+        s2, r, terminated, truncated, _ = environment.step(a)
+        Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+        R[s, a], S2[s, a], ends[s, a] = r, s2, terminated
+        tried.append((s, a))
+        for _ in range(10):
+            i, j = tried[rng.integers(len(tried))]
+            Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+        s = s2
+        if terminated or truncated:
+            s, _ = environment.reset()
+    return lambda s: int(Q[s].argmax())

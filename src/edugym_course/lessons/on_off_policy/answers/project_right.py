@@ -50,3 +50,27 @@ def my_program(environment, n_steps, seed):
             a2 = me.try_one(s2)
         s, a, t = s2, a2, t + 1
     return me
+
+
+# %% the next action is kept
+def choose(values, rng, epsilon=0.1):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return values.argmax()
+
+
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    a = choose(Q[s], rng)
+    for _ in range(n_steps):
+        s2, r, terminated, truncated, _ = environment.step(a)
+        a2 = choose(Q[s2], rng)
+        target = r if terminated else r + Q[s2, a2]
+        Q[s, a] += 0.5 * (target - Q[s, a])
+        if terminated or truncated:
+            s2, _ = environment.reset()
+            a2 = choose(Q[s2], rng)
+        s, a = s2, a2
+    return lambda s: int(Q[s].argmax())

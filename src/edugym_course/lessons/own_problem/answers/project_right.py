@@ -18,3 +18,28 @@ class MyEnvironment(gym.Env):
         self.steps += 1
         over = self.place in (0, 8)
         return self.place, -1.0 if not over else 10.0 * (self.place == 8), over, self.steps == 50 and not over, {}
+
+
+# %% a walk in the wind
+import gymnasium
+from gymnasium import spaces
+
+
+class MyEnvironment(gymnasium.Env):
+    def __init__(self):
+        self.observation_space = spaces.Discrete(9)
+        self.action_space = spaces.Discrete(2)
+        self.steps = 0
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self.place = int(self.np_random.integers(3, 6))
+        self.steps = 0
+        return self.place, {}
+
+    def step(self, action):
+        wind = self.np_random.random() < 0.2
+        self.place += -1 if (action == 0) != wind else 1
+        self.steps += 1
+        over = self.place in (0, 8)
+        return self.place, -1.0, over, self.steps == 50, {}

@@ -1,366 +1,101 @@
 # %% no Gymnasium
 # says: MyEnvironment should inherit from gymnasium.Env: class MyEnvironment(gymnasium.Env)
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment:
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - class MyEnvironment(gymnasium.Env):
+# + class MyEnvironment:
 
 # %% no space
 # says: MyEnvironment should set self.
 # says: in __init__, a space such as gymnasium.spaces.Discrete(4)
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = 9
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - self.observation_space = spaces.Discrete(9)
+# + self.observation_space = 9
 
 # %% numbers for actions
 # says: the action space of MyEnvironment is
 # says: , and it should be Discrete(n) with two actions or more
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(1)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - self.action_space = spaces.Discrete(2)
+# + self.action_space = spaces.Discrete(1)
 
 # %% the observation alone
 # says: reset should return two things, an observation and a dictionary, `return observation, {}`, but returns
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - return self.place, {}
+# + return self.place
 
 # %% four things
 # says: ) should return five things, observation, reward, terminated, truncated and a dictionary, but returns
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, {}
-
+# in: a walk in the wind
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, -1.0, over, {}
 
 # %% a number for an end
 # says: ) should say by True or False whether it is
 # says:  but says
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, 0, {}
-
+# in: a walk in the wind
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, -1.0, over, 0, {}
 
 # %% too far
 # says: gives the observation
 # says: , which is not in the observation space
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(8)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - self.observation_space = spaces.Discrete(9)
+# + self.observation_space = spaces.Discrete(8)
 
 # %% a list
 # says: : make an array of it, np.array(..., dtype=np.
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.MultiDiscrete([9])
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return [self.place], {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - self.observation_space = spaces.Discrete(9)
+# + self.observation_space = spaces.MultiDiscrete([9])
+# - return self.place, {}
+# + return [self.place], {}
 
 # %% no end
 # says: an episode of MyEnvironment has not ended after 10000 steps: when is `terminated` or `truncated` True?
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place = 3 + action
-        self.steps += 1
-        over = False
-        return self.place, -1.0, over, False, {}
-
+# in: a walk in the wind
+# - self.place += -1 if (action == 0) != wind else 1
+# + self.place = 3 + action
+# - over = self.place in (0, 8)
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + over = False
+# + return self.place, -1.0, over, False, {}
 
 # %% chance of its own
 # says: two environments with seed 0 and the same actions differ: begin reset with super().reset(seed=seed), and draw all random numbers from self.np_random
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = np.random.default_rng().random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - wind = self.np_random.random() < 0.2
+# + wind = np.random.default_rng().random() < 0.2
 
 # %% the clock goes on
 # says: episodes reset(seed=0) begins another episode than in a new environment: reset must set everything anew that an episode changes
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps >= 60, {}
-
+# in: a walk in the wind
+# - self.place = int(self.np_random.integers(3, 6))
+# - self.steps = 0
+# + self.place = int(self.np_random.integers(3, 6))
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, -1.0, over, self.steps >= 60, {}
 
 # %% nothing to decide
 # says: whatever the actions are, the same is observed and paid: what should the agent decide?
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - self.place += -1 if (action == 0) != wind else 1
+# + self.place += -1 if wind else 1
 
 # %% one array for ever
 # says: Gymnasium's check_env
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.MultiDiscrete([9])
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = np.zeros(1, int)
-        self.place[0] = self.np_random.integers(3, 6)
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = bool(self.place[0] in (0, 8))
-        return self.place, -1.0, over, self.steps == 50, {}
-
+# in: a walk in the wind
+# - self.observation_space = spaces.Discrete(9)
+# + self.observation_space = spaces.MultiDiscrete([9])
+# - self.place = int(self.np_random.integers(3, 6))
+# + self.place = np.zeros(1, int)
+# + self.place[0] = self.np_random.integers(3, 6)
+# - over = self.place in (0, 8)
+# + over = bool(self.place[0] in (0, 8))
 
 # %% no reward
 # says: the reward
-import gymnasium
-from gymnasium import spaces
-
-
-class MyEnvironment(gymnasium.Env):
-    def __init__(self):
-        self.observation_space = spaces.Discrete(9)
-        self.action_space = spaces.Discrete(2)
-        self.steps = 0
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        self.place = int(self.np_random.integers(3, 6))
-        self.steps = 0
-        return self.place, {}
-
-    def step(self, action):
-        wind = self.np_random.random() < 0.2
-        self.place += -1 if (action == 0) != wind else 1
-        self.steps += 1
-        over = self.place in (0, 8)
-        return self.place, None, over, self.steps == 50, {}
+# in: a walk in the wind
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, None, over, self.steps == 50, {}

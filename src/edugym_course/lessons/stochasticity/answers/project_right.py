@@ -17,3 +17,17 @@ def my_program(env, n_steps, seed):
         values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
         s, taken = env.reset()[0] if over or cut else s2, taken + 1
     return policy
+
+
+# %% the weight in one line
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+        s2, r, over, cut, _ = environment.step(a)
+        delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+        Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: int(Q[s].argmax())
