@@ -15,6 +15,7 @@ import symtable
 import sys
 import tempfile
 import textwrap
+import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from types import FunctionType, ModuleType
@@ -102,17 +103,12 @@ def read_mdp(path: str | Path, **parameters: Any) -> Any:
         parameters: fields of the MDP that should have other values.
 
     Raises:
-        ValueError: the file has no value `MDP`, this is no MDP, or it has no such fields.
+        ValueError: the file does not end in .py, it fails, it has no value `MDP`, this is no MDP, or it has no such
+            fields.
         OSError: the file cannot be read.
     """
     path = a_path("path", path)
-    path.open("rb").close()  # an error that names the path
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"path must be a Python file, which ends in .py, but is {str(path)!r}")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    mdp = getattr(module, "MDP", None)
+    mdp = getattr(run_file(path), "MDP", None)
     if mdp is None:
         raise ValueError(f"{path.name} must give its MDP the name MDP, as edugym.share does, but has no such name")
     fields = getattr(mdp, "_fields", ())
@@ -122,6 +118,34 @@ def read_mdp(path: str | Path, **parameters: Any) -> Any:
     mdp = mdp._replace(**parameters) if parameters else mdp
     check_mdp(mdp)
     return mdp
+
+
+def run_file(path: Path) -> ModuleType:
+    """Run a Python file as a module. What it imports may lie beside it.
+
+    Raises:
+        ValueError: the file does not end in .py, or it fails; the message names the line.
+        OSError: the file cannot be read.
+    """
+    path.open("rb").close()  # an error that names the path
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    if spec is None or spec.loader is None:
+        raise ValueError(f"path must be a Python file, which ends in .py, but is {str(path)!r}")
+    module = importlib.util.module_from_spec(spec)
+    sys.path.insert(0, str(path.resolve().parent))
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:
+        frames = traceback.extract_tb(error.__traceback__)
+        lines = [frame.lineno for frame in frames if Path(frame.filename) == path]
+        line = error.lineno if isinstance(error, SyntaxError) and not lines else lines[-1]
+        text = error.msg if isinstance(error, SyntaxError) else error
+        raise ValueError(
+            f"{path.name} must run without an error, but line {line} raises {type(error).__name__}: {text}"
+        ) from error
+    finally:
+        sys.path.pop(0)
+    return module
 
 
 class _Parts:
