@@ -6,7 +6,6 @@ with Gymnasium. It is Python: **opening it runs it**, so open only files of peop
 
 import ast
 import contextlib
-import importlib.util
 import inspect
 import keyword
 import linecache
@@ -15,7 +14,6 @@ import symtable
 import sys
 import tempfile
 import textwrap
-import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from types import FunctionType, ModuleType
@@ -28,6 +26,7 @@ from edugym.checks.parameters import a_path, in_short
 from edugym.mdp.task import check_mdp
 from edugym.rendering.ansi import to_text
 from edugym.system.files import write_whole
+from edugym.system.own_files import run_file
 
 TEXT = '''\
 """{name}: a problem for reinforcement learning, written with EduGym. To play it: edugym play {file}"""
@@ -118,34 +117,6 @@ def read_mdp(path: str | Path, **parameters: Any) -> Any:
     mdp = mdp._replace(**parameters) if parameters else mdp
     check_mdp(mdp)
     return mdp
-
-
-def run_file(path: Path) -> ModuleType:
-    """Run a Python file as a module. What it imports may lie beside it.
-
-    Raises:
-        ValueError: the file does not end in .py, or it fails; the message names the line.
-        OSError: the file cannot be read.
-    """
-    path.open("rb").close()  # an error that names the path
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"path must be a Python file, which ends in .py, but is {str(path)!r}")
-    module = importlib.util.module_from_spec(spec)
-    sys.path.insert(0, str(path.resolve().parent))
-    try:
-        spec.loader.exec_module(module)
-    except Exception as error:
-        frames = traceback.extract_tb(error.__traceback__)
-        lines = [frame.lineno for frame in frames if Path(frame.filename) == path]
-        line = error.lineno if isinstance(error, SyntaxError) and not lines else lines[-1]
-        text = error.msg if isinstance(error, SyntaxError) else error
-        raise ValueError(
-            f"{path.name} must run without an error, but line {line} raises {type(error).__name__}: {text}"
-        ) from error
-    finally:
-        sys.path.pop(0)
-    return module
 
 
 class _Parts:
