@@ -1,16 +1,15 @@
 """What is written on the command line: parameters of environments, and agents with their wrappers."""
 
 import ast
-import importlib.util
 import inspect
 import re
-import sys
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import edugym
 from edugym.experiments.players import is_policy
+from edugym.system.own_files import run_file
 
 HELP = (
     "Agents of the package (QLearning) or of a file (my_agent.py:MyAgent; it is run, so open only files of people whom"
@@ -86,17 +85,7 @@ def _of_file(text: str) -> Any:
     """What makes an agent, from a file: a class, a function of an environment, or a policy."""
     file, _, name = text.rpartition(":")
     path = Path(file)
-    path.open("rb").close()  # an error that names the path
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"an agent of a file is written FILE.py:NAME, but not {text!r}")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[path.stem] = module  # as after an import: classes in it are looked up there
-    sys.path.insert(0, str(path.resolve().parent))  # for what it imports
-    try:
-        spec.loader.exec_module(module)
-    finally:
-        sys.path.pop(0)
+    module = run_file(path, importable=True)
     found = getattr(module, name, None)
     if found is None:
         names = [one for one in vars(module) if not one.startswith("_")]

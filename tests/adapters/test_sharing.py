@@ -254,6 +254,9 @@ def test_of_two_classes_of_one_name_the_last_is_shared(
         ("empty.py", "x = 1\n", ValueError, "empty.py .*MDP"),  # there is none
         ("wrong.py", "MDP = 3\n", ValueError, "mdp must be an MDP"),
         ("text.txt", "MDP = 3\n", ValueError, "path .*text.txt"),
+        ("slip.py", "import numpy\nMDP = nunpy\n", ValueError, "slip.py .*line 2 .*NameError.*nunpy"),
+        ("slip.py", "import numpy\nMDP = (\n", ValueError, "slip.py .*line 2 .*SyntaxError"),
+        ("slip.py", "MDP = 1\0\n", ValueError, "slip.py .*null bytes"),
         ("missing.py", "", FileNotFoundError, "missing.py"),
         ("missing.txt", "", FileNotFoundError, "missing.txt"),
     ],

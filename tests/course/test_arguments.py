@@ -3,6 +3,7 @@
 import html.parser
 import re
 import signal
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -74,12 +75,17 @@ def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with a student's file, and another one that it imports."""
     (tmp_path / "mine.py").write_text(MINE)
     (tmp_path / "beside.py").write_text("RIGHT = 1")
+    (tmp_path / "slip.py").write_text("import beside\nx = beside.LEFT\n")
+    (tmp_path / "math.py").write_text("def agent(environment): return environment")
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
 def test_agents_of_the_package_and_of_a_file(mine: Path) -> None:
-    """Classes, functions and policies; the label is what is written, without the file."""
+    """Classes, functions and policies; the label is what is written, without the file.
+
+    A file whose name is that of one of Python's modules does not stand in for it.
+    """
     texts = ["QLearning", f"{mine}/mine.py:Table", "mine.py:make", "mine.py:model", "SARSA+FrameStack(2, actions=True)"]
     read = arguments.agents(texts)
     assert list(read) == ["QLearning", "Table", "make", "model", "SARSA + FrameStack(2, actions=True)"]
@@ -90,6 +96,9 @@ def test_agents_of_the_package_and_of_a_file(mine: Path) -> None:
     make, wrap = read["SARSA + FrameStack(2, actions=True)"]
     assert make == edugym.SARSA.create
     assert wrap(make_mdp("Boulder")).observation_space == Discrete(11 * 2 * 11)
+    assert arguments.agents(["math.py:agent"])["agent"](3) == 3
+    assert hasattr(sys.modules["math"], "pi")
+    assert type(read["model"]) is sys.modules["mine"].Model
 
 
 def test_wrappers_come_from_the_inside_to_the_outside() -> None:
@@ -108,6 +117,7 @@ def test_wrappers_come_from_the_inside_to_the_outside() -> None:
         ("mine.py:nobody", "mine.py has no 'nobody'; it has RIGHT, Table"),
         ("mine.py:number", "number of mine.py must be an agent, or make one, but is 3"),
         ("no.py:Agent", "no.py"),
+        ("slip.py:Agent", "slip.py .*line 2 .*AttributeError.*LEFT"),
         ("QLearning + FrameStack", "a wrapper must be one of .*FrameStack.*, but is 'FrameStack'"),
         ("QLearning + Frames(4)", "but is 'Frames\\(4\\)'"),
         ("QLearning + FrameStack(x)", "but is 'FrameStack\\(x\\)'"),

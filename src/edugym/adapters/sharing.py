@@ -6,7 +6,6 @@ with Gymnasium. It is Python: **opening it runs it**, so open only files of peop
 
 import ast
 import contextlib
-import importlib.util
 import inspect
 import keyword
 import linecache
@@ -27,6 +26,7 @@ from edugym.checks.parameters import a_path, in_short
 from edugym.mdp.task import check_mdp
 from edugym.rendering.ansi import to_text
 from edugym.system.files import write_whole
+from edugym.system.own_files import run_file
 
 TEXT = '''\
 """{name}: a problem for reinforcement learning, written with EduGym. To play it: edugym play {file}"""
@@ -102,17 +102,12 @@ def read_mdp(path: str | Path, **parameters: Any) -> Any:
         parameters: fields of the MDP that should have other values.
 
     Raises:
-        ValueError: the file has no value `MDP`, this is no MDP, or it has no such fields.
+        ValueError: the file does not end in .py, it fails, it has no value `MDP`, this is no MDP, or it has no such
+            fields.
         OSError: the file cannot be read.
     """
     path = a_path("path", path)
-    path.open("rb").close()  # an error that names the path
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"path must be a Python file, which ends in .py, but is {str(path)!r}")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    mdp = getattr(module, "MDP", None)
+    mdp = getattr(run_file(path), "MDP", None)
     if mdp is None:
         raise ValueError(f"{path.name} must give its MDP the name MDP, as edugym.share does, but has no such name")
     fields = getattr(mdp, "_fields", ())

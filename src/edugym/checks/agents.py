@@ -133,10 +133,10 @@ class CheckedAgent:
             refuse_change(self._agent, method, before, state)
         else:
             action = self._with_sizes(lambda: choose(state, rng))
-        if not (type(action) is int and 0 <= action < self._n_actions) and not _is_action(self._space, action):
+        if not (type(action) is int and 0 <= action < self._n_actions) and not is_action(self._space, action):
             row = isinstance(action, int | np.integer) and not isinstance(action, bool)
             sizes = self._sizes() if row else ""
-            raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + sizes)
+            raise ValueError(wrong_action(f"{method} of {self._name}", self._space, action, state) + sizes)
         return action
 
     def _with_sizes(self, call: Callable[[], Any]) -> Any:
@@ -164,17 +164,17 @@ class CheckedAgent:
         return ""
 
 
-def _of_action(name: str, method: str, space: spaces.Space[Any], action: Any, state: Any) -> str:
-    """Return the sentence about a wrong action: what the agent returned, and what it should return."""
+def wrong_action(chooser: str, space: spaces.Space[Any], action: Any, state: Any) -> str:
+    """Return the sentence about a wrong action: what the chooser returned, and what it should return."""
     allowed = f"an action, an element of {space}"
     if isinstance(space, spaces.Discrete):
         allowed = f"an action, a whole number from {space.start} to {space.start + space.n - 1}"
     forgotten = " (is a return missing?)" if action is None else ""
     returned = f"returned {in_short(action)} for state {in_short(state)}{forgotten}"
-    return f"{method} of {name} must return {allowed}, but {returned}"
+    return f"{chooser} must return {allowed}, but {returned}"
 
 
-def _is_action(space: spaces.Space[Any], action: Any) -> bool:
+def is_action(space: spaces.Space[Any], action: Any) -> bool:
     """Whether the loops can give the action to an MDP (which checks the bounds of real numbers itself)."""
     if isinstance(space, spaces.Discrete):
         scalar = action[()] if isinstance(action, np.ndarray) and action.ndim == 0 else action

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 
+from edugym.checks.agents import is_action, wrong_action
 from edugym.mdp.protocol import Random
 
 
@@ -36,9 +37,18 @@ class Player:
         self._memory: Any = None
 
     def act(self, state: Any, rng: Random) -> Any:
-        """The action of the policy."""
-        action = self._chosen(self._as_in_gymnasium(state))
-        return int(action) if isinstance(self._acted, spaces.Discrete) else np.asarray(action, self._acted.dtype)
+        """The action of the policy.
+
+        Raises:
+            ValueError: it is not in the action space.
+        """
+        observation = self._as_in_gymnasium(state)
+        action = self._chosen(observation)
+        if isinstance(self._acted, spaces.Discrete):
+            action = _as_whole_number(action)
+        if not is_action(self._acted, action):
+            raise ValueError(wrong_action(_name_of(self._policy), self._acted, action, observation))
+        return action if isinstance(self._acted, spaces.Discrete) else np.asarray(action, self._acted.dtype)
 
     def learn(self, reward: float) -> None:
         """Learn nothing."""
@@ -65,3 +75,17 @@ class Player:
         if isinstance(self._observed, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary):
             return np.asarray(state, self._observed.dtype)
         return state
+
+
+def _name_of(policy: Any) -> str:
+    """What a message calls a policy."""
+    if is_policy(policy):
+        return f"predict of {type(policy).__name__}"
+    return f"policy {getattr(policy, '__name__', type(policy).__name__)}"
+
+
+def _as_whole_number(action: Any) -> Any:
+    """Python's number for one of NumPy's, an array of one, True or False; any other action as it is."""
+    if isinstance(action, np.ndarray) and action.size == 1:
+        action = action.item()
+    return int(action) if isinstance(action, int | np.integer | np.bool_) else action

@@ -215,7 +215,7 @@ def makers_of(agents: Mapping[str, Any]) -> dict[str, Maker]:
         if not isinstance(label, str) or not label:
             raise ValueError(f"the labels of agents must be texts that are not empty, but one is {label!r}")
     if not agents:
-        raise ValueError("agents must have one method or more, but is empty")
+        raise ValueError("agents must have one agent or more, but is empty")
     return {label: _maker(label, agent) for label, agent in agents.items()}
 
 
@@ -246,7 +246,10 @@ def _maker(label: str, agent: Any) -> Maker:
         if is_policy(made) or (callable(made) and not is_agent and not isinstance(made, type)):
             return Player(made, environment)
         if not is_agent:
-            raise ValueError(f"agents[{label!r}] must make an agent, but made {in_short(made)}")
+            raise ValueError(
+                f"agents[{label!r}] must be a function of the environment that returns an agent or a policy, but it"
+                f" returned {in_short(made)}"
+            )
         return deep_copy(made, f"{GIVE_A_FUNCTION} that makes all of it")
 
     return make

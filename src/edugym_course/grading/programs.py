@@ -173,10 +173,8 @@ def run_program(
         WrongAnswer: it breaks the contract, raises an error or does not end.
     """
     require_function(NAME, program, "environment, n_steps and seed")
-    call, recorder = (
-        f"{NAME}(environment, {n_steps}, {seed})",
-        Recorder(environment, n_steps, seed, fixed=environment_seed),
-    )
+    call = f"{NAME}(environment, {n_steps}, {seed})"
+    recorder = Recorder(environment, n_steps, seed, fixed=environment_seed)
     try:
         with student_code(call):
             policy = program(recorder, n_steps, seed)

@@ -5,7 +5,6 @@ from pathlib import Path
 from textwrap import indent
 from typing import Any
 
-from edugym.system.extras import require
 from edugym.system.files import write_whole
 from edugym_course.teaching.assignment import Assignment, Draw, Task, handed_out, tasks_of
 from edugym_course.teaching.marks import is_code, is_exercise, without_marks, without_solutions
@@ -119,7 +118,6 @@ def otter_master(lesson: Any, name: str) -> str:
     Raises:
         ValueError: the notebook is none of a lesson.
     """
-    require("teach", "nbformat")
     from nbformat import writes
     from nbformat.v4 import new_code_cell, new_raw_cell
 
@@ -171,7 +169,6 @@ def classroom_repository(lesson: Any, name: str, folder: Path) -> None:
         ValueError: the notebook is none of a lesson.
         OSError: something cannot be written.
     """
-    require("teach", "nbformat")
     import nbformat
 
     tasks = tasks_of(lesson)

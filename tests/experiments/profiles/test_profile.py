@@ -1,6 +1,7 @@
 """Profiles: who can enter, what is kept, and what follows from the scores."""
 
 import math
+import re
 import signal
 from functools import partial
 from pathlib import Path
@@ -49,6 +50,11 @@ def test_every_agent_runs_on_every_rung() -> None:
     assert found.score("Q", "Walks") == (1.0, 1.0, 1.0, 3)
     assert found.breaks("Q", "Walks") == Break(5, "never")
     assert 0 < found.steps("Q", "Walks") < 400
+    for ask in (found.scores, found.score, found.rungs, found.breaks, found.steps):
+        with pytest.raises(ValueError, match=r"agent must be .*Q.*SARSA.*nobody"):
+            ask("nobody", "Walks")
+        with pytest.raises(ValueError, match=r"challenge must be .*Walks.*Boulder"):
+            ask("Q", "Boulder")
     alone = profile({"Q": QLearning.create}, challenges=[WALKS], repetitions=3, jobs=1)
     assert alone.runs.equals(runs[runs["agent"] == "Q"].reset_index(drop=True))
 
@@ -107,6 +113,18 @@ class Model:
 def test_policies_written_for_gymnasium(policy: Any) -> None:
     """An object with `predict`, or a function that makes one, or that makes a function of observations."""
     assert profile({"right": policy}, challenges=[WALKS], repetitions=2).scores("right", "Walks") == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("action", [None, 2, -1, "left", 0.5, (0, 1)])
+def test_an_action_that_is_none(action: Any) -> None:
+    """The sentence names the policy, what it returned and what is allowed."""
+
+    def to_nowhere(observation: Any) -> Any:
+        return action
+
+    found = re.escape(str(action).strip("'"))
+    with pytest.raises(ValueError, match=f"to_nowhere must return .*from 0 to 1, but returned '?{found}"):
+        profile({"lost": lambda environment: to_nowhere}, challenges=[WALKS], repetitions=1, jobs=1)
 
 
 def test_ctrl_c_keeps_what_is_done_and_the_same_call_goes_on(tmp_path: Path) -> None:

@@ -1,18 +1,20 @@
-"""Calls in JavaScript, of functions of Python and of a student's own; `libraries` has those of `math`, `np` and `rng`.
+"""Writes calls in JavaScript: of Python's functions and a student's own; `libraries` writes those of other modules.
 
-What a function gives is Python's, or the call ends in doubt and the interpreter repeats it.
+A call gives what Python gives, or it ends in doubt and the interpreter repeats it.
 """
 
 import ast
 import math
 import sys
 from collections.abc import Callable
-from inspect import Parameter, signature
+from inspect import Parameter, getattr_static, signature
 from types import FunctionType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from edugym.compiled.javascript.base import Base
+from edugym.compiled.javascript.iterations import Iterations
 from edugym.compiled.javascript.kinds import (
     ARRAYS,
     BOOL,
@@ -30,19 +32,17 @@ from edugym.compiled.javascript.kinds import (
     described,
 )
 from edugym.compiled.javascript.libraries import AS_NUMPY, Given, Named, draw, of_array, of_math, of_numpy
-
-if TYPE_CHECKING:
-    from edugym.compiled.javascript.expressions import Expressions
+from edugym.compiled.javascript.operations import Operations
 
 NUMPY_FUNCTIONS: frozenset[Any] = frozenset(value for value in vars(np).values() if isinstance(value, FunctionType))
 """The functions of NumPy that are written in Python."""
 
 
-def call(writer: "Expressions", node: ast.Call) -> Code:
-    """A call.
+def call(writer: Iterations, node: ast.Call) -> Code:
+    """Writes a call.
 
     Raises:
-        Untranslatable: it has no translation that does the same for sure.
+        Untranslatable: the call has no translation that does the same for sure.
     """
     if any(isinstance(one, ast.Starred) for one in node.args) or any(one.arg is None for one in node.keywords):
         raise writer.refused(node, "it calls a function with *")
@@ -70,11 +70,11 @@ def call(writer: "Expressions", node: ast.Call) -> Code:
     return _function(writer, node, called.value, given, named)
 
 
-def _named(writer: "Expressions", node: ast.Call) -> Named:
+def _named(writer: Base, node: ast.Call) -> Named:
     return {str(one.arg): writer.visit(one.value) for one in node.keywords}
 
 
-def _function(writer: "Expressions", node: ast.Call, called: Any, given: Given, named: Named) -> Code:
+def _function(writer: Operations, node: ast.Call, called: Any, given: Given, named: Named) -> Code:
     if isinstance(called, FunctionType) and called not in NUMPY_FUNCTIONS:
         return own_function(writer, node, called, given, named)
     if isinstance(called, type) and issubclass(called, tuple) and hasattr(called, "_fields"):
@@ -107,8 +107,8 @@ def _hashable(value: Any) -> bool:
 # A student's own functions, methods and classes
 
 
-def own_function(writer: "Expressions", node: ast.AST, called: FunctionType, given: Given, named: Named) -> Code:
-    """A call of a plain function."""
+def own_function(writer: Base, node: ast.AST, called: FunctionType, given: Given, named: Named) -> Code:
+    """Writes a call of a plain function."""
     parameters = signature(called).parameters
     if any(one.kind in (Parameter.VAR_POSITIONAL, Parameter.VAR_KEYWORD) for one in parameters.values()):
         raise writer.refused(node, f"it calls {called.__name__}, which takes *")
@@ -125,13 +125,17 @@ def own_function(writer: "Expressions", node: ast.AST, called: FunctionType, giv
         name: bound[name] if name in bound else writer.constant(node, parameter.default, name)
         for name, parameter in parameters.items()
     }
-    text, kind = writer.program.function(called, {name: code.kind for name, code in codes.items()}, writer, node)
-    made = f"{text}({','.join(code.text for code in codes.values())})"
-    return Code(f"({begin}{made})" if begin else made, kind)
+    kinds = {name: code.kind for name, code in codes.items()}
+    never = Code("(()=>doubt('never reached'))", NEVER)
+    function = never if NEVER in kinds.values() else writer.known.function(called, kinds)
+    if function is None:
+        raise writer.refused(node, f"it calls itself: {called.__name__}")
+    made = f"{function.text}({','.join(code.text for code in codes.values())})"
+    return Code(f"({begin}{made})" if begin else made, function.kind)
 
 
-def _new(writer: "Expressions", node: ast.AST, kind: Any, given: Given, named: Named) -> Code:
-    """A new NamedTuple."""
+def _new(writer: Base, node: ast.AST, kind: Any, given: Given, named: Named) -> Code:
+    """Writes a new NamedTuple."""
     fields, defaults = kind._fields, kind._field_defaults
     if len(given) > len(fields) or not set(named) <= set(fields[len(given) :]):
         raise writer.refused(node, f"it makes a {kind.__name__} with other fields than it has")
@@ -145,10 +149,10 @@ def _new(writer: "Expressions", node: ast.AST, kind: Any, given: Given, named: N
     raise writer.refused(node, f"it makes a {kind.__name__} with its fields in another order")
 
 
-def _method(writer: "Expressions", node: ast.Call, owner: Code, name: str, given: Given, named: Named) -> Code:
+def _method(writer: Operations, node: ast.Call, owner: Code, name: str, given: Given, named: Named) -> Code:
     kind = owner.kind
     if isinstance(kind, Tuple) and kind.type is not None:
-        found = writer.program.member(kind.type, name)
+        found = getattr_static(kind.type, name, None)
         if isinstance(found, staticmethod) and isinstance(found.__func__, FunctionType):
             return own_function(writer, node, found.__func__, given, named)
         if isinstance(found, FunctionType):
@@ -166,53 +170,53 @@ def _method(writer: "Expressions", node: ast.Call, owner: Code, name: str, given
     raise writer.refused(node, f"it calls .{name} of {described(kind)}")
 
 
-def _of_list(writer: "Expressions", node: ast.Call, owner: Code, kind: List, name: str, given: Given) -> Code:
+def _of_list(writer: Base, node: ast.Call, owner: Code, kind: List, name: str, given: Given) -> Code:
     if name == "append" and len(given) == 1:
         writer.widen(node, kind, given[0].kind)
         return Code(f"{owner.text}.push({given[0].text})", "none")
     if name == "pop" and not given:
-        return Code(f"popped({owner.text})", writer.program.part(kind))
+        return Code(f"popped({owner.text})", writer.known.part(kind))
     raise writer.refused(node, f"it calls .{name} of a list")
 
 
 # Functions of Python
 
 
-def _to_int(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _to_int(writer: Base, node: ast.AST, given: Given) -> Code | None:
     (x,) = given or [Code("0", INT)]
     if x.kind == INT or x.kind == BOOL:
         return Code(f"(+{x.text})", INT)
     return Code(f"truncated({x.text})", INT) if x.kind in NUMBERS else None
 
 
-def _to_float(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _to_float(writer: Base, node: ast.AST, given: Given) -> Code | None:
     (x,) = given or [Code("0", INT)]
     return Code(f"(+{x.text})", FLOAT) if x.kind in NUMBERS or x.kind == BOOL else None
 
 
-def _round(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _round(writer: Base, node: ast.AST, given: Given) -> Code | None:
     if len(given) != 1:
         raise writer.refused(node, "it rounds to decimals")
     x = given[0]
     return x if x.kind == INT else Code(f"rounded({x.text})", INT) if x.kind in (FLOAT, MIXED) else None
 
 
-def _abs(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _abs(writer: Base, node: ast.AST, given: Given) -> Code | None:
     (x,) = given
     if isinstance(x.kind, Array) and x.kind.of != BOOL:
         return Code(f"mapped({ARRAYS[x.kind.of]},Math.abs,{x.text})", Array(x.kind.of, x.kind.ndim))
     return Code(f"Math.abs({x.text})", x.kind) if x.kind in NUMBERS else None
 
 
-def _divmod(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _divmod(writer: Operations, node: ast.AST, given: Given) -> Code | None:
     held = [Code(writer.fresh(), one.kind) for one in given]
     begin = ",".join(f"{name.text}={one.text}" for name, one in zip(held, given, strict=True))
     made = writer.tuple_of(None, [writer.operation(node, sign, *held) for sign in (ast.FloorDiv, ast.Mod)])
     return Code(f"({begin},{made.text})", made.kind)
 
 
-def _extreme(name: str) -> Callable[["Expressions", ast.AST, Given], Code | None]:
-    def extreme(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _extreme(name: str) -> Callable[[Operations, ast.AST, Given], Code | None]:
+    def extreme(writer: Operations, node: ast.AST, given: Given) -> Code | None:
         if len(given) < 2 or not all(one.kind in NUMBERS or one.kind == NEVER for one in given):
             return None
         result = given[0]
@@ -223,15 +227,15 @@ def _extreme(name: str) -> Callable[["Expressions", ast.AST, Given], Code | None
     return extreme
 
 
-def _power(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _power(writer: Operations, node: ast.AST, given: Given) -> Code | None:
     return writer.operation(node, ast.Pow, *given) if len(given) == 2 else None
 
 
-def _flag(writer: "Expressions", node: ast.AST, given: Given) -> Code | None:
+def _flag(writer: Base, node: ast.AST, given: Given) -> Code | None:
     return Code(writer.truth(node, given[0]), BOOL) if given else Code("false", BOOL)
 
 
-BUILTINS: dict[Any, Callable[["Expressions", ast.AST, Given], Code | None]] = {
+BUILTINS: dict[Any, Callable[[Operations, ast.AST, Given], Code | None]] = {
     int: _to_int,
     np.int64: _to_int,
     float: _to_float,
@@ -245,11 +249,11 @@ BUILTINS: dict[Any, Callable[["Expressions", ast.AST, Given], Code | None]] = {
     pow: _power,
     bool: _flag,
 }
-"""Functions of one argument or more, each a value."""
+"""What writes calls of functions whose arguments are single values; it gives None if there is no translation."""
 
 
-def _of_all(writer: "Expressions", node: ast.Call, called: Any) -> Code:
-    """A function of one list, tuple, array or range."""
+def _of_all(writer: Iterations, node: ast.Call, called: Any) -> Code:
+    """Writes a call of a function of one list, tuple, array or range."""
     name, argument = called.__name__, node.args[0]
     if called is len:
         value = writer.visit(argument)

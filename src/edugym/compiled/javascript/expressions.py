@@ -1,11 +1,13 @@
-"""Expressions in JavaScript, but for operations and calls."""
+"""Writes expressions in JavaScript: names, parts of things, and new lists and tuples; and passes calls on."""
 
 import ast
+from inspect import getattr_static
 from types import FunctionType, ModuleType
-from typing import Any, NamedTuple
+from typing import Any
 
 from edugym.compiled.code import inside
 from edugym.compiled.javascript.calls import call, own_function
+from edugym.compiled.javascript.iterations import Iterations
 from edugym.compiled.javascript.kinds import (
     INT,
     NEVER,
@@ -17,43 +19,27 @@ from edugym.compiled.javascript.kinds import (
     Tuple,
     described,
 )
-from edugym.compiled.javascript.operations import Operations
 
 MOST_DIMENSIONS = 3
-"""The most dimensions of arrays whose elements are translated."""
+"""An array may have so many dimensions if code uses single elements of it."""
 
 
-class Iteration(NamedTuple):
-    """How a `for` goes through something.
+class Written(ast.expr):
+    """Holds an expression that is written already."""
 
-    Attributes:
-        begin: declarations of JavaScript, which read it once.
-        more: whether there is more.
-        advance: what leads to the next.
-        value: the present one.
-    """
-
-    begin: str
-    more: str
-    advance: str
-    value: Code
+    def __init__(self, code: Code) -> None:
+        """See the class."""
+        super().__init__()
+        self.code = code
 
 
-class Expressions(Operations):
-    """Writes the expressions of one function.
-
-    Attributes:
-        program: of which it is a part.
-        function: the function.
-        key: the function and the kinds of its arguments.
-    """
-
-    # Expressions
+class Expressions(Iterations):
+    """Writes the expressions of one function."""
 
     def _of_Call(self, node: ast.Call) -> Code:
         return call(self, node)
 
-    def _of_Written(self, node: "Written") -> Code:
+    def _of_Written(self, node: Written) -> Code:
         return node.code
 
     def _of_Constant(self, node: ast.Constant) -> Code:
@@ -94,7 +80,7 @@ class Expressions(Operations):
             shape = Tuple(None, (INT,) * kind.ndim)
             held = self.fresh()
             sizes = ",".join(f"{held}[{k}]" for k in range(kind.ndim))
-            return Code(f"({held}={owner.text}.shape,new {self.program.tuple_class(shape)}({sizes}))", shape)
+            return Code(f"({held}={owner.text}.shape,new {self.known.constants.tuple_class(shape)}({sizes}))", shape)
         if isinstance(kind, Array) and node.attr == "size":
             return Code(f"{owner.text}.size", INT)
         if isinstance(kind, Array) and node.attr == "ndim":
@@ -104,9 +90,9 @@ class Expressions(Operations):
         raise self.refused(node, f"it uses .{node.attr} of {described(kind)}")
 
     def member(self, node: ast.Attribute, owner: Code, kind: Tuple) -> Code:
-        """A field, a property or a constant of a NamedTuple."""
+        """Writes a field, a property or a constant of a NamedTuple."""
         fields: Any = getattr(kind.type, "_fields", ())
-        found = self.program.member(kind.type, node.attr)
+        found = getattr_static(kind.type, node.attr, None)
         if node.attr in fields:
             k = fields.index(node.attr)
             return Code(f"{owner.text}.a{k}", kind.parts[k])
@@ -142,7 +128,7 @@ class Expressions(Operations):
         return Code(f"(()=>{{const gathered=[];{through.begin}{loop}return gathered}})()", site)
 
     def _bind_in(self, node: ast.AST, target: ast.expr, value: Code, scope: dict[str, Kind]) -> str:
-        """Declares the variables of a comprehension."""
+        """Writes the variables of a comprehension, and notes their kinds in `scope`."""
         if isinstance(target, ast.Name):
             scope[target.id] = value.kind
             return f"const ${target.id}={value.text};"
@@ -166,7 +152,7 @@ class Expressions(Operations):
         return self.item(node, self.visit(node.value), node.slice)
 
     def item(self, node: ast.AST, owner: Code, index: ast.expr) -> Code:
-        """A part of something."""
+        """Writes a part of an array, a list or a tuple."""
         kind = owner.kind
         if isinstance(kind, Tuple):
             return self._part_of_tuple(node, owner, kind, index)
@@ -175,7 +161,7 @@ class Expressions(Operations):
                 bounds = ",".join("null" if one is None else self.index(one) for one in (index.lower, index.upper))
                 step = "1" if index.step is None else self.index(index.step)
                 return Code(f"listSlice({owner.text},{bounds},{step})", kind)
-            return Code(f"item({owner.text},{self.index(index)})", self.program.part(kind))
+            return Code(f"item({owner.text},{self.index(index)})", self.known.part(kind))
         if isinstance(kind, Array):
             indices = self.indices(index)
             if self.is_one_place(node, kind, indices):
@@ -196,25 +182,18 @@ class Expressions(Operations):
         return Code(f"item({self.as_list(owner)},{self.index(index)})", found)
 
     def is_one_place(self, node: ast.AST, kind: Array, indices: list[ast.expr]) -> bool:
-        """Whether indices lead to one element of an array."""
+        """Returns whether indices lead to one element of an array."""
         alone = len(indices) == kind.ndim and not any(isinstance(one, ast.Slice) for one in indices)
         if alone and kind.ndim > MOST_DIMENSIONS:
             raise self.refused(node, f"it uses elements of an array of {kind.ndim} dimensions")
         return alone
 
     def indices(self, index: ast.expr) -> list[ast.expr]:
-        """The indices between brackets."""
+        """Returns the indices between brackets."""
         return list(index.elts) if isinstance(index, ast.Tuple) else [index]
 
-    def index(self, node: ast.expr) -> str:
-        """A whole number between brackets."""
-        code = self.visit(node)
-        if code.kind != INT and code.kind != NEVER:
-            raise self.refused(node, f"its index is {described(code.kind)}, not a whole number")
-        return code.text
-
     def part(self, owner: Code, indices: list[ast.expr]) -> Code:
-        """A part of an array that is an array."""
+        """Writes a part of an array that is an array itself."""
         kind: Any = owner.kind
         texts, left = list[str](), kind.ndim
         for one in indices:
@@ -229,77 +208,9 @@ class Expressions(Operations):
         method = "row" if len(indices) == 1 and left < kind.ndim else "part"
         return Code(f"{owner.text}.{method}({','.join(texts)})", Array(kind.of, left, kind.frozen))
 
-    # Going through things
-
-    def iteration(self, node: ast.expr) -> Iteration:
-        """How a `for` goes through what stands after `in`."""
-        if isinstance(node, ast.Call):
-            called = self.visit(node.func).kind if isinstance(node.func, ast.Name) else None
-            if isinstance(called, Static) and called.value in (range, enumerate, zip):
-                return self._special(node, called.value)
-        return self.through(node, self.visit(node))
-
-    def through(self, node: ast.AST, code: Code) -> Iteration:
-        """How a `for` goes through a list, a tuple or an array."""
-        held, k = self.fresh(), self.fresh()
-        kind = code.kind
-        if isinstance(kind, Tuple):
-            found: Kind = NEVER
-            for one in kind.parts:
-                found = self.joined(node, found, one)
-            value, text, size = Code(f"{held}[{k}]", found), self.as_list(code), f"{held}.length"
-        elif isinstance(kind, List):
-            value, text, size = Code(f"{held}[{k}]", self.program.part(kind)), code.text, f"{held}.length"
-        elif isinstance(kind, Array):
-            of = kind.of if kind.ndim == 1 else Array(kind.of, kind.ndim - 1, kind.frozen)
-            get = f"{held}.at1({k})" if kind.ndim == 1 else f"{held}.part({k})"
-            value, text, size = Code(get, of), code.text, f"{held}.shape[0]"
-        elif kind == NEVER:
-            value, text, size = Code(f"{held}[{k}]", NEVER), f"({code.text},[])", f"{held}.length"
-        else:
-            raise self.refused(node, f"it goes through {described(kind)}")
-        return Iteration(f"{held}={text};{k}=0;", f"{k}<{size}", f"{k}++", value)
-
-    def _special(self, node: ast.Call, called: Any) -> Iteration:
-        if called is range:
-            if node.keywords or not 1 <= len(node.args) <= 3:
-                raise self.refused(node, "it calls range with other arguments")
-            bounds = [self.index(one) for one in node.args]
-            begin, end, step = {1: ["0", *bounds, "1"], 2: [*bounds, "1"], 3: bounds}[len(bounds)]
-            k, last, by = self.fresh(), self.fresh(), self.fresh()
-            first = f"{k}={begin};{last}={end};{by}={step};"
-            if len(bounds) < 3:
-                return Iteration(first, f"{k}<{last}", f"{k}++", Code(k, INT))
-            check = f"if({by}===0)doubt('a range of step 0');"
-            return Iteration(first + check, f"({by}>0?{k}<{last}:{k}>{last})", f"{k}+={by}", Code(k, INT))
-        if called is enumerate:
-            start = [*node.args[1:], *(keyword.value for keyword in node.keywords)]
-            inner, k = self.iteration(node.args[0]), self.fresh()
-            begin = f"{k}={self.index(start[0]) if start else '0'};"
-            value = self.tuple_of(None, [Code(k, INT), inner.value])
-            return Iteration(inner.begin + begin, inner.more, f"{inner.advance},{k}++", value)
-        if node.keywords or not node.args:
-            raise self.refused(node, "it calls zip with strict")
-        parts = [self.iteration(one) for one in node.args]
-        return Iteration(
-            "".join(part.begin for part in parts),
-            "&&".join(part.more for part in parts),
-            ",".join(part.advance for part in parts),
-            self.tuple_of(None, [part.value for part in parts]),
-        )
-
-
-class Written(ast.expr):
-    """An expression that is written already."""
-
-    def __init__(self, code: Code) -> None:
-        """See the class."""
-        super().__init__()
-        self.code = code
-
 
 def _literal(node: ast.expr) -> int | None:
-    """A whole number that stands in the code."""
+    """Returns the whole number for which an expression stands, if it is a literal one."""
     try:
         value = ast.literal_eval(node)
     except ValueError:

@@ -1,7 +1,7 @@
-"""What is known of a value before code runs, for the translation to JavaScript: its kind.
+"""Defines the kind of a value: what the translation to JavaScript knows of it before code runs.
 
-JavaScript has numbers of one type only. So the kind decides what an operation is: a sum of whole numbers must stay a
-whole number of Python's, a sum of real ones may be infinite.
+JavaScript has numbers of one type only. So the kind decides what an operation does: a sum of whole numbers must
+stay one of Python's whole numbers, a sum of real ones may be infinite.
 """
 
 from enum import Enum
@@ -21,7 +21,7 @@ FROZEN = "it writes to an array that is no field: pass it as a field"
 
 
 class Untranslatable(Exception):
-    """Code, or a value, has no translation that does the same for sure: `str(error)` says what."""
+    """Says in `str(error)` which code or value has no translation that does the same for sure."""
 
 
 class Array(NamedTuple):
@@ -30,7 +30,7 @@ class Array(NamedTuple):
     Attributes:
         of: the kind of its elements.
         ndim: its number of dimensions.
-        frozen: whether it is reached by a name, and not by a field or an argument: then it is only read.
+        frozen: whether code may only read it, since it reaches it by a name, and not by a field or an argument.
     """
 
     of: str
@@ -51,12 +51,12 @@ class Tuple(NamedTuple):
 
     @property
     def shape(self) -> tuple[Any, int]:
-        """Its class and its length."""
+        """Returns its class and its length."""
         return self.type, len(self.parts)
 
 
 class List(NamedTuple):
-    """A list. What is in it, the translation keeps in a table, since two names may stand for one list.
+    """A list. `Known` keeps the kind of what is in it, since two names may stand for one list.
 
     Attributes:
         site: where in the code it is made.
@@ -71,11 +71,11 @@ class Static(NamedTuple):
     value: Any
 
     def __eq__(self, other: object) -> bool:
-        """Whether it is the very same value."""
+        """Returns whether it is the very same value, or an equal text."""
         return isinstance(other, Static) and (self.value is other.value or self._text == other._text is not None)
 
     def __hash__(self) -> int:
-        """One that equal ones share."""
+        """Returns a hash that equal ones share."""
         return hash(self._text or id(self.value))
 
     @property
@@ -99,10 +99,10 @@ class Code(NamedTuple):
 
 
 def kind_of(value: Any, name: str) -> Kind:
-    """The kind of an argument.
+    """Returns the kind of a value; `name` is what a message calls it.
 
     Raises:
-        Untranslatable: there is none.
+        Untranslatable: the value has none.
     """
     if isinstance(value, bool | np.bool_):
         return BOOL
@@ -134,14 +134,14 @@ def kind_of(value: Any, name: str) -> Kind:
 
 
 def frozen(kind: Kind) -> Kind:
-    """The same, with arrays that are only read."""
+    """Returns the same kind, with arrays that code may only read."""
     if isinstance(kind, Array):
         return kind._replace(frozen=True)
     return Tuple(kind.type, tuple(map(frozen, kind.parts))) if isinstance(kind, Tuple) else kind
 
 
 def joined(one: Kind, other: Kind) -> Kind:
-    """The kind of what is of one kind or of the other.
+    """Returns the kind of what may be of one kind or of the other.
 
     Raises:
         Untranslatable: a name that stands for both would hold values that JavaScript cannot tell apart.
@@ -160,14 +160,14 @@ def joined(one: Kind, other: Kind) -> Kind:
 
 
 def skeleton(kind: Kind) -> Any:
-    """What kinds have in common whose values look the same in JavaScript."""
+    """Returns what is the same for all kinds whose values look the same in JavaScript."""
     if isinstance(kind, Tuple):
         return (kind.type, tuple(map(skeleton, kind.parts)))
     return "number" if kind in NUMBERS else (kind if isinstance(kind, Static | str) else type(kind))
 
 
 def described(kind: Kind) -> str:
-    """What a kind is called in a message."""
+    """Returns what a message calls a kind."""
     if isinstance(kind, Array):
         return f"an array of {kind.ndim} dimension{'s' * (kind.ndim > 1)}"
     if isinstance(kind, Tuple):

@@ -1,11 +1,11 @@
-"""Functions of `math` and `np`, and draws from `rng`, in JavaScript.
+"""Writes calls of `math` and `np`, and draws from `rng`, in JavaScript.
 
-Functions whose last digit is a matter of the library of mathematics (exp, log, sin, ...) need the very library that
+The library of mathematics decides the last digit of exp, log, sin and others. So these need the very library that
 Python uses.
 """
 
 import ast
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -25,10 +25,7 @@ from edugym.compiled.javascript.kinds import (
     Tuple,
     described,
 )
-
-if TYPE_CHECKING:
-    from edugym.compiled.javascript.base import Base
-    from edugym.compiled.javascript.expressions import Expressions
+from edugym.compiled.javascript.operations import Operations
 
 Given = list[Code]
 Named = dict[str, Code]
@@ -57,31 +54,23 @@ LIBM = frozenset(
         "tanh",
     ]
 )
-"""Functions of the library of mathematics."""
+"""The functions of the library of mathematics."""
 OF_NUMPY = {"arccos": "acos", "arcsin": "asin", "arctan": "atan", "arctan2": "atan2", "power": "pow"}
-"""Other names that NumPy has for them."""
+"""NumPy's own names for some of them."""
 AS_NUMPY = {"absolute": "abs", "amax": "max", "amin": "min", "bool_": "bool"}
-"""Functions that NumPy has twice."""
+"""The second names of functions that NumPy has under two."""
 
 
 # Functions of `math` and of NumPy
 
 
-def libm(writer: "Base", node: ast.AST, name: str, *texts: str) -> str:
-    """A call of the library of mathematics."""
-    if name not in writer.program.libm:
-        known = {"pow": "a power of real numbers"}.get(name, name)
-        raise writer.refused(node, f"it uses {known}, whose last digit JavaScript may have otherwise")
-    return f"finiteOf(libm.{name}({','.join(texts)}))"
-
-
-def of_math(writer: "Expressions", node: ast.AST, name: str, given: Given) -> Code:
-    """A call of a function of `math`."""
+def of_math(writer: Operations, node: ast.AST, name: str, given: Given) -> Code:
+    """Writes a call of a function of `math`."""
     if not all(one.kind in NUMBERS or one.kind in (BOOL, NEVER) for one in given):
         raise writer.refused(node, f"it calls math.{name} with {described(given[0].kind)}")
     texts = [f"(+{one.text})" for one in given]
     if name in LIBM:
-        return Code(libm(writer, node, name, *texts), FLOAT)
+        return Code(writer.libm(node, name, *texts), FLOAT)
     plain = {
         "sqrt": ("root({})", FLOAT),
         "fabs": ("Math.abs({})", FLOAT),
@@ -105,14 +94,14 @@ REDUCED = {"max": "largest", "min": "smallest"}
 PLACES = {"argmax": "placeOfLargest", "argmin": "placeOfSmallest"}
 
 
-def _array(writer: "Expressions", node: ast.AST, code: Code) -> Code:
-    """What NumPy makes of an array, a list or a tuple."""
+def _array(writer: Operations, node: ast.AST, code: Code) -> Code:
+    """Writes what NumPy makes of an array, a list or a tuple."""
     kind = writer.spread_kind(node, code.kind)
     return Code(writer.spreadable(node, code), kind)
 
 
-def of_array(writer: "Expressions", node: ast.AST, array: Code, name: str, given: Given, named: Named) -> Code | None:
-    """A method of an array."""
+def of_array(writer: Operations, node: ast.AST, array: Code, name: str, given: Given, named: Named) -> Code | None:
+    """Writes a call of a method of an array; None if there is no translation."""
     kind: Any = array.kind
     if name == "fill" and len(given) == 1 and not named:
         if kind.frozen:
@@ -127,7 +116,7 @@ def of_array(writer: "Expressions", node: ast.AST, array: Code, name: str, given
 
 
 def _reduced(array: Code, name: str) -> Code | None:
-    """A number made of all of an array."""
+    """Writes a call that makes one number of a whole array; None if there is no translation."""
     kind: Any = array.kind
     if name in PLACES and kind.of != BOOL:
         return Code(f"{PLACES[name]}({array.text})", INT)
@@ -143,8 +132,8 @@ def _reduced(array: Code, name: str) -> Code | None:
     return None
 
 
-def of_numpy(writer: "Expressions", node: ast.AST, name: str, given: Given, named: Named) -> Code | None:
-    """A function of NumPy's."""
+def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: Named) -> Code | None:
+    """Writes a call of a function of NumPy; None if there is no translation."""
     if name in ("zeros", "ones", "full", "empty"):
         return _new_array(writer, node, name, given, named)
     if name in ("clip",):
@@ -197,24 +186,22 @@ def of_numpy(writer: "Expressions", node: ast.AST, name: str, given: Given, name
     return _reduced(array, name)
 
 
-def _elementwise_libm(writer: "Expressions", node: ast.AST, name: str, given: Given) -> Code | None:
+def _elementwise_libm(writer: Operations, node: ast.AST, name: str, given: Given) -> Code | None:
     if all(one.kind in NUMBERS for one in given):
-        return Code(libm(writer, node, name, *(one.text for one in given)), FLOAT)
+        return Code(writer.libm(node, name, *(one.text for one in given)), FLOAT)
     if len(given) == 1 and isinstance(given[0].kind, Array):
-        return Code(
-            f"mapped(Real,x=>{libm(writer, node, name, 'x')},{given[0].text})", Array(FLOAT, given[0].kind.ndim)
-        )
+        return Code(f"mapped(Real,x=>{writer.libm(node, name, 'x')},{given[0].text})", Array(FLOAT, given[0].kind.ndim))
     return None
 
 
 def _dtype(code: Code | None) -> str | None:
-    """The kind of the elements that `dtype=` asks for."""
+    """Returns the kind of the elements that `dtype=` asks for; None for one that has no translation."""
     value = code.kind.value if code is not None and isinstance(code.kind, Static) else None
     kinds: dict[Any, str] = {int: INT, float: FLOAT, bool: BOOL, np.int64: INT, np.float64: FLOAT, np.bool_: BOOL}
     return kinds.get(value)
 
 
-def _new_array(writer: "Expressions", node: ast.AST, name: str, given: Given, named: Named) -> Code | None:
+def _new_array(writer: Operations, node: ast.AST, name: str, given: Given, named: Named) -> Code | None:
     if name == "empty":
         raise writer.refused(node, "it uses np.empty, in which there may be anything: use np.zeros")
     count = 2 if name == "full" else 1
@@ -248,11 +235,11 @@ PARAMETERS: dict[str, dict[str, str]] = {
     "normal": {"loc": "0", "scale": "1"},
     "exponential": {"scale": "1"},
 }
-"""The draws that are translated: their parameters, with defaults where all are numbers."""
+"""The parameters of each draw that has a translation, with their defaults if all of them are numbers."""
 
 
-def draw(writer: "Expressions", node: ast.AST, rng: str, name: str, given: Given, named: Named) -> Code:
-    """A call of a method of `rng`, which stands for the place of its state."""
+def draw(writer: Operations, node: ast.AST, rng: str, name: str, given: Given, named: Named) -> Code:
+    """Writes a draw; in JavaScript, `rng` is the place of the generator's state."""
     if name == "random" and not given and not named:
         return Code(f"draw.next_double({rng})", FLOAT)
     if name not in PARAMETERS:
@@ -272,7 +259,7 @@ def draw(writer: "Expressions", node: ast.AST, rng: str, name: str, given: Given
     return made
 
 
-def _integers(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Code | None:
+def _integers(writer: Operations, node: ast.AST, rng: str, told: Named) -> Code | None:
     dtype, endpoint = told.pop("dtype", None), told.pop("endpoint", Code("false", BOOL))
     low, high = told.pop("low", None), told.pop("high", None)
     if low is None or told or endpoint.text not in ("true", "false") or (dtype and _dtype(dtype) != INT):
@@ -284,7 +271,7 @@ def _integers(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Co
     return Code(f"bounded({rng},{bounds})", INT)
 
 
-def _choice(writer: "Expressions", node: ast.AST, rng: str, told: Named) -> Code | None:
+def _choice(writer: Operations, node: ast.AST, rng: str, told: Named) -> Code | None:
     for name, usual in (("size", "none"), ("replace", BOOL)):
         one = told.pop(name, None)
         if one is not None and (one.kind != usual or one.text == "false"):

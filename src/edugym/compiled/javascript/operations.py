@@ -1,4 +1,4 @@
-"""Operations and comparisons in JavaScript: of whole numbers, of real ones, of arrays and of tuples."""
+"""Writes operations and comparisons in JavaScript: of whole numbers, of real ones, of arrays and of tuples."""
 
 import ast
 from typing import Any
@@ -21,7 +21,6 @@ from edugym.compiled.javascript.kinds import (
     Tuple,
     described,
 )
-from edugym.compiled.javascript.libraries import libm
 
 WHOLE: dict[type, str] = {
     ast.Add: "whole({}+{})",
@@ -108,7 +107,7 @@ class Operations(Base):
         return self.operation(node, type(node.op), self.visit(node.left), self.visit(node.right))
 
     def operation(self, node: ast.AST, operation: type, left: Code, right: Code) -> Code:
-        """What an operation gives."""
+        """Writes an operation."""
         kinds = (left.kind, right.kind)
         if NEVER in kinds:
             return Code(f"({left.text},{right.text})", NEVER)
@@ -119,7 +118,7 @@ class Operations(Base):
         if isinstance(left.kind, List) and isinstance(right.kind, List) and operation is ast.Add:
             site = self.list_at(node)
             for one in (left.kind, right.kind):
-                self.widen(node, site, self.program.part(one))
+                self.widen(node, site, self.known.part(one))
             return Code(f"[...{left.text},...{right.text}]", site)
         if not all(kind in NUMBERS or kind == BOOL for kind in kinds):
             other = next(kind for kind in kinds if kind not in NUMBERS and kind != BOOL)
@@ -136,7 +135,7 @@ class Operations(Base):
         if operation is ast.Pow:
             if FLOAT not in (left.kind, right.kind):
                 raise self.refused(node, "it computes a power of a number that may be whole or real")
-            return Code(libm(self, node, "pow", left.text, right.text), FLOAT)
+            return Code(self.libm(node, "pow", left.text, right.text), FLOAT)
         if operation not in REAL:
             raise self.refused(node, "it computes with a real number where Python takes whole ones only")
         kind = self._real(node, left, right) if operation is not ast.Div else FLOAT
@@ -152,7 +151,7 @@ class Operations(Base):
         return FLOAT if FLOAT in (left.kind, right.kind) else MIXED
 
     def of_arrays(self, node: ast.AST, operation: type, left: Code, right: Code) -> Code:
-        """What an operation on the elements of arrays gives."""
+        """Writes an operation on the elements of arrays."""
         ndim = max((kind.ndim for kind in (left.kind, right.kind) if isinstance(kind, Array)), default=0)
         elements = [kind.of if isinstance(kind, Array) else kind for kind in (left.kind, right.kind)]
         if isinstance(left.kind, List | Tuple) or isinstance(right.kind, List | Tuple):
@@ -171,10 +170,10 @@ class Operations(Base):
         return Code(text, Array(str(one.kind), ndim))
 
     def spread_kind(self, node: ast.AST, kind: Kind) -> Kind:
-        """The kind of the array that `spreadable` makes."""
+        """Returns the kind of the array that `spreadable` makes."""
         if isinstance(kind, Tuple):
             return Array(self.element(node, kind.parts), 1)
-        return Array(self.element(node, [self.program.part(kind)]), 1) if isinstance(kind, List) else kind
+        return Array(self.element(node, [self.known.part(kind)]), 1) if isinstance(kind, List) else kind
 
     def _of_Compare(self, node: ast.Compare) -> Code:
         if len(node.ops) == 1:
@@ -194,7 +193,7 @@ class Operations(Base):
         return Code(f"({'&&'.join(parts)})", BOOL)
 
     def compared(self, node: ast.AST, sign: type, left: Code, right: Code) -> Code:
-        """What a comparison gives."""
+        """Writes a comparison."""
         kinds = (left.kind, right.kind)
         if sign in (ast.Is, ast.IsNot):
             if NONE not in kinds:
@@ -227,7 +226,7 @@ class Operations(Base):
         raise self.refused(node, f"it compares {described(kinds[0])} with {described(kinds[1])}")
 
     def equal(self, node: ast.AST, left: Code, right: Code) -> str:
-        """Whether two tuples are equal."""
+        """Writes the test whether two tuples are equal."""
         one, other = self.fresh(), self.fresh()
         kinds: Any = (left.kind, right.kind)
         if len(kinds[0].parts) != len(kinds[1].parts):
@@ -241,33 +240,36 @@ class Operations(Base):
         return f"({one}={left.text},{other}={right.text},{'&&'.join(parts) or 'true'})"
 
     def contained(self, node: ast.AST, sign: type, left: Code, right: Code) -> Code:
-        """Whether a number is in a list or a tuple of numbers."""
-        kinds = [self.program.part(right.kind)] if isinstance(right.kind, List) else getattr(right.kind, "parts", ["?"])
+        """Writes the test whether a number is in a list or a tuple of numbers."""
+        kinds = [self.known.part(right.kind)] if isinstance(right.kind, List) else getattr(right.kind, "parts", ["?"])
         if left.kind not in (INT, MIXED) or not set(kinds) <= {INT, MIXED, FLOAT}:
             raise self.refused(node, "it uses in with other things than whole numbers in a list or a tuple")
         text = right.text if isinstance(right.kind, List) else self.as_list(right)
         return Code(f"({str(sign is ast.NotIn).lower()}===differsFromAll({text},{left.text}))", BOOL)
 
     def as_list(self, code: Code) -> str:
-        """The parts of a tuple as a list of JavaScript's."""
+        """Writes the parts of a tuple as a JavaScript list."""
         kind, held = code.kind, self.fresh()
         count = len(kind.parts) if isinstance(kind, Tuple) else 0
         return f"({held}={code.text},[{','.join(f'{held}.a{k}' for k in range(count))}])"
 
     def spreadable(self, node: ast.AST, value: Code, into: str | None = None) -> str:
-        """A number or an array, as what an array is filled with: one of this kind, if that is known."""
+        """Writes what NumPy makes of a value with which it computes or fills an array.
+
+        That is an array for a list or a tuple, with elements of the kind `into` if it is given; else the value itself.
+        """
         if isinstance(value.kind, Tuple):
             kind = into or self.element(node, value.kind.parts)
             given = self.fresh()
             parts = ",".join(f"{given}.a{k}" for k in range(len(value.kind.parts)))
             return f"({given}={value.text},made({ARRAYS[kind]},[{len(value.kind.parts)}],[{parts}]))"
         if isinstance(value.kind, List):
-            held, kind = self.fresh(), into or self.element(node, [self.program.part(value.kind)])
+            held, kind = self.fresh(), into or self.element(node, [self.known.part(value.kind)])
             return f"({held}={value.text},made({ARRAYS[kind]},[{held}.length],{held}))"
         return value.text
 
     def element(self, node: ast.AST, kinds: Any) -> str:
-        """The kind of the elements of an array that NumPy makes of things of these kinds."""
+        """Returns the kind of the elements of the array that NumPy makes of values of these kinds."""
         found = set(kinds) - {NEVER}
         if found <= {INT} or found <= {BOOL}:
             return next(iter(found), FLOAT)
@@ -276,13 +278,13 @@ class Operations(Base):
         raise self.refused(node, "it makes an array of other things than numbers of one type")
 
     def require_fits(self, node: ast.AST, of: str, kind: Kind, *, alone: bool = False) -> None:
-        """Refuses to put what is of a kind into an array, or into one place of it."""
+        """Refuses a value of a kind that does not fit into an array `of` a kind, or if `alone` into one place of it."""
         if alone and not isinstance(kind, str):
             raise self.refused(node, f"it puts {described(kind)} in one place of an array")
         if isinstance(kind, Array):
             kind = kind.of
         for one in (
-            kind.parts if isinstance(kind, Tuple) else [self.program.part(kind)] if isinstance(kind, List) else [kind]
+            kind.parts if isinstance(kind, Tuple) else [self.known.part(kind)] if isinstance(kind, List) else [kind]
         ):
             fits = {FLOAT: {*NUMBERS, BOOL, NEVER}, INT: {INT, NEVER}, BOOL: {BOOL, NEVER}}[of]
             if one not in fits:

@@ -1,4 +1,4 @@
-"""The text of a function, as a tree: what is translated is the source, so it has to be that of the code that runs."""
+"""Finds the source of a function, which the translator reads, and makes sure that it is that of the code that runs."""
 
 import ast
 import linecache
@@ -11,10 +11,10 @@ from edugym.compiled.javascript.kinds import Untranslatable
 
 
 def source_of(function: FunctionType) -> ast.FunctionDef:
-    """The definition of a function, in the text from which it was made.
+    """Returns the definition of a function, in the text from which Python made it.
 
     Raises:
-        Untranslatable: the text is not there, or is another by now.
+        Untranslatable: the text is not there, or has changed since.
     """
     code = function.__code__
     found = _definition("".join(linecache.getlines(code.co_filename, function.__globals__)), code)
@@ -27,7 +27,7 @@ def source_of(function: FunctionType) -> ast.FunctionDef:
 
 @cache
 def _definition(text: str, code: CodeType) -> ast.FunctionDef | None:
-    """The definition from which this code was made."""
+    """Returns the definition from which Python made this code; None if the text has no such definition."""
     try:
         tree = ast.parse(text)
     except SyntaxError:

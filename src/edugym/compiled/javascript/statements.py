@@ -1,7 +1,7 @@
-"""Writes one function, for arguments of given kinds, as JavaScript: its statements, and expressions but for calls.
+"""Writes the statements of one function in JavaScript, for arguments of given kinds.
 
-A variable has one kind in all of its function, and a value wherever it is used. Both are found out while writing; what
-is written is thrown away and written again until no kind changes any more (`edugym.compiled.javascript.program`).
+A variable has one kind in all of its function, and a value wherever it is used. The writer finds out the kinds while it
+writes, so the program is written again until no kind changes any more (`edugym.compiled.javascript.program`).
 """
 
 import ast
@@ -32,13 +32,13 @@ class Writer(Expressions):
     """Writes one function."""
 
     def write(self, node: ast.FunctionDef, kinds: dict[str, Kind]) -> tuple[str, Kind]:
-        """The function's text and the kind of its result."""
+        """Writes the function, without its name, and returns the kind of its result with it."""
         if node.args.vararg or node.args.kwarg or node.args.kwonlyargs:
             raise self.refused(node, "it has parameters with *")
         self.result: Kind = NEVER
         self.gives_nothing = False
         for name, kind in kinds.items():
-            self.program.note((self.key, name), kind)
+            self.known.note((self.key, name), kind)
             self.assigned.add(name)
         body, ends = self.block(node.body)
         if not ends or self.gives_nothing:
@@ -52,10 +52,10 @@ class Writer(Expressions):
         return f"({','.join(f'${name}' for name in kinds)}){{{declared}{body}}}", self.result
 
     def bind(self, node: ast.AST, target: ast.expr, value: Code) -> str:
-        """The statement that assigns to a name, to several, or to a part of an array."""
+        """Writes the statement that assigns to a name, to several, or to a part of an array or a list."""
         if isinstance(target, ast.Name):
             try:
-                self.program.note((self.key, target.id), value.kind)
+                self.known.note((self.key, target.id), value.kind)
             except Untranslatable as error:
                 raise self.refused(node, str(error)) from error
             self.assigned.add(target.id)
@@ -76,7 +76,7 @@ class Writer(Expressions):
         raise self.refused(node, f"it assigns {ast.unparse(target)}")
 
     def put(self, node: ast.AST, owner: Code, index: ast.expr, value: Code) -> str:
-        """The statement that assigns to a part of an array or a list, which is held in a variable."""
+        """Writes the statement that assigns to a part of an array or a list, which a variable holds."""
         if isinstance(owner.kind, List):
             self.widen(node, owner.kind, value.kind)
             return f"putItem({owner.text},{self.index(index)},{value.text});"
@@ -95,10 +95,10 @@ class Writer(Expressions):
         part = self.part(owner, indices)
         return f"assign({part.text},{self.spreadable(node, value, array.of)});"
 
-    # Statements: the text, and whether what follows is never reached
+    # Statements: each gives its text, and whether what follows is never reached
 
     def block(self, body: list[ast.stmt]) -> tuple[str, bool]:
-        """The statements of a block."""
+        """Writes the statements of a block, and tells whether what follows is never reached."""
         texts, ends = [], False
         for statement in body:
             if ends:
@@ -163,7 +163,7 @@ class Writer(Expressions):
         ), False
 
     def in_place(self, node: ast.AugAssign, array: Code, value: Code) -> str:
-        """The statement that changes an array in place."""
+        """Writes the statement that changes an array in place."""
         kind: Any = array.kind
         if kind.frozen:
             raise self.refused(node, FROZEN)
@@ -175,7 +175,7 @@ class Writer(Expressions):
     def _do_Return(self, node: ast.Return) -> tuple[str, bool]:
         value = Code("null", NONE) if node.value is None else self.visit(node.value)
         if value.kind == NONE:
-            known = self.program.results.get(self.key, NEVER)
+            known = self.known.results.get(self.key, NEVER)
             self.gives_nothing = True
             if known not in (NEVER, NONE):
                 return f"{value.text};doubt('nothing is returned');", True
@@ -206,7 +206,7 @@ class Writer(Expressions):
 
     @contextmanager
     def once_or_never(self) -> Iterator[None]:
-        """What is assigned within has no value for sure afterwards."""
+        """Forgets afterwards what is assigned within, since that may never happen."""
         before = set(self.assigned)
         yield
         self.assigned = before
@@ -238,7 +238,7 @@ class Writer(Expressions):
 
 
 def _of_this_loop(body: list[ast.stmt]) -> Iterator[ast.stmt]:
-    """The statements of a loop but for those of loops within."""
+    """Yields the statements of a loop, but not those of the loops within it."""
     for statement in body:
         yield statement
         if isinstance(statement, ast.If):
