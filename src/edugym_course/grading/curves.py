@@ -7,11 +7,20 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from gymnasium import spaces
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import Environment, Policy, Program, Run, Step, learn_from, returns_of, run_program
+from edugym_course.grading.programs import (
+    Environment,
+    Policy,
+    Program,
+    Run,
+    Step,
+    learn_from,
+    returns_of,
+    run_program,
+    shape_of,
+)
 
 SEEDS = 5
 """How many runs of a program are compared with ours."""
@@ -32,6 +41,7 @@ class Race:
         ours: our program.
         episodes: how many episodes the policy plays in the end.
         judged: what counts, of `Result`.
+        remembers: whether the policy is told all that came before in the episode.
     """
 
     make: Callable[[], Environment]
@@ -39,6 +49,7 @@ class Race:
     ours: Program
     episodes: int = 1
     judged: tuple[str, ...] = ("late", "played")
+    remembers: bool = False
 
 
 class Result(NamedTuple):
@@ -58,7 +69,7 @@ class Result(NamedTuple):
 def result_of(race: Race, program: Program, seed: int) -> Result:
     """Run a program, and play its policy."""
     run = run_program(program, race.make(), race.n_steps, seed)
-    played = returns_of(run.policy, race.make(), race.episodes, seed + 1)
+    played = returns_of(run.policy, race.make(), race.episodes, seed + 1, race.remembers)
     return Result(run, run.late(), float(played.mean()))
 
 
@@ -136,9 +147,7 @@ def program_of(make: Callable[[tuple[int, int]], Any]) -> Program:
     """Return our program: the plain loop with an agent of the package, made for the shape of a table."""
 
     def program(environment: Environment, n_steps: int, seed: int) -> Policy:
-        assert isinstance(environment.observation_space, spaces.Discrete)
-        assert isinstance(environment.action_space, spaces.Discrete)
-        agent = make((int(environment.observation_space.n), int(environment.action_space.n)))
+        agent = make(shape_of(environment))
         names, rng = learns_from(agent), np.random.default_rng(seed)
         state, _ = environment.reset(seed=seed)
         action = agent.act(state, rng)

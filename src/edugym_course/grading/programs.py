@@ -116,6 +116,8 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         space = self.env.action_space
         if action is None:
             self._refuse("chooses None as an action: is a `return` missing?")
+        if isinstance(space, spaces.Box):
+            return self._real(action)
         assert isinstance(space, spaces.Discrete)
         most = int(space.n) - 1
         if isinstance(action, list | tuple) or np.ndim(action):
@@ -129,6 +131,16 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
             self._refuse(f"chooses {in_short(action)} as an action: it should be a whole number from 0 to {most}")
         if not 0 <= number <= most:
             self._refuse(f"chooses the action {number}: there are the actions 0 to {most}")
+        return number
+
+    def _real(self, action: Any) -> float:
+        """Return an action that is one real number, or refuse it."""
+        try:
+            number = float(np.asarray(action, float).item())
+        except (TypeError, ValueError):
+            self._refuse(f"chooses {in_short(action)} as an action, and it should be one real number")
+        if not math.isfinite(number):
+            self._refuse(f"chooses {number} as an action: does what it learns grow without end?")
         return number
 
     def _refuse(self, what: str) -> Any:
@@ -204,8 +216,15 @@ def _require_policy(call: str, policy: Any) -> None:
         )
 
 
-def returns_of(policy: Policy, environment: Environment, episodes: int, seed: int) -> Reals:
+def returns_of(policy: Policy, environment: Environment, episodes: int, seed: int, remembers: bool = False) -> Reals:
     """Play episodes by a policy, and return their returns.
+
+    Args:
+        policy: the policy.
+        environment: where it plays.
+        episodes: how many.
+        seed: of the environment.
+        remembers: whether it is given the history of the episode, O_0, A_0, O_1, ..., O_t, in the place of O_t alone.
 
     Raises:
         WrongAnswer: the policy fails, or chooses no action that there is.
@@ -213,13 +232,20 @@ def returns_of(policy: Policy, environment: Environment, episodes: int, seed: in
     recorder = Recorder(environment, math.inf, seed, "the policy that my_program returns")
     for _ in range(episodes):
         state, _ = recorder.reset()
+        history: tuple[Any, ...] = (state,)
         over = False
         while not over:
             with student_code(f"the policy that {NAME} returns"):
-                action = policy(state)
+                action = policy(history if remembers else state)
             state, _, terminated, truncated, _ = recorder.step(action)
-            over = terminated or truncated
+            history, over = (*history, recorder.steps[-1].action, state), terminated or truncated
     return Run(recorder.steps, policy).returns
+
+
+def shape_of(environment: Environment) -> tuple[int, int]:
+    """Return the shape of a table for an environment: how many numbers an observation can be, and how many actions."""
+    assert isinstance(environment.action_space, spaces.Discrete)
+    return spaces.flatdim(environment.observation_space), int(environment.action_space.n)
 
 
 def learn_from(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:

@@ -16,11 +16,20 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from edugym.agents.tables import best_value, tied
+from edugym.agents.tables import tied
 from edugym.checks.contract import learns_from
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import APART, NAME, Step, learn_from, require_reproducible, run_program
+from edugym_course.grading.programs import (
+    APART,
+    NAME,
+    Environment,
+    Step,
+    learn_from,
+    require_reproducible,
+    run_program,
+    shape_of,
+)
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -44,6 +53,9 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         seed: the number from which the MDP is drawn.
         truncates: whether episodes may also be truncated.
         noisy: whether rewards, next states and ends also depend on chance.
+
+    Attributes:
+        states: the number of the state at each place, layer by layer.
     """
 
     def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
@@ -51,7 +63,7 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         n, rng = LAYERS * WIDTH, np.random.default_rng(APART + seed)
         self.observation_space = spaces.Discrete(n)
         self.action_space = spaces.Discrete(ACTIONS)
-        self._names = rng.permutation(n)
+        self.states = rng.permutation(n)
         self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, ACTIONS))
         self._ends = rng.choice([0.03, 0.2], (n, ACTIONS))
         self._next = rng.integers(WIDTH, size=(n, ACTIONS, 2))
@@ -64,7 +76,7 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         """Begin in the first layer."""
         super().reset(seed=seed)
         self._place = int(self.np_random.integers(WIDTH))
-        return int(self._names[self._place]), {}
+        return int(self.states[self._place]), {}
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Go to the next layer, or end."""
@@ -78,18 +90,19 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         layer = (self._place // WIDTH + 1) % LAYERS
         self._place = layer * WIDTH + int(self._next[self._place, action, way])
         truncated = bool(self._truncates and not terminated and self.np_random.random() < 0.3)
-        return int(self._names[self._place]), reward, terminated, truncated, {}
+        return int(self.states[self._place]), reward, terminated, truncated, {}
 
 
 Maker = Callable[[tuple[int, int]], Any]
-"""Makes an agent of the package for the shape of a table."""
+"""Makes an agent for the shape of a table."""
 
 
 class Learner(NamedTuple):
     """A method, or a mistake.
 
     Attributes:
-        make: makes an agent of the package, for the shape of a table.
+        make: makes an agent, for the shape of a table. Its values are in its table `Q`, or it has a method
+            `values(state)`.
         alter: what it takes a step for, after what it took the step before for (None at the first).
         skips: from which steps it does not learn.
     """
@@ -100,7 +113,7 @@ class Learner(NamedTuple):
 
 
 def _goes_on(step: Step, before: Step | None) -> Step:
-    return step._replace(terminated=False)
+    return step._replace(terminated=False, truncated=step.terminated or step.truncated)
 
 
 def _ends(step: Step, before: Step | None) -> Step:
@@ -111,7 +124,8 @@ def _old_start(step: Step, before: Step | None) -> Step:
     return step._replace(state=before.next_state) if before and (before.terminated or before.truncated) else step
 
 
-def _stays(step: Step, before: Step | None) -> Step:
+def stays(step: Step, before: Step | None) -> Step:
+    """Take the first state of an episode for all of its states."""
     return step if before is None or before.terminated or before.truncated else step._replace(state=before.state)
 
 
@@ -138,7 +152,7 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False) -> dict[str, Learner
         " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
         "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
         " gives the first state of the new one": Learner(make, _old_start),
-        "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, _stays),
+        "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, stays),
         LOW: Learner(make, _costs),
     }
 
@@ -181,16 +195,17 @@ class Surprises(NamedTuple):
         return bool(self.logs.sum() > other.logs.sum() + NATS)
 
 
-def surprises(steps: Sequence[Step], learner: Learner, epsilon: float) -> Surprises:
+def surprises(steps: Sequence[Step], learner: Learner, shape: tuple[int, int], epsilon: float) -> Surprises:
     """Let an agent learn from the steps of a program, and note the actions that did not look best to it."""
-    agent = learner.make((LAYERS * WIDTH, ACTIONS))
+    agent = learner.make(shape)
     names = learns_from(agent)
     found, chances, logs = np.zeros((3, len(steps)))
     waiting: Step | None = None
     before: Step | None = None
     for t, real in enumerate(steps):
         step = before = learner.alter(real, before)
-        best = [tied(value, best_value(agent.Q, step.state)) for value in agent.Q[step.state]]
+        values = agent.values(step.state) if hasattr(agent, "values") else agent.Q[step.state]
+        best = [tied(value, max(values)) for value in values]
         found[t], chances[t] = not best[step.action], epsilon * (1 - sum(best) / len(best))
         logs[t] = math.log(epsilon / len(best) + (1 - epsilon) * best[step.action] / sum(best))
         if waiting is not None:
@@ -219,6 +234,7 @@ class Rule:
         noisy: whether chance plays a part in the small worlds.
         worlds: in how many small worlds a program is tried.
         n_steps: how many steps it takes in each.
+        world: makes one, with the arguments of `SmallWorld`.
     """
 
     right: Learner
@@ -229,6 +245,7 @@ class Rule:
     noisy: bool = True
     worlds: int = 2
     n_steps: int = 2000
+    world: Callable[[int, bool, bool], Environment] = SmallWorld
 
     def check(self, program: Any, seed: int) -> None:
         """Check that the actions of a program follow from its steps by the equation.
@@ -241,14 +258,15 @@ class Rule:
             WrongAnswer: they do not; or the program breaks the contract.
         """
         seeds = range(self.worlds * seed, self.worlds * (seed + 1))
-        worlds = [partial(SmallWorld, number, self.truncates, self.noisy) for number in seeds]
+        worlds = [partial(self.world, number, self.truncates, self.noisy) for number in seeds]
         require_reproducible(program, worlds[0], TRIAL, seed)
         runs = [
             run_program(program, world(), self.n_steps, number).steps
             for number, world in zip(seeds, worlds, strict=True)
         ]
-        right = self._surprises(runs, self.right)
-        counted = {sentence: self._surprises(runs, mistake) for sentence, mistake in self.mistakes.items()}
+        shape = shape_of(worlds[0]())
+        right = self._surprises(runs, self.right, shape)
+        counted = {sentence: self._surprises(runs, mistake, shape) for sentence, mistake in self.mistakes.items()}
         better = [sentence for sentence in counted if counted[sentence].explains_better_than(right)]
         if right.is_usual and not better:
             return
@@ -261,10 +279,10 @@ class Rule:
             f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
         )
 
-    def _surprises(self, runs: Sequence[Sequence[Step]], learner: Learner) -> Surprises:
+    def _surprises(self, runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int]) -> Surprises:
         """Return the surprises of several runs, each with a new agent."""
         return Surprises(
-            *map(np.concatenate, zip(*(surprises(run, learner, self.epsilon) for run in runs), strict=True))
+            *map(np.concatenate, zip(*(surprises(run, learner, shape, self.epsilon) for run in runs), strict=True))
         )
 
     def _cause(self, right: Surprises) -> str:

@@ -5,8 +5,10 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
+from gymnasium import spaces
 
 from edugym import QLearning
 from edugym_course.grading import WrongAnswer
@@ -202,6 +204,60 @@ def test_a_policy_that_fails(policy: Any, says: str) -> None:
     with pytest.raises(WrongAnswer) as refused:
         returns_of(policy, SmallWorld(0), 3, 0)
     assert says in str(refused.value)
+
+
+class Line(gymnasium.Env[Any, Any]):
+    """Episodes of three steps; an action is one real number, and it is the reward."""
+
+    observation_space = spaces.Discrete(3)
+    action_space = spaces.Box(-math.inf, math.inf, (), np.float64)
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin at 0."""
+        self.place = 0
+        return 0, {}
+
+    def step(self, action: float) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Go on by one."""
+        self.place += 1
+        return self.place % 3, action, self.place == 3, False, {}
+
+
+@pytest.mark.parametrize("act", [float, np.float32, lambda number: np.array([number]), lambda number: [number]])
+def test_a_real_action(act: Callable[[Any], Any]) -> None:
+    """One number in whatever form is noted as a float."""
+    run = run_program(partial(plays, act=act), Line(), N_STEPS, 0)
+    assert {type(step.action) for step in run.steps} == {float}
+
+
+@pytest.mark.parametrize(
+    ("action", "says"),
+    [
+        (None, "chooses None as an action: is a `return` missing?"),
+        ([1.0, 2.0], "my_program chooses [1.0, 2.0] as an action, and it should be one real number"),
+        ("left", "as an action, and it should be one real number"),
+        (math.nan, "my_program chooses nan as an action: does what it learns grow without end?"),
+        (math.inf, "my_program chooses inf as an action: does what it learns grow without end?"),
+    ],
+)
+def test_what_is_no_real_action(action: Any, says: str) -> None:
+    """One sentence says what came."""
+    with pytest.raises(WrongAnswer) as refused:
+        run_program(partial(plays, act=lambda number: action), Line(), N_STEPS, 0)
+    assert says in str(refused.value)
+
+
+def test_a_policy_that_remembers() -> None:
+    """It is told all that came before in its episode, and nothing of the episode before."""
+    told: list[Any] = []
+
+    def policy(history: Any) -> float:
+        told.append(history)
+        return float(len(history))
+
+    returns = returns_of(policy, Line(), 2, 0, remembers=True)
+    assert told == [(0,), (0, 1.0, 1), (0, 1.0, 1, 3.0, 2)] * 2
+    assert list(returns) == [9.0, 9.0]
 
 
 def run_with(returns: list[float]) -> Run:

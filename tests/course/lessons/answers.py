@@ -42,7 +42,7 @@ class Exercise(NamedTuple):
 
 def read_answers(lesson: str) -> tuple[str, list[Answer]]:
     """Return the code that runs before every answer, and the answers: `answers/exercise_1_wrong.py`, ..."""
-    setup, answers = "", []
+    setup, answers = "", list[Answer]()
     for path in sorted((build.lesson_sources()[lesson].parent / "answers").glob("*.py")):
         text = path.read_text(encoding="utf-8")
         if path.stem == "setup":

@@ -1,11 +1,14 @@
 """Bins and continuous actions on Trashbot: the parts of the lesson are right, and its claims hold."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
-from edugym_course.lessons.continuous_actions import exact, experiments, methods, ppo, release
+from edugym_course.grading import WrongAnswer
+from edugym_course.lessons.continuous_actions import exact, experiments, methods, ppo, project, release
 from tests.course.lessons.made_up import made_up, measured
 
 
@@ -71,6 +74,17 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
     assert (found.means[:2] == -3.0).all()
     assert (found.means[-20:] == 3.0).all()
     assert 0.8 < found.values[-20:].mean() < 1.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("sentence", project.MISTAKES)
+def test_a_program_that_draws_its_actions(sentence: str, seed: int) -> None:
+    """Our program passes; with a mistake it is told as this one. The quick tests are the answers `project_wrong.py`."""
+    project.check_equations(project.reinforce, seed)
+    with pytest.raises(WrongAnswer) as refused:
+        project.check_equations(partial(project.reinforce, make=project.MISTAKES[sentence]), seed)
+    assert str(refused.value).endswith(f"They fit a usual mistake: {sentence}")
 
 
 def test_continuous_actions() -> None:

@@ -895,6 +895,87 @@ def my_agent(task):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: REINFORCE with a baseline and a Gaussian
+# policy that learns its $\sigma$ too, and its loop, some 40 lines. Each state has a mean $\mu(s)$, a $\ln \sigma(s)$ and a
+# value $V(s)$ of its own, in three arrays. At the end of an episode, for each of its steps $t$:
+#
+# $$
+# \begin{aligned}
+# \delta &= G_t - V(S_t) \\
+# V(S_t) &\leftarrow V(S_t) + \alpha^w\, \delta \\
+# \mu(S_t) &\leftarrow \mu(S_t) + \alpha^\theta\, \gamma^t\, \delta\, \frac{A_t - \mu(S_t)}{\sigma(S_t)^2} \\
+# \ln \sigma(S_t) &\leftarrow \ln \sigma(S_t) + \alpha^\theta\, \gamma^t\, \delta
+# \left[ \frac{(A_t - \mu(S_t))^2}{\sigma(S_t)^2} - 1 \right]
+# \end{aligned}
+# $$
+#
+# On the right are the $\mu$ and the $\sigma$ from which $A_t$ was drawn. After each step keep $\sigma$ between 0.2 and 2: we saw
+# what happens to narrower policies.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns its
+# mean $\mu$. All else is up to you: functions, classes, any names.
+#
+# - States are whole numbers from 0, and `environment.observation_space.n` says how many there are. An action is one real
+#   number, as large or small as you like.
+# - Take $\alpha^\theta = 0.005$, $\alpha^w = 0.1$, $\gamma = 0.8$, and begin with $\mu = 0$, $\sigma = 1$ and $V = 0$.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# In the check an arm lets go of three boxes, one after another, each over a container whose middle it does not know. A
+# box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. Your program
+# draws its actions, so none of them is right or wrong. But its own steps tell, by the equations, from which Gaussians it
+# should have drawn them. The check looks whether its actions lie there, and whether those of a usual mistake fit them
+# better. It sees the steps, and no line of your program. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by REINFORCE for `n_steps` steps, and return the means of the policy."""
+    alpha, alpha_value, gamma = 0.005, 0.1, 0.8
+    rng = np.random.default_rng(seed)
+    mu, log_sigma, V = np.zeros((3, environment.observation_space.n))
+
+    def learn(episode):
+        """Update all that the episode tells about, from its last step to its first."""
+        G = 0.0
+        for t in reversed(range(len(episode))):
+            state, action, reward = episode[t]
+            G = reward + gamma * G
+            delta = G - V[state]
+            V[state] += alpha_value * delta
+            sigma = np.exp(log_sigma[state])
+            off = action - mu[state]
+            step = alpha * gamma**t * delta
+            mu[state] += step * off / sigma**2
+            log_sigma[state] += step * (off**2 / sigma**2 - 1)
+            log_sigma[state] = np.clip(log_sigma[state], np.log(0.2), np.log(2))
+
+    state, _ = environment.reset(seed=seed)
+    episode = []
+    for _ in range(n_steps):
+        action = rng.normal(mu[state], np.exp(log_sigma[state]))
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        episode.append((state, action, reward))
+        state = next_state
+        if terminated or truncated:
+            learn(episode)
+            state, _ = environment.reset()
+            episode = []
+    return lambda state: mu[state]
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.continuous_actions.project import project_7
+
+check(project_7, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - Bins limit what is possible: with 3 bins the best return is 4.31, and no learning can mend that. More bins are

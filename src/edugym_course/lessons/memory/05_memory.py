@@ -850,6 +850,79 @@ def my_agent(corridor):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: Q-learning with a memory of its own, and its
+# loop, some 35 lines. Nobody shows your agent a window now. It gets single observations, and keeps the last three of
+# them and the two actions between them. This window takes the place of the state, in a dictionary, say:
+#
+# $$
+# S_t = (O_{t-2}, A_{t-2}, O_{t-1}, A_{t-1}, O_t)
+# $$
+#
+# Every episode begins with an empty window. So $S_0 = (O_0)$ and $S_1 = (O_0, A_0, O_1)$ are shorter. (Or fill them up,
+# as `FrameStack` does.)
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*. A policy must remember too, so it is a function
+# of the **history**: it takes the tuple $(O_0, A_0, O_1, A_1, \dots, O_t)$ of the present episode, and returns the action with the
+# highest value. All else is up to you: functions, classes, any names.
+#
+# - Observations and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say
+#   how many there are. They differ from one environment to the next.
+# - Take $\alpha = 0.2$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own, in which states look alike, and for 20 000 steps in the
+# corridor. It sees the steps that your program takes, and no line of it. So when it names a mistake, this is the likely
+# cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return int(rng.integers(len(values)))
+    return int(rng.choice(np.flatnonzero(values == values.max())))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by Q-learning on windows for `n_steps` steps, and return the greedy policy."""
+    alpha, gamma, epsilon, k = 0.2, 0.8, 0.1, 3
+    rng = np.random.default_rng(seed)
+    Q = {}
+
+    def window(history):
+        """Return the last k observations, and the actions between them."""
+        return history[-(2 * k - 1) :]
+
+    def row(window):
+        """Return the values of a window, 0 where it is new."""
+        return Q.setdefault(window, np.zeros(environment.action_space.n))
+
+    state = (environment.reset(seed=seed)[0],)
+    for _ in range(n_steps):
+        action = choose_action(row(state), epsilon, rng)
+        observation, reward, terminated, truncated, _ = environment.step(action)
+        next_state = window((*state, action, observation))
+        target = reward if terminated else reward + gamma * row(next_state).max()
+        row(state)[action] += alpha * (target - row(state)[action])
+        state = next_state
+        if terminated or truncated:
+            state = (environment.reset()[0],)
+    return lambda history: choose_action(row(window(history)), 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.memory.project import project_5
+
+check(project_5, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - Where the observation does not tell the state, the agent needs a function of its history.

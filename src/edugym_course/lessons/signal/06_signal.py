@@ -825,6 +825,78 @@ def my_agent(toy):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a listener that learns what the words
+# mean, and its loop, some 30 lines. A table learns every message for itself. Your listener has a weight $\theta_{w,a}$
+# for each word $w$ and each action $a$, and what it learns of a word it knows in every message. Of a message it keeps
+# only $x_w(o)$, how often word $w$ occurs in it, divided by its length $L$. The value of an action is linear in these
+# shares, and the weights of the action that was taken move along their gradient (Sutton and Barto, sections 9.3 and
+# 9.4; $\gamma = 0$, which did no harm in "Your turn"):
+#
+# $$
+# q(o, a) = \sum_w x_w(o)\, \theta_{w,a}
+# \qquad\qquad
+# \theta_{w,A} \leftarrow \theta_{w,A} + \alpha \left[ R - q(O, A) \right] x_w(O) \quad \text{for all } w
+# $$
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
+# episode, and learns from each of them. In the end it returns its *policy*: a function that takes an observation and returns
+# the action with the highest value. All else is up to you: functions, classes, any names.
+#
+# - An observation is an array of whole numbers: the hit points, which you need not use, and then the words.
+#   `environment.observation_space.nvec[1]` says how many different words there are, and `environment.action_space.n` how
+#   many actions. What a word means differs from one environment to the next.
+# - Take $\alpha = 0.01$, $\varepsilon = 0.1$ and first weights of 0.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program in small worlds of its own, and for 5 000 steps on a toy with $\tau = 0.05$ and eight words
+# in a message; a table for these has more than six million rows. It sees the steps that your program takes, and no line
+# of it. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn what words mean for `n_steps` steps, and return the greedy policy."""
+    alpha, epsilon = 0.01, 0.1
+    rng = np.random.default_rng(seed)
+    n_words = environment.observation_space.nvec[1]
+    theta = np.zeros((n_words, environment.action_space.n))
+
+    def heard(observation):
+        """Return the share of each word in the message."""
+        words = observation[1:]
+        return np.bincount(words, minlength=n_words) / len(words)
+
+    observation, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        x = heard(observation)
+        values = x @ theta
+        action = choose_action(values, epsilon, rng)
+        observation, reward, terminated, truncated, _ = environment.step(action)
+        theta[:, action] += alpha * (reward - values[action]) * x
+        if terminated or truncated:
+            observation, _ = environment.reset()
+    return lambda observation: choose_action(heard(observation) @ theta, 0.0, rng)
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.signal.project import project_6
+
+check(project_6, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Words

@@ -1,0 +1,117 @@
+# %% the reward of the step
+# says: the reward of a step stands in the place of the return G, which sums up all rewards from it to the end
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = R[k]
+
+# %% the return so far
+# says: the return sums up the rewards up to a step, and it should be those from it to the end
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(0.8 ** (k - i) * r for i, r in enumerate(R[: k + 1]))
+
+# %% no discount
+# says: the return is not discounted: γ is 0.8 in the text
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(R[k:])
+
+# %% no baseline
+# says: there is no baseline: δ = G − V(S), and V is learned too
+# in: lists of an episode
+# - delta = G - V[S[k]]
+# + delta = G
+
+# %% no γ^t
+# says: the factor γ^t is missing
+# in: lists of an episode
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.005 * delta
+
+# %% the other way
+# says: the policy moves away from actions that were better than the baseline: is a minus sign too many?
+# in: lists of an episode
+# - step = 0.005 * 0.8**k * delta
+# + step = -0.005 * 0.8**k * delta
+
+# %% a fixed σ
+# says: σ is never learned: ln σ has a score, too
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+
+# %% no minus one
+# says: the score of ln σ lacks its − 1, so σ grows wherever δ is above 0
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] += step * z**2 / sigma**2
+
+# %% the score of σ
+# says: what is learned is ln σ, with the score of σ: that of ln σ is σ times as large
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] += step * (z**2 / sigma**3 - 1 / sigma)
+
+# %% not divided
+# says: the score of μ is not divided by σ²
+# in: lists of an episode
+# - mu[S[k]] += step * z / sigma**2
+# + mu[S[k]] += step * z
+
+# %% divided by σ
+# says: the score of μ is divided by σ, and it should be by σ²
+# in: lists of an episode
+# - mu[S[k]] += step * z / sigma**2
+# + mu[S[k]] += step * z / sigma
+
+# %% the variance
+# says: the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = rng.normal(mu[s], np.exp(ls[s]) ** 2)
+
+# %% a large rate
+# says: the learning rate of the policy is too large: it is 0.005 in the text
+# in: lists of an episode
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.025 * 0.8**k * delta
+
+# %% a small rate
+# says: the learning rate of the policy is too small: it is 0.005 in the text
+# in: lists of an episode
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.001 * 0.8**k * delta
+
+# %% values that hardly learn
+# says: there is no baseline: δ = G − V(S), and V is learned too
+# in: lists of an episode
+# - V[S[k]] += 0.1 * delta
+# + V[S[k]] += 0.01 * delta
+
+# %% a wide start
+# says: are there states in which it does not learn?
+# in: lists of an episode
+# - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
+# + mu, ls, V = np.zeros(n), np.full(n, 0.5), np.zeros(n)
+
+# %% one Gaussian for all states
+# says: all states have the same μ and σ, and each should have its own
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = rng.normal(mu[0], np.exp(ls[0]))
+# - V[S[k]] += 0.1 * delta
+# + V[S[k]] += 0.1 * delta
+# + S[k] = 0
+# - return lambda s: mu[s]
+# + return lambda s: mu[0]
+
+# %% a list as an action
+# says: as an action, and it should be one real number
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = rng.normal([mu[s], mu[s]], np.exp(ls[s]))
+
+# %% a policy that goes elsewhere
+# says: the policy that it returns brings
+# in: lists of an episode
+# - return lambda s: mu[s]
+# + return lambda s: -mu[s]

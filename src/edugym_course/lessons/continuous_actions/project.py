@@ -1,0 +1,274 @@
+"""The project of lesson 7: REINFORCE with a Gaussian policy that learns its spread too, from a blank file.
+
+Such a program draws all its actions, so none of them is right or wrong. But its own steps tell, by the equations of the
+lesson, from which Gaussians it should have drawn them. A program whose actions lie elsewhere has other equations.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym_course.grading.curves import Race, compare_with_ours
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import (
+    APART,
+    NAME,
+    Environment,
+    Policy,
+    Step,
+    require_reproducible,
+    run_program,
+)
+from edugym_course.grading.replay import NATS, SIGMAS, TRIAL
+from edugym_course.lessons.continuous_actions.release import reward
+
+POLICY_RATE, VALUE_RATE, DISCOUNT = 0.005, 0.1, 0.8
+SMALLEST, LARGEST = 0.2, 2.0
+"""σ never leaves these bounds."""
+BOXES, WIDTH, FARTHEST = 3, 2, 1.0
+N_STEPS, WORLDS = 6_000, 2
+NEAR = 0.1
+"""A mistake explains actions only if they lie one σ from its μ, give or take this share."""
+
+
+class Boxes(gymnasium.Env[Any, Any]):
+    """An arm lets go of three boxes, one after another, over containers whose middles it does not know.
+
+    A state is the container below the arm. The reward is that of the lesson. After a good place another container
+    comes than after a bad one. No state comes twice in an episode.
+
+    Args:
+        seed: the number from which the middles and the numbers of the states are drawn.
+    """
+
+    def __init__(self, seed: int) -> None:
+        """Draw the containers."""
+        n, rng = BOXES * WIDTH, np.random.default_rng(APART + seed)
+        self.observation_space = spaces.Discrete(n)
+        self.action_space = spaces.Box(-math.inf, math.inf, (), np.float64)
+        self._middles, self._states = rng.uniform(-FARTHEST, FARTHEST, n), rng.permutation(n)
+        self._place = 0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin with one of the first containers."""
+        super().reset(seed=seed)
+        self._place = int(self.np_random.integers(WIDTH))
+        return int(self._states[self._place]), {}
+
+    def step(self, action: float) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Let go of a box."""
+        pays = float(reward(np.array(action - self._middles[self._place])))
+        layer = self._place // WIDTH + 1
+        self._place = layer % BOXES * WIDTH + (pays < 2.0)
+        return int(self._states[self._place]), pays, layer == BOXES, False, {}
+
+
+Returns = Sequence[float]
+Score = Callable[[float, float], float]
+
+
+def returns_from(rewards: Returns, discount: float) -> Returns:
+    """The return from each step on, G_t."""
+    returns = [0.0]
+    for one in reversed(rewards):
+        returns.append(one + discount * returns[-1])
+    return returns[:0:-1]
+
+
+def returns_until(rewards: Returns, discount: float) -> Returns:
+    """What a program gets that sums up from the wrong end."""
+    return returns_from(rewards[::-1], discount)[::-1]
+
+
+def score_of_mean(off: float, spread: float) -> float:
+    """The derivative of ln π with respect to μ, `off` = a − μ from it."""
+    return off / spread**2
+
+
+def score_of_log(off: float, spread: float) -> float:
+    """The derivative of ln π with respect to ln σ."""
+    return (off / spread) ** 2 - 1
+
+
+class Gaussians:
+    """REINFORCE with a Gaussian policy that has μ and ln σ of its own in each state; the values are its baseline.
+
+    Args:
+        n_states: the number of states.
+        returns: gives the returns of the rewards of an episode, and γ.
+        of_mean: the score of μ, of a − μ and σ.
+        of_log: the score of ln σ.
+        policy_rate: α^θ.
+        value_rate: α^w.
+        fades: whether later steps count less, by γ^t.
+        own: whether each state has a Gaussian of its own.
+        squares: whether an action is drawn with σ² as its standard deviation.
+    """
+
+    def __init__(
+        self,
+        n_states: int,
+        returns: Callable[[Returns, float], Returns] = returns_from,
+        of_mean: Score = score_of_mean,
+        of_log: Score = score_of_log,
+        policy_rate: float = POLICY_RATE,
+        value_rate: float = VALUE_RATE,
+        fades: bool = True,
+        own: bool = True,
+        squares: bool = False,
+    ) -> None:
+        """Begin with μ = 0, σ = 1 and V = 0."""
+        self.mean, self._log, self._V = np.zeros((3, n_states))
+        self._returns, self._of_mean, self._of_log = returns, of_mean, of_log
+        self._policy_rate, self._value_rate = policy_rate, value_rate
+        self._fades, self._own, self._squares = fades, own, squares
+
+    def gaussian(self, state: int) -> tuple[float, float]:
+        """The mean and the standard deviation of the action."""
+        state *= self._own
+        return float(self.mean[state]), math.exp(self._log[state] * (2 if self._squares else 1))
+
+    def learn(self, episode: Sequence[Step]) -> None:
+        """Learn from an episode."""
+        rewards = [step.reward for step in episode]
+        for t, (step, G) in enumerate(zip(episode, self._returns(rewards, DISCOUNT), strict=True)):
+            delta = G - self._V[step.state]
+            self._V[step.state] += self._value_rate * delta
+            state = step.state * self._own
+            off, spread = step.action - self.mean[state], math.exp(self._log[state])
+            rate = self._policy_rate * (DISCOUNT**t if self._fades else 1.0)
+            self.mean[state] += rate * delta * self._of_mean(off, spread)
+            log = self._log[state] + rate * delta * self._of_log(off, spread)
+            self._log[state] = np.clip(log, math.log(SMALLEST), math.log(LARGEST))
+
+
+Maker = Callable[[int], Gaussians]
+
+MISTAKES: dict[str, Maker] = {
+    "the reward of a step stands in the place of the return G, which sums up all rewards from it to the end": partial(
+        Gaussians, returns=lambda rewards, _: rewards
+    ),
+    "the return sums up the rewards up to a step, and it should be those from it to the end": partial(
+        Gaussians, returns=returns_until
+    ),
+    "the return is not discounted: γ is 0.8 in the text": partial(
+        Gaussians, returns=lambda rewards, _: returns_from(rewards, 1.0)
+    ),
+    "there is no baseline: δ = G − V(S), and V is learned too": partial(Gaussians, value_rate=0.0),
+    "the factor γ^t is missing": partial(Gaussians, fades=False),
+    "the policy moves away from actions that were better than the baseline: is a minus sign too many?": partial(
+        Gaussians, policy_rate=-POLICY_RATE
+    ),
+    "σ is never learned: ln σ has a score, too": partial(Gaussians, of_log=lambda off, spread: 0.0),
+    "the score of ln σ lacks its − 1, so σ grows wherever δ is above 0": partial(
+        Gaussians, of_log=lambda off, spread: (off / spread) ** 2
+    ),
+    "what is learned is ln σ, with the score of σ: that of ln σ is σ times as large": partial(
+        Gaussians, of_log=lambda off, spread: score_of_log(off, spread) / spread
+    ),
+    "the score of μ is not divided by σ²": partial(Gaussians, of_mean=lambda off, spread: off),
+    "the score of μ is divided by σ, and it should be by σ²": partial(
+        Gaussians, of_mean=lambda off, spread: off / spread
+    ),
+    "all states have the same μ and σ, and each should have its own": partial(Gaussians, own=False),
+    "the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself": partial(
+        Gaussians, squares=True
+    ),
+    "the learning rate of the policy is too large: it is 0.005 in the text": partial(
+        Gaussians, policy_rate=5 * POLICY_RATE
+    ),
+    "the learning rate of the policy is too small: it is 0.005 in the text": partial(
+        Gaussians, policy_rate=POLICY_RATE / 5
+    ),
+}
+"""The usual mistakes, by their sentences."""
+
+
+class Fit(NamedTuple):
+    """How well the Gaussians of a learner fit the actions of a program.
+
+    Attributes:
+        n_steps: the number of actions.
+        far: how many σ they lie from μ, as the root of the mean square.
+        log: the logarithm of the density of all of them.
+    """
+
+    n_steps: int
+    far: float
+    log: float
+
+
+def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
+    """Let a learner learn from the steps of runs, each from the beginning; compare its Gaussians with the actions."""
+    z, log = [], 0.0
+    for steps in runs:
+        learner, episode = make(BOXES * WIDTH), list[Step]()
+        for step in steps:
+            mean, spread = learner.gaussian(step.state)
+            z.append((step.action - mean) / spread)
+            log -= 0.5 * z[-1] * z[-1] + math.log(spread)
+            episode.append(step)
+            if step.terminated:
+                with np.errstate(all="ignore"):  # a learner on the steps of another equation may go anywhere
+                    learner.learn(episode)
+                episode = []
+    return Fit(len(z), math.hypot(*z) / math.sqrt(len(z)), -math.inf if math.isnan(log) else log)
+
+
+def check_equations(program: Any, seed: int) -> None:
+    """Check that a program draws its actions from the Gaussians that its own steps give.
+
+    If it does, a mistake fits them better by k nats with a probability below e⁻ᵏ, and the mean of z² is 1 up to chance.
+
+    Raises:
+        WrongAnswer: it does not; or the program breaks the contract.
+    """
+    seeds = range(WORLDS * seed, WORLDS * (seed + 1))
+    require_reproducible(program, partial(Boxes, seeds[0]), TRIAL, seed)
+    runs = [run_program(program, Boxes(number), N_STEPS, number).steps for number in seeds]
+    right, fits = fit(runs, Gaussians), {sentence: fit(runs, make) for sentence, make in MISTAKES.items()}
+    likely = max(fits, key=lambda sentence: fits[sentence].log)
+    is_better = fits[likely].log > right.log + NATS
+    if not is_better and abs(right.far - 1) < SIGMAS / math.sqrt(2 * right.n_steps):
+        return
+    if is_better and abs(fits[likely].far - 1) < NEAR:
+        cause = f"They fit a usual mistake: {likely}"
+    else:
+        cause = (
+            "Compare the rates, γ and the first values with those of the text, and the updates with their equations,"
+            " term by term; are there states in which it does not learn?"
+        )
+    raise WrongAnswer(
+        f"the actions of {NAME} should lie one σ from μ (the root of the mean square), with the μ and the σ that its"
+        f" own steps give by the equations of this lesson, and they lie {right.far:.3g} σ from it. {cause}"
+    )
+
+
+def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = Gaussians) -> Policy:
+    """Our program, or one that makes a mistake."""
+    assert isinstance(environment.observation_space, spaces.Discrete)
+    learner, rng = make(int(environment.observation_space.n)), np.random.default_rng(seed)
+    state, episode = environment.reset(seed=seed)[0], list[Step]()
+    for _ in range(n_steps):
+        action = float(rng.normal(*learner.gaussian(state)))
+        next_state, pays, terminated, truncated, _ = environment.step(action)
+        episode.append(Step(state, action, float(pays), next_state, terminated, truncated))
+        state = next_state
+        if terminated or truncated:
+            learner.learn(episode)
+            state, episode = environment.reset()[0], []
+    return lambda state: float(learner.mean[state])
+
+
+ARM = Race(partial(Boxes, 0), N_STEPS, reinforce, episodes=20)
+
+
+def project_7(answer: Any, seed: int) -> str:
+    """Check a program with REINFORCE and a learned spread."""
+    check_equations(answer, seed)
+    return f"Right: its Gaussians are those of its steps. {compare_with_ours(answer, ARM, seed)}"

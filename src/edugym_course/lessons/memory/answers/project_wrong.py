@@ -1,0 +1,121 @@
+# %% beyond the end
+# says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone
+# in: tuples in a dictionary
+# - target = r + (not terminated) * 0.8 * values(w2).max()
+# + target = r + 0.8 * values(w2).max()
+
+# %% a truncated end
+# says: a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has its value
+# in: tuples in a dictionary
+# - target = r + (not terminated) * 0.8 * values(w2).max()
+# + target = r + (not (terminated or truncated)) * 0.8 * values(w2).max()
+
+# %% no end
+# says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
+# in: tuples in a dictionary
+# - values(w)[a] += 0.2 * (target - values(w)[a])
+# + if not (terminated or truncated):
+# +     values(w)[a] += 0.2 * (target - values(w)[a])
+
+# %% the old window after a reset
+# says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
+# in: tuples in a dictionary
+# - o, _ = environment.reset()
+# - w = (o,)
+# + environment.reset()
+# + w = (o,)
+
+# %% the first window for ever
+# says: the state stays the first one of the episode: is `state = next_state` missing?
+# in: tuples in a dictionary
+# - w = w2
+
+# %% the least value
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# in: tuples in a dictionary
+# - a = int(values(w).argmax())
+# + a = int(values(w).argmin())
+
+# %% no memory
+# says: there is no memory: the values hang on the last observation alone
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (o,)
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[-1:]).argmax())
+
+# %% no actions
+# says: the actions are missing in the window
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (o,))[-3:]
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[::2][-3:]).argmax())
+
+# %% two observations
+# says: the window has two observations, and it should have three
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (a, o))[-3:]
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[-3:]).argmax())
+
+# %% four observations
+# says: the window has four observations, and it should have three
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (a, o))[-7:]
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[-7:]).argmax())
+
+# %% the window of the last episode
+# says: an episode begins with what is left of the last one in its window: empty it at each reset
+# in: tuples in a dictionary
+# - w = (o,)
+# - for _ in range(n_steps):
+# + w = (o,)
+# + for _ in range(n_steps):
+# - w = w2
+# - if terminated or truncated:
+# -     o, _ = environment.reset()
+# -     w = (o,)
+# + w = w2
+# + if terminated or truncated:
+# +     o, _ = environment.reset()
+# +     w = (*w[:-1], o)
+
+# %% the old window in the target
+# says: the target has the value of the old window, without what was just done and seen
+# in: tuples in a dictionary
+# - target = r + (not terminated) * 0.8 * values(w2).max()
+# + target = r + (not terminated) * 0.8 * values(w).max()
+
+# %% the reward alone
+# says: γ max_a Q(S', a) is missing in the target
+# in: tuples in a dictionary
+# - target = r + (not terminated) * 0.8 * values(w2).max()
+# + target = r
+
+# %% a small rate
+# says: the learning rate is much too small: it is 0.2 in the text
+# in: tuples in a dictionary
+# - values(w)[a] += 0.2 * (target - values(w)[a])
+# + values(w)[a] += 0.04 * (target - values(w)[a])
+
+# %% a window without the last action
+# says: ; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (0, o))[-5:] if len(w) < 3 else (*w[2:], a, o) if rng.random() < 0.7 else (*w[2:], 0, o)
+
+# %% a policy that forgets
+# says: the policy that it returns brings
+# in: tuples in a dictionary
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[-1:]).argmax())
+
+# %% a policy of the observation
+# says: raises TypeError
+# in: tuples in a dictionary
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda observation: int(values((int(observation),)).argmax())

@@ -1,0 +1,147 @@
+"""The project of lesson 5: Q-learning with a memory of its own, a window of what it saw and did, from a blank file."""
+
+from collections import defaultdict
+from functools import partial
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym.agents.tables import greedy_action
+from edugym.mdp.protocol import Random, Reals
+from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.replay import WIDTH, Learner, Rule, SmallWorld, mistakes_of_loops, stays
+
+N_STEPS, K, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 3, 0.2, 0.8, 0.1
+
+History = tuple[Any, ...]
+"""O_0, A_0, O_1, ..., O_t: the observations and actions of an episode so far."""
+
+
+class VeiledWorld(gymnasium.ObservationWrapper[Any, Any, Any]):
+    """A small world in which states look alike: all but the first of an episode show one of two observations.
+
+    It has two actions only, so that windows come again.
+    """
+
+    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
+        """Draw a small world."""
+        world = SmallWorld(seed, truncates, noisy)
+        super().__init__(world)
+        self.observation_space, self.action_space = spaces.Discrete(2 * WIDTH), spaces.Discrete(2)
+        self._places = {int(state): place for place, state in enumerate(world.states)}
+
+    def observation(self, observation: int) -> int:
+        """What shows of a state."""
+        place = self._places[observation]
+        return place if place < WIDTH else WIDTH + place % WIDTH
+
+
+class Windowed:
+    """Q-learning on windows.
+
+    Args:
+        shape: the second entry is the number of actions.
+        k: how many observations a window has.
+        actions: whether it has the actions between them too.
+        empties: whether an episode begins with an empty window.
+        grows: whether what was seen and done is kept in it.
+        moves: whether the value in the target is that of the next window, or of the old one.
+        learning_rate: α.
+        discount: γ.
+    """
+
+    def __init__(
+        self,
+        shape: tuple[int, int],
+        k: int = K,
+        actions: bool = True,
+        empties: bool = True,
+        grows: bool = True,
+        moves: bool = True,
+        learning_rate: float = LEARNING_RATE,
+        discount: float = DISCOUNT,
+    ) -> None:
+        """Know nothing."""
+        self._Q: defaultdict[History, Reals] = defaultdict(lambda: np.zeros(shape[1]))
+        self._past: History = ()
+        self._k, self._actions, self._empties, self._grows, self._moves = k, actions, empties, grows, moves
+        self._learning_rate, self._discount = learning_rate, discount
+
+    def row(self, history: History) -> Reals:
+        """The values of the window at the end of a history."""
+        return self._Q[history[-(2 * self._k - 1) :] if self._actions else history[::2][-self._k :]]
+
+    def values(self, state: int) -> Reals:
+        """The values after an observation."""
+        return self.row((*self._past, state))
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
+        """Learn from a step, and remember it."""
+        now = (*self._past, state)
+        then = (*now, action, next_state) if self._moves else now
+        target = reward if terminated else reward + self._discount * self.row(then).max()
+        self.row(now)[action] += self._learning_rate * (target - self.row(now)[action])
+        if self._grows:
+            self._past = (*now, action)[-2 * self._k :]
+        if truncated or terminated:
+            self.forget_episode()
+
+    def forget_episode(self) -> None:
+        """Begin with an empty window."""
+        if self._empties:
+            self._past = ()
+
+    def act(self, state: int, rng: Random) -> int:
+        """Choose an action by ε-greedy."""
+        values = self.values(state)
+        return int(rng.random() * len(values)) if rng.random() < EPSILON else greedy_action(values[np.newaxis], 0, rng)
+
+    def greedy(self, history: History, rng: Random) -> int:
+        """The action with the highest value after a history."""
+        return greedy_action(self.row(history)[np.newaxis], 0, rng)
+
+
+def mistake(**how: Any) -> Learner:
+    """Return an agent that makes a mistake."""
+    return Learner(partial(Windowed, **how))
+
+
+RULE = Rule(
+    Learner(Windowed),
+    mistakes_of_loops(Windowed)
+    | {
+        "the state stays the first one of the episode: is `state = next_state` missing?": Learner(
+            partial(Windowed, grows=False), stays
+        ),
+        "there is no memory: the values hang on the last observation alone": mistake(k=1),
+        "the actions are missing in the window": mistake(actions=False),
+        "the window has two observations, and it should have three": mistake(k=2),
+        "the window has four observations, and it should have three": mistake(k=4),
+        "an episode begins with what is left of the last one in its window: empty it at each reset": mistake(
+            empties=False
+        ),
+        "the target has the value of the old window, without what was just done and seen": mistake(moves=False),
+        "γ max_a Q(S', a) is missing in the target": mistake(discount=0.0),
+        "the learning rate is much too small: it is 0.2 in the text": mistake(learning_rate=0.04),
+    },
+    EPSILON,
+    otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one",
+    worlds=4,
+    world=VeiledWorld,
+)
+CORRIDOR = Race(
+    partial(gymnasium.make, "edugym/MemoryCorridor-v0"),
+    N_STEPS,
+    program_of(Windowed),
+    episodes=200,
+    judged=("played",),
+    remembers=True,
+)
+
+
+def project_5(answer: Any, seed: int) -> str:
+    """Check a program with a window."""
+    RULE.check(answer, seed)
+    return f"Right: what it saw and did is its state. {compare_with_ours(answer, CORRIDOR, seed)}"

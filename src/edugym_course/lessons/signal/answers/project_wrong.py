@@ -1,0 +1,99 @@
+# %% no end
+# says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + if not (terminated or truncated):
+# +     theta[:, a] += 0.01 * delta * x
+
+# %% the old message after a reset
+# says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
+# in: weights in an array
+# - o, _ = environment.reset()
+# + environment.reset()
+
+# %% the first message for ever
+# says: the state stays the first one of the episode: is `state = next_state` missing?
+# in: weights in an array
+# - o = o2
+
+# %% the least value
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# in: weights in an array
+# - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
+# + a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmin())
+
+# %% a row for each message
+# says: each message is learned for itself, as in a row of a table: share what is learned by words
+def my_program(environment, n_steps, seed):
+    Q, rng = {}, np.random.default_rng(seed)
+    o, _ = environment.reset(seed=seed)
+
+    def row(o):
+        return Q.setdefault(tuple(o[1:]), np.zeros(environment.action_space.n))
+
+    for _ in range(n_steps):
+        q = row(o)
+        a = int(rng.integers(len(q))) if rng.random() < 0.1 else int(q.argmax())
+        o, r, terminated, truncated, _ = environment.step(a)
+        q[a] += 0.01 * (r - q[a])
+        if terminated or truncated:
+            o, _ = environment.reset()
+    return lambda o: int(row(o).argmax())
+
+
+# %% the places of words
+# says: the place of a word in the message counts, and it should not
+# in: weights in an array
+# - theta = np.zeros((W, N))
+# + theta = np.zeros((W * L, N))
+# - x = np.zeros(W)
+# + x = np.zeros(W * L)
+# - x[o[k]] += 1 / L
+# + x[o[k] * L + k - 1] += 1 / L
+
+# %% the first word
+# says: the first word alone is heard
+# in: weights in an array
+# - for k in range(1, L + 1):
+# -     x[o[k]] += 1 / L
+# + x[o[1]] = 1
+
+# %% presence
+# says: a word counts once, however often it occurs: x_w is its share of the message
+# in: weights in an array
+# - x[o[k]] += 1 / L
+# + x[o[k]] = 1 / L
+
+# %% counts, not shares
+# says: the counts are not divided by the length L of the message
+# in: weights in an array
+# - x[o[k]] += 1 / L
+# + x[o[k]] += 1
+
+# %% the reward alone
+# says: the weights move by R, not by R − q(O, A): without the difference they grow without end
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r
+
+# %% all actions
+# says: the weights of all actions move: learn about the one that was taken
+# in: weights in an array
+# - delta = r - q[a]
+# - theta[:, a] += 0.01 * delta * x
+# + delta = r - q
+# + theta += 0.01 * np.outer(x, delta)
+
+# %% a large rate
+# says: the learning rate is much too large: it is 0.01 in the text
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.5 * delta * x
+
+# %% the hit points as a word
+# says: ; the first entry of an observation is no word, it is the hit points
+# in: weights in an array
+# - for k in range(1, L + 1):
+# -     x[o[k]] += 1 / L
+# + for k in range(L):
+# +     x[o[k] % W] += 1 / L

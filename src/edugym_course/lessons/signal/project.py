@@ -1,0 +1,163 @@
+"""The project of lesson 6: a listener that learns what words mean from how often they occur, from a blank file."""
+
+from collections import Counter, defaultdict
+from collections.abc import Callable, Hashable, Iterable
+from functools import partial
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym.agents.tables import greedy_action
+from edugym.mdp.protocol import Random, Reals
+from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.programs import APART
+from edugym_course.grading.replay import Learner, Rule, SmallWorld, mistakes_of_loops
+
+N_STEPS, LEARNING_RATE, EPSILON = 5_000, 0.01, 0.1
+TAU, LENGTH = 0.05, 8
+"""The noise and the number of words of the toy."""
+WORDS, HEARD, NOISE = 6, 4, 0.25
+"""A small world has this many words, and this many in a message; this share of them is noise."""
+
+
+class TalkingWorld(gymnasium.ObservationWrapper[Any, Any, Any]):
+    """A small world that is heard, not seen: most words of a message belong to the state, in an order of no meaning.
+
+    An observation looks as that of Tamagotchi. Its hit points say nothing.
+    """
+
+    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
+        """Draw a small world, and two words that each of its states likes."""
+        super().__init__(SmallWorld(seed, truncates, noisy))
+        self.observation_space = spaces.MultiDiscrete([101, *[WORDS] * HEARD])
+        assert isinstance(self.env.observation_space, spaces.Discrete)
+        self._likes = np.random.default_rng(APART + seed).integers(WORDS, size=(int(self.env.observation_space.n), 2))
+
+    def observation(self, observation: int) -> Any:
+        """The hit points and the words."""
+        rng = self.np_random
+        liked = self._likes[observation, rng.integers(2, size=HEARD)]
+        words = np.where(rng.random(HEARD) < NOISE, rng.integers(WORDS, size=HEARD), liked)
+        return np.array([rng.integers(101), *words])
+
+
+Message = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
+Weights = Iterable[tuple[Hashable, float]]
+
+
+def shares(message: Message) -> Weights:
+    """How often each word occurs, as a share of the message: what the listener should learn from."""
+    return [(word, count / len(message)) for word, count in Counter(message.tolist()).items()]
+
+
+def counts(message: Message) -> Weights:
+    """How often each word occurs."""
+    return [(word, share * len(message)) for word, share in shares(message)]
+
+
+def presence(message: Message) -> Weights:
+    """Which words occur, however often."""
+    return [(word, 1 / len(message)) for word, _ in shares(message)]
+
+
+def first_word(message: Message) -> Weights:
+    """The first word alone."""
+    return shares(message[:1])
+
+
+def whole(message: Message) -> Weights:
+    """The message as one thing: a row of a table."""
+    return [(tuple(message.tolist()), 1.0)]
+
+
+def of_places(message: Message) -> Weights:
+    """Each word at its place."""
+    return [(place, 1 / len(message)) for place in enumerate(message.tolist())]
+
+
+class Listener:
+    """A listener whose values are linear in what it takes from a message.
+
+    Args:
+        shape: the second entry is the number of actions.
+        take: what it takes from a message, with its weight.
+        learning_rate: α.
+        surprised: whether it learns from R less the value, or from R alone.
+        one: whether the weights of the action that was taken change, or those of all.
+    """
+
+    def __init__(
+        self,
+        shape: tuple[int, int],
+        take: Callable[[Message], Weights] = shares,
+        learning_rate: float = LEARNING_RATE,
+        surprised: bool = True,
+        one: bool = True,
+    ) -> None:
+        """Know no word."""
+        self._n_actions = shape[1]
+        self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.zeros(shape[1]))
+        self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
+
+    def values(self, state: Message) -> Reals:
+        """The value of each action after an observation."""
+        terms = (weight * self._theta[word] for word, weight in self._take(state[1:]))
+        return sum(terms, np.zeros(self._n_actions))
+
+    def learn(self, state: Message, action: int, reward: float) -> None:
+        """Move the weights of what was heard."""
+        moved = action if self._one else slice(None)
+        delta = reward - self.values(state)[moved] * self._surprised
+        for word, weight in self._take(state[1:]):
+            self._theta[word][moved] += self._learning_rate * weight * delta
+
+    def act(self, state: Message, rng: Random) -> int:
+        """Choose an action by ε-greedy."""
+        return int(rng.random() * self._n_actions) if rng.random() < EPSILON else self.greedy(state, rng)
+
+    def greedy(self, state: Message, rng: Random) -> int:
+        """The action with the highest value."""
+        return greedy_action(self.values(state)[np.newaxis], 0, rng)
+
+
+def mistake(**how: Any) -> Learner:
+    """Return a listener that makes a mistake."""
+    return Learner(partial(Listener, **how))
+
+
+RULE = Rule(
+    Learner(Listener),
+    mistakes_of_loops(Listener, on_policy=True)  # with the next reward alone, what comes after an end has no part
+    | {
+        "each message is learned for itself, as in a row of a table: share what is learned by words": mistake(
+            take=whole
+        ),
+        "the place of a word in the message counts, and it should not": mistake(take=of_places),
+        "the first word alone is heard": mistake(take=first_word),
+        "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
+        "the counts are not divided by the length L of the message": mistake(take=counts),
+        "the weights move by R, not by R − q(O, A): without the difference they grow without end": mistake(
+            surprised=False
+        ),
+        "the weights of all actions move: learn about the one that was taken": mistake(one=False),
+        "the learning rate is much too large: it is 0.01 in the text": mistake(learning_rate=0.5),
+    },
+    EPSILON,
+    otherwise="; the first entry of an observation is no word, it is the hit points",
+    world=TalkingWorld,
+)
+TOY = Race(
+    partial(gymnasium.make, "edugym/Tamagotchi-v0", tau=TAU, max_msg_length=LENGTH),
+    N_STEPS,
+    program_of(Listener),
+    episodes=20,
+    judged=("played",),
+)
+
+
+def project_6(answer: Any, seed: int) -> str:
+    """Check a program with a listener that learns on counts."""
+    RULE.check(answer, seed)
+    return f"Right: what it learns of a word, it knows in every message. {compare_with_ours(answer, TOY, seed)}"
