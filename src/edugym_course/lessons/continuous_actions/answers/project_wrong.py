@@ -23,6 +23,7 @@
 # + delta = G
 
 # %% no γ^t
+# says: They fit a usual mistake:
 # says: the factor γ^t is missing
 # in: lists of an episode
 # - step = 0.005 * 0.8**k * delta
@@ -88,10 +89,16 @@
 # + V[S[k]] += 0.01 * delta
 
 # %% a wide start
-# says: are there states in which it does not learn?
+# says:  should lie one σ from μ (the root of the mean square), with the μ and the σ that its own steps give by the equations of this lesson, and they lie
+# says: Compare the rates, γ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once?
 # in: lists of an episode
 # - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
 # + mu, ls, V = np.zeros(n), np.full(n, 0.5), np.zeros(n)
+
+# %% no bounds
+# says: σ is not kept between 0.2 and 2
+# in: lists of an episode
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
 
 # %% one Gaussian for all states
 # says: all states have the same μ and σ, and each should have its own
