@@ -16,6 +16,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, exact, given, number
+from edugym_course.lessons.memory.notes import MISTAKES, Notes, right
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
 from edugym_course.lessons.memory.windows import action_law, window_law
@@ -27,7 +28,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     """Check the number of rows of a table over windows of observations."""
     require_function("table_rows", answer, "the doors and the length")
     rng = np.random.default_rng(seed)
-    cases = [(4, 3 + int(rng.integers(2))), (int(rng.integers(5, 8)), 3), (2, 5), (3, 2), (6, 1)]
+    cases = [(int(rng.integers(5, 8)), 4), (4, 3 + int(rng.integers(2))), (2, 5), (3, 2), (6, 1)]
     for doors, length in cases:
         call = f"table_rows({doors}, {length})"
         with student_code(call):
@@ -48,6 +49,7 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
     window, with_actions = window_law(length), action_law(length)
     return {
         "an unmarked place is an observation too, so there are N + 1 different ones": doors**window,
+        "4 is the base for three doors alone; write it with N, the number of doors": 4**window,
         "the present observation is in the window as well: L(L-1)/2 steps back, and one": (doors + 1) ** (window - 1),
         "a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back": (doors + 1)
         ** length,
@@ -240,80 +242,6 @@ def _check_rows(made: Any, k: int, n: int, m: int) -> None:
             )
 
 
-Notes = tuple[Any, int]
-UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxyType(
-    {
-        "it notes what was *seen*, and at an unmarked place that is no door: note the door that was opened": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, seen), place + 1 if seen == n else 0)
-        ),
-        "after the marked door the corridor starts again, so the next place is 0": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1)
-        ),
-        "the two cases have changed places: after a *marked* door the corridor starts again": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), 0 if seen == n else place + 1)
-        ),
-        "the next place is one further, place + 1, where no door is marked": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place if seen == n else 0)
-        ),
-        "the next place is always 0: compare what was *seen* with num_doors": lambda notes, place, seen, action, n: (
-            _noted(notes, place, action),
-            0,
-        ),
-        "the first place is 0, not 1": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n else 1)
-        ),
-        "the door belongs to the place where it was opened: write the note before you move on": (
-            lambda notes, place, seen, action, n: _moved_first(notes, place, seen, action, n)
-        ),
-        "all notes are wiped out where the corridor starts again, and they are needed there": (
-            lambda notes, place, seen, action, n: (
-                (_noted(notes, place, action), place + 1)
-                if seen == n
-                else (np.full_like(_noted(notes, place, action), n), 0)
-            )
-        ),
-        "the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself,"
-        " not into a copy)": (lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)),
-        "it notes the place instead of the door": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, place), place + 1 if seen == n else 0)
-        ),
-        "it writes the note to `notes[action]`; the index is the place": (
-            lambda notes, place, seen, action, n: (_noted(notes, action, action), place + 1 if seen == n else 0)
-        ),
-        "it writes the note to `notes[seen]`; the index is the place": (
-            lambda notes, place, seen, action, n: (_noted(notes, seen, action), place + 1 if seen == n else 0)
-        ),
-        "the present place is compared with the number of doors; compare what was *seen* with it": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if place == n else 0)
-        ),
-        "3 stands where self.num_doors should": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == 3 else 0)
-        ),
-        "3 stands where self.num_doors should: where there are more doors, 3 is one of them": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen >= 3 else 0)
-        ),
-    }
-)
-
-
-def _noted(notes: Any, place: int, door: int) -> Any:
-    """Return notes with one more door."""
-    new = notes.copy()
-    new[place] = door
-    return new
-
-
-def _moved_first(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
-    """Move on, and then write."""
-    place = place + 1 if seen == n else 0
-    return _noted(notes, place, action), place
-
-
-def _right(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
-    """Write the door, and move on."""
-    return _noted(notes, place, action), place + 1 if seen == n else 0
-
-
 def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int, int]]:
     """Yield the arguments of `update`, and the number of doors, on the right way through five corridors."""
     doors = [*rng.integers(n, size=6).tolist()]
@@ -322,7 +250,7 @@ def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int
         for p in range(length):
             case = notes, place, doors[p] if p == length - 1 else n, doors[p], n
             yield case
-            notes, place = _right(*case)
+            notes, place = right(*case)
 
 
 def exercise_3(answer: Any, seed: int) -> str:
@@ -337,11 +265,11 @@ def exercise_3(answer: Any, seed: int) -> str:
         cases += walk
         outcomes += [_updated(made, *case) for case in walk]
     for case, (mine, place) in zip(cases, outcomes, strict=True):
-        notes, expected = _right(*case)
+        notes, expected = right(*case)
         if place == expected and np.array_equal(mine, notes):
             continue
         why = mistake_that_fits(
-            UPDATES,
+            MISTAKES,
             lambda rule: all(map(_agree, cases, outcomes, [rule] * len(cases))),
             otherwise="that is none of the usual mistakes, so follow this step by hand",
         )

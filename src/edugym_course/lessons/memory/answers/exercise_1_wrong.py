@@ -107,3 +107,9 @@ def table_rows(num_doors, length):
 #   `//`, without `/`, `2.0` or `math.pow`
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) / 2 + 1)
+
+
+# %% the base for three doors
+# says: 4 is the base for three doors alone; write it with N, the number of doors
+def table_rows(num_doors, length):
+    return 4 ** (length * (length - 1) // 2 + 1)

@@ -140,3 +140,17 @@ def update(self, notes, place, seen, action):
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 2 if seen == self.num_doors else 0
+
+
+# %% the note of the place before
+# says: the door belongs to `notes[place]`, not to `notes[place - 1]`
+def update(self, notes, place, seen, action):
+    notes[place - 1] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% the note of the next place
+# says: the door belongs to `notes[place]`, not to `notes[place + 1]`
+def update(self, notes, place, seen, action):
+    notes[place + 1] = action
+    return place + 1 if seen == self.num_doors else 0
