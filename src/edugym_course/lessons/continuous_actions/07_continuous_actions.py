@@ -8,7 +8,7 @@
 # and the update of a Gaussian policy from it; check a gradient by finite differences; explain what a baseline does;
 # and name a task in which bins beat a Gaussian policy.
 #
-# **Time.** 90 minutes, and 45 more for the exercises. **Before you start.** You should know what a return, a policy
+# **Time.** {time} **Before you start.** You should know what a return, a policy
 # and a value function are (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), and the TD error (section 6.1). You
 # need the derivative of a logarithm and the normal distribution. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

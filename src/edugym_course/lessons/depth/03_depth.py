@@ -8,7 +8,7 @@
 # explain how far one episode carries a reward; say where the variance of a deep target comes from; and write an agent
 # that looks deep without paying for its own exploration.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an
+# **Time.** {time} **Before you start.** You should know the return and what an
 # action value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action
 # selection (section 2.2). All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

@@ -9,7 +9,7 @@
 # update of Q-learning with features instead of a table, and say what can go wrong with it; follow the main lines of
 # DQN, with its gradient computed by hand; and predict what an agent knows about situations that it has never met.
 #
-# **Time.** 75 minutes, 20 more for the three optional sections, and 45 for the exercises. **Before you start.** You
+# **Time.** {time} **Before you start.** You
 # should know Q-learning (Sutton and Barto, 2nd edition, section 6.5), ε-greedy action selection (section 2.2), and what
 # a derivative is. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

@@ -8,7 +8,7 @@
 # remembers, with a window; compute how long that window must be; explain why an agent should remember its own actions;
 # and write a memory with 16 rows that does better than a window with millions.
 #
-# **Time.** 60 minutes, and 45 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). For
 # the two networks near the end it helps to know what DQN is (section 16.5). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

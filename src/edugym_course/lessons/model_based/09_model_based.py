@@ -8,7 +8,7 @@
 # say what planning can do for an agent, and what it cannot; show what a wrong model does to a plan; and write R-max
 # yourself.
 #
-# **Time.** 60 minutes, and 30 more for the exercises, without the open challenge. **Before you start.** You should
+# **Time.** {time} **Before you start.** You should
 # know what a value function, Q-learning and ε-greedy action selection are (Sutton and Barto, 2nd edition, sections
 # 3.5, 6.5 and 2.2). All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

@@ -8,7 +8,7 @@
 # expected SARSA as one update with three targets; predict which of them earns more when it explores rarely, and which when
 # it explores often; and compute on the exact model where that changes.
 #
-# **Time.** 90 minutes, and 45 more for the exercises. **Before you start.** You should know what
+# **Time.** {time} **Before you start.** You should know what
 # a value function and Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection
 # (section 2.2). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

@@ -8,7 +8,7 @@
 # an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing its
 # optimum; and take a problem of your own through everything, up to a file that a friend can play.
 #
-# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You
+# **Time.** {time} **Before you start.** You
 # should know the definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3
 # and section 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).

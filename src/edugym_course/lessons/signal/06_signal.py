@@ -8,7 +8,7 @@
 # bits can be worth a lot to one player and nothing to another; explain why longer messages carry more and are harder
 # to learn from; and write a player that joins its message with its memory.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
 # All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 

@@ -8,7 +8,7 @@
 # risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being worth
 # it; and say why "risk-seeking pays" can be measured and still be wrong.
 #
-# **Time.** 65 minutes, and 40 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), ε-greedy action selection (section 2.2), and
 # what a normal distribution is. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
