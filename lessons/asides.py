@@ -1,7 +1,7 @@
 """Asides: sections of a lesson that open folded, since neither its one idea nor anything after them needs them.
 
 In the source, an aside is a text cell with the tag `aside` that begins with `### Aside: `. It ends where the next
-heading of its level or higher opens a cell. It is folded below its heading in JupyterLab, Notebook 7 and on the website.
+heading of its level or higher opens a cell. JupyterLab, Notebook 7 and the website show its heading alone at first.
 """
 
 import ast

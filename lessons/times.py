@@ -17,7 +17,7 @@ from edugym_course.teaching.marks import is_aside, is_code
 WORDS = 40  # of a text take a minute, with the code, pictures, predictions and sliders that stand between them
 TASK_WORDS = 20  # of an exercise take a minute, and so does each line of its solution
 EXTRA = {"The open challenge": "the open challenge", "From a blank file": "the program from a blank file"}
-LONGEST = 5_200  # words of the main path of a lesson
+LONGEST = 3_900  # words of the main path of a lesson; aim for 3 000
 TIME = "**Time.** {time}"
 """What stands in the first cell of a lesson; the builder puts the times there."""
 
@@ -79,7 +79,8 @@ def announced(counts: Counts) -> str:
     asides = sum(rounded(words / WORDS) for words in counts.asides)
     told = f"About {rounded(counts.path / WORDS)} minutes, "
     if asides:
-        told += f"{asides} more for the asides, which are folded and can be skipped, and "
+        which = "aside, which is" if len(counts.asides) == 1 else "asides, which are"
+        told += f"{asides} more for the {which} folded and can be skipped, and "
     told += f"{rounded(counts.tasks / TASK_WORDS + counts.lines)} for the exercises"
     if counts.extra:
         told += f"; {' and '.join(counts.extra)} come{'s' if len(counts.extra) == 1 else ''} on top"

@@ -13,7 +13,7 @@ PICTURE = re.compile(r"^!\[.*\)(?:\{\.wide\})?$", re.MULTILINE)
 EQUATION = re.compile(r"^### [^\n]*$|^\$\$\n.*?^\$\$$", re.MULTILINE | re.DOTALL)
 QUESTION = re.compile(r'^<fieldset class="prediction">.*</fieldset>$', re.MULTILINE)
 MEASURED = re.compile(r'<details class="measured">.*?</details>', re.DOTALL)
-ASIDE = re.compile(rf"^### .*\n\n{re.escape(FOLD)}.*?{re.escape(FOLD_ENDS)}$\n*", re.MULTILINE | re.DOTALL)
+ASIDE = re.compile(rf"^### [^\n]*\n\n{re.escape(FOLD)}.*?{re.escape(FOLD_ENDS)}$\n*", re.MULTILINE | re.DOTALL)
 PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
 

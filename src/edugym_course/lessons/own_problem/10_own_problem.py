@@ -525,11 +525,12 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-2.4$
 # against 6.7. After 12 800 steps both are near the optimum (9.8). With $\varphi = v_*$ Q-learning is close to
 # the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help learning or slow it
-# down. With the two careless rewards more training does not bring the agent to what was meant.
+# down: to Q-learning it is the same as a table that starts at it (the aside says why). With the two careless rewards more
+# training does not bring the agent to what was meant.
 # </details>
 
-# %% [markdown]
-# ### A potential is an initial value
+# %% [markdown] tags=["aside"]
+# ### Aside: a potential is an initial value
 # Why does this potential slow learning down, and $v_*$ not? Write $Q'$ for the table of Q-learning with the potential.
 # Its error is
 #
