@@ -19,7 +19,7 @@ NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
 LIVE = "*In JupyterLab these controls are live.*"
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
-FOLD = '<details class="aside"><summary>Open this aside</summary>'
+FOLD = '<details class="aside"><summary>Show this aside</summary>'
 FOLD_ENDS = "</details><!-- of the aside -->"
 """It ends otherwise than the folds inside of it, so that `projected_pages` can leave all of it out."""
 IMAGES = {"image/svg+xml": "svg", "image/png": "png"}

@@ -248,7 +248,8 @@ source(release.estimates)
 
 # %% [markdown]
 # Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
-# $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum over a fine grid of actions, and take
+# $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum over
+# a fine grid of actions, and take
 # *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is the
 # 95 % interval.)
 #
@@ -452,7 +453,8 @@ first.measured(min(soon, key=soon.get))
 #
 # And the continuous agent? It has infinitely many actions, and yet it needs about as many steps as 5 bins. Why is open:
 # it differs in its actions, its features, its algorithm and its settings ($\alpha^\theta$ and the first values). Only
-# the three agents with bins can be compared directly. (The aside on PPO compares real numbers fairly.) </details>
+# the three agents with bins can be compared directly. (For a fair comparison with real numbers see the
+# aside on PPO.) </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent. (The films step with the slider or the button.)
@@ -908,7 +910,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - On the same table, with the same agent, fewer bins were learned sooner. The continuous agent needed fewer steps
 #   than 9 bins on average. Why is open: its features, its algorithm and its settings differ too. With PPO (in an aside)
 #   only 3 bins were clearly sooner, and only than 5 and 9 bins.
-# - What is possible is not what is learned: in a narrower container (an aside) the continuous agent lost more of its return than
+# - What is possible is not what is learned: in a narrower container (in an aside) the continuous agent lost more of its
+#   return than
 #   the agent with 3 bins.
 # - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. We
 #   checked it for $\mu$ and for $\ln \sigma$ by finite differences.

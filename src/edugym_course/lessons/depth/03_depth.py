@@ -309,7 +309,8 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 
 # %% [markdown]
 # Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs never pass the exam, and each of those
-# returns about 10 less, which hides small differences in the mean. So let us take this apart: which share of the runs passes in the end? And how much better is one method *on the layouts on which both
+# returns about 10 less, which hides small differences in the mean. So let us take this apart: which share of the runs
+# passes in the end? And how much better is one method *on the layouts on which both
 # pass*? These returns are computed without noise.
 
 # %%
@@ -509,8 +510,8 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # </details>
 
 # %% [markdown]
-# With a small rate Monte Carlo keeps its early lead, and it comes close to $n = 1$ in the details too, if it may train ten times
-# as long (in the aside).
+# With a small rate Monte Carlo keeps its early lead. If it may train ten times as long, it comes close to $n = 1$ in the
+# details too (in the aside).
 
 # %% [markdown] tags=["aside"]
 # ### Aside: each depth with its best learning rate
@@ -1000,7 +1001,8 @@ check(project_3, my_program)
 # - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
 # - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards. So Monte
 #   Carlo ends behind among the runs that pass, even without noise.
-# - More noise did not make Monte Carlo end worse (in the aside), probably since noise also explores. More actions without effect did, but
+# - More noise did not make Monte Carlo end worse (in an aside), probably since noise also explores. More actions without
+#   effect did, but
 #   not by variance: Monte Carlo met the exam less often.
 # - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
 # - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at

@@ -303,7 +303,7 @@ sees.measured(sees.options[sum(int(means[methods.PIXELS] > 0.5) for means in lis
 # %% [markdown]
 # ## Your turn
 #
-# **The table.** Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
+# What decides how fast the table learns? Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
 # $\varepsilon$, $\alpha$ and $\gamma$. Which matters? (10 repetitions of 20 000 steps.)
 
 
@@ -323,8 +323,10 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 # tried came to 1 within 3 000 steps. Only the column of the ball is random, so one look at an outcome is enough,
 # whatever $\alpha$ is. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead
 # of 0.85. </details>
-#
-# **The network.** Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
+
+# %% [markdown] tags=["aside"]
+# ### Aside: turn the knobs of the network
+# Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
 # do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean.)
 
 
@@ -369,7 +371,8 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is 0,
 # since the loss does not contain it.
 #
-# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step with it, in the first layer and then in the
+# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step with
+# it, in the first layer and then in the
 # second one. Its counters, such as `updates`, are arrays with one number, so that machine code can change them.)
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?

@@ -308,7 +308,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 
 # %% [markdown] tags=["aside"]
 # ### Aside: plan while the world is slow
-# The horizontal axis counts steps, as if planning were free. It is, where the world is slow. Supermarket can be
+# Where the world is slow, planning is free. Supermarket can be
 # slow: with `step_timeout`, `step` waits until so many seconds have passed since the last one. Meanwhile the agent plans:
 
 # %%
@@ -327,7 +327,8 @@ print("more than 10 updates in the 0.02 seconds of a step, on average:", updates
 
 # %% [markdown]
 # ### What does a step cost?
-# The horizontal axis counts steps, as if planning were free. So let us count time. What takes time is to compute a target. Q-learning computes one a step, and Dyna one more for
+# The horizontal axis counts steps, as if planning were free. So let us count time. What takes time is to compute a
+# target. Q-learning computes one a step, and Dyna one more for
 # each imagined step. Prioritised sweeping computes one for each update and one for each *priority*: we count both. Say
 # a target takes 10 microseconds, and is computed while a step is under way. Then a step takes as long as the world
 # needs, or as long as its targets need if that is longer. (The figure computes the time from the number of targets, so
@@ -386,8 +387,10 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # - $\gamma$: with 0.9 all three take about as many steps as before. But below 0.95 the way with the highest *discounted*
 #   return leaves an item out, and returns 78. (An agent that has not learned that way may return more.)
 # </details>
-#
-# And the clock: how slow must the world be, so that planning pays?
+
+# %% [markdown] tags=["aside"]
+# ### Aside: turn the clock
+# How slow must the world be, so that planning pays?
 
 
 # %%

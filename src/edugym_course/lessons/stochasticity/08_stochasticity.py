@@ -977,7 +977,8 @@ check(project_8, my_program)
 # - Noise made learning slow. It spreads experience over many cells, whose first values were too low, and it brings bad
 #   luck. Here the first was the larger obstacle: with the rest of the game known most runs drove. Good first values,
 #   smaller steps and more of them, all three together, mended both.
-# - Risk-seeking (in an aside) paid only where the neutral player had learned to be too careful. Against a patient one it gained
+# - Risk-seeking (in an aside) paid only where the neutral player had learned to be too careful. Against a patient one it
+#   gained
 #   nothing, and where the risk was not worth it, it cost.
 # - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake (in an
 #   aside).
