@@ -42,6 +42,17 @@ const reach = () => {
 }
 addEventListener('load', reach)
 addEventListener('resize', reach)
+addEventListener('toggle', reach, true)  // what was folded had no width
+
+// On paper nothing can be opened, so what is folded is printed open.
+let opened = []
+addEventListener('beforeprint', () => {
+  opened = [...document.querySelectorAll('article details:not([open])')]
+  for (const fold of opened) fold.open = true
+})
+addEventListener('afterprint', () => {
+  for (const fold of opened) fold.open = false
+})
 
 // The survey. Nothing is sent: the answers are a file, or a link that shows them on this page again.
 const survey = document.getElementById('survey')

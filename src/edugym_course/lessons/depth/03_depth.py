@@ -8,7 +8,7 @@
 # explain how far one episode carries a reward; say where the variance of a deep target comes from; and write an agent
 # that looks deep without paying for its own exploration.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an
+# **Time.** {time} **Before you start.** You should know the return and what an
 # action value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action
 # selection (section 2.2). All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -110,7 +110,7 @@ play(
 # | 3 | $R_{t+1} + \gamma R_{t+2} + \gamma^2 R_{t+3} + \gamma^3 Q(S_{t+3}, A_{t+3})$ | 3-step SARSA |
 # | $\infty$ | $R_{t+1} + \gamma R_{t+2} + \dots$ to the end of the episode | Monte Carlo (section 5.4) |
 #
-# To use a learned value in the target is called *bootstrapping*. Monte Carlo does not bootstrap at all.
+# To use a learned value in the target is called *bootstrapping*. Monte Carlo does not.
 #
 # Written down from the definition, the target of step $t$ is a few lines. `rewards` has the rewards of a whole episode:
 # `rewards[t]` is $R_{t+1}$. `values` has the values of the actions taken: `values[t]` is $Q(S_t, A_t)$.
@@ -157,7 +157,8 @@ for _ in range(100):
     learn_from_lists(Q, states, actions, rewards, n=3, alpha=0.1)
 print("after 100 episodes both tables are the same but for rounding:", np.allclose(agent.Q, Q))
 
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: the same without lists
 # The agent of the package learns the same, although its code looks different. It does not wait for the end of the
 # episode and needs no lists that grow. It keeps only the last $n$ steps, in places that are used again and again: hence
 # `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$ rewards are now complete. The first loop makes
@@ -216,7 +217,7 @@ watch(1, episodes=60)
 watch(math.inf, episodes=60)
 
 # %% [markdown]
-# Monte Carlo passes, and one-step SARSA does not yet. Now both once more, after 4 000 episodes. Look at the free days.
+# Monte Carlo passes, and one-step SARSA does not yet. Both once more, after 4 000 episodes. Look at the free days.
 
 # %%
 watch(1, episodes=4_000)
@@ -307,9 +308,9 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass
-# the exam, and each of those returns about 10 less, which hides small differences in the mean. So let us take this
-# apart: which share of the runs passes in the end? And how much better is one method *on the layouts on which both
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs never pass the exam, and each of those
+# returns about 10 less, which hides small differences in the mean. So let us take this apart: which share of the runs
+# passes in the end? And how much better is one method *on the layouts on which both
 # pass*? These returns are computed without noise.
 
 # %%
@@ -322,7 +323,9 @@ for sigma, results in by_sigma.items():
 # %% [markdown]
 # Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
 # cannot be the only reason. Keep this puzzle in mind until "See inside".
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: does noise make Monte Carlo end worse?
 # **Predict.** The paper says that more noise makes Monte Carlo suffer more. Compare the mean final return of Monte
 # Carlo at $\sigma = 1$ and at $\sigma = 0$, over all layouts and computed without noise.
 
@@ -416,7 +419,7 @@ Sheet("bias", [[figures.bias_series()]])
 #   day there is one more price in it, and still no exam.) Only $n = 10$, Monte Carlo, sees the exam.
 # - *Late*, once the values are true, bootstrapping adds exactly what it leaves out, so every $n$ has the right mean.
 #
-# So bias separates the methods early only. What is left late is the variance.
+# So what is left late is the variance.
 #
 # ### Variance: where does it come from?
 # A deep target is a sum of many random rewards. The noise of each adds $\sigma^2$ to the variance, so $n$ of them add
@@ -448,8 +451,8 @@ noise.measured(100 * targets.noise_share(0.2))
 # </details>
 
 # %% [markdown]
-# This figure explains the puzzle. "Larger $n$ is only noise" is half of the truth: where rewards are not very noisy, *the
-# agent makes most of that noise itself.* A deep target hands back the agent's own random actions. The last two bars are so
+# This figure explains the puzzle. Where rewards are not very noisy, *the agent makes most of the noise itself:* a deep
+# target hands back the agent's own random actions. The last two bars are so
 # high because only these targets contain the action on the day of the exam, where a random one costs 10: with $n = 10$ by
 # its reward, with $n = 9$ by the value $Q(S_9, A_9)$. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures, which
 # are on the days 2, 4 and 5 of this layout: a random action may miss one.)
@@ -507,6 +510,11 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # </details>
 
 # %% [markdown]
+# With a small rate Monte Carlo keeps its early lead. If it may train ten times as long, it comes close to $n = 1$ in the
+# details too (in the aside).
+
+# %% [markdown] tags=["aside"]
+# ### Aside: each depth with its best learning rate
 # Here is the main figure once more, at $\sigma = 0.2$, with the best of these rates for each $n$.
 
 # %%
@@ -537,7 +545,8 @@ for episodes in (4_000, 40_000):
 # scattering. With $\alpha = 0.01$ it pays: Monte Carlo comes close to $n = 1$. (For $n = 1$ longer training brings no gain.
 # Its shortfall grows a little: among the runs that pass there are now some that passed late and are not done yet, we
 # think.)
-#
+
+# %% [markdown]
 # ### Why not look deep with Q-learning?
 # The variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
 # take $n$ rewards and then the largest value, $\max_a Q(S_{t+n}, a)$?
@@ -623,10 +632,14 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price.
 # So what was tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which
 # untried actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section
-# 2.6). Monte Carlo learns only from returns that it got, and those were all bad.
+# 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (An aside below tests this.)
 # </details>
+#
+# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
+# runs apart.
 
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: the explanation, put to a test
 # If this explanation is right, then one-step SARSA depends on untried actions that look good. So we take that away. In
 # the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
 # *bad*.
@@ -669,11 +682,8 @@ wary.measured(more)
 # start far too low. That is credit, and not exploration.
 # </details>
 
-# %% [markdown]
-# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
-# runs apart.
-
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: the same agents play Blackjack
 # **Predict.** The same agents learn in any Gymnasium environment with whole numbers for observations and actions.
 # Blackjack is the classic example of Monte Carlo methods (Sutton and Barto, section 5.1). The reward, 1, 0 or −1, comes
 # at the end of the game. How much does $n$ matter there?
@@ -887,6 +897,13 @@ for panel in race.rows[0]:
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
 # (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
 #
+# It has a limit. Your rule asks *after* the update, by value, whether an action is the best. With noisy rewards luck decides
+# that too. After a lucky return the action looks best, and the return is handed on. After an unlucky one it does not, and
+# the largest value is handed on instead. So values become too high. At $\sigma = 2$ the agent expected 1.2 more at the
+# start than its policy gets, with $\alpha = 0.3$ even 2.4, and at $\sigma = 0.2$ only 0.06 (means of 80 runs). If it asks
+# whether the action was the best one *when it was taken*, before luck can tell, 1.2 becomes 0.4. This is called
+# *maximisation bias* (Sutton and Barto, section 6.7). Here it did the policies no harm.
+#
 # ### The open challenge: 1 000 episodes with eight actions
 # Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$), so the
 # optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
@@ -984,7 +1001,8 @@ check(project_3, my_program)
 # - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
 # - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards. So Monte
 #   Carlo ends behind among the runs that pass, even without noise.
-# - More noise did not make Monte Carlo end worse, probably since noise also explores. More actions without effect did, but
+# - More noise did not make Monte Carlo end worse (in an aside), probably since noise also explores. More actions without
+#   effect did, but
 #   not by variance: Monte Carlo met the exam less often.
 # - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
 # - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at
@@ -998,13 +1016,6 @@ check(project_3, my_program)
 # averages the blur away, if there is time, and a target that is cut where the agent explored avoids it.
 #
 # ### Limits
-# The rule of exercise 3 asks *after* the update, by value, whether an action is the best. With noisy rewards luck decides
-# that too. After a lucky return the action looks best, and the return is handed on. After an unlucky one it does not, and
-# the largest value is handed on instead. So values become too high. At $\sigma = 2$ the agent expected 1.2 more at the
-# start than its policy gets, with $\alpha = 0.3$ even 2.4, and at $\sigma = 0.2$ only 0.06 (means of 80 runs). If it asks
-# whether the action was the best one *when it was taken*, before luck can tell, 1.2 becomes 0.4. This is called
-# *maximisation bias* (Sutton and Barto, section 6.7). Here it did the policies no harm.
-#
 # The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the
 # environment itself is random, cutting at exploring actions removes the agent's part of the variance only. Where
 # exploring actions are frequent, targets are cut early, and the agent nearly becomes a one-step agent again. With a

@@ -9,7 +9,7 @@
 # update of Q-learning with features instead of a table, and say what can go wrong with it; follow the main lines of
 # DQN, with its gradient computed by hand; and predict what an agent knows about situations that it has never met.
 #
-# **Time.** 75 minutes, 20 more for the three optional sections, and 45 for the exercises. **Before you start.** You
+# **Time.** {time} **Before you start.** You
 # should know Q-learning (Sutton and Barto, 2nd edition, section 6.5), ε-greedy action selection (section 2.2), and what
 # a derivative is. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -67,8 +67,8 @@ observation, _ = env.reset(seed=3)
 print(observation.astype(int))
 
 # %% [markdown]
-# "vectorised" is the state itself, three whole numbers; we call it the *positions*. "grid" is the *board* above, with a
-# 1 at the ball and at the paddle; we call each of its 50 numbers a *pixel*. "rgb" is an *image*: red, green and blue
+# "vectorised" is the state itself, three whole numbers: the *positions*. "grid" is the *board* above, with a 1 at the
+# ball and at the paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue
 # for each of the 50 cells.
 #
 # **Play it yourself, blind.** You see the observation "grid" as ten lines of five numbers. How long did it take you to
@@ -170,7 +170,7 @@ source(dqn.forward)
 #   Every four steps a *batch* of 32 of them is drawn from the memory at random. So each is learned from many times, and
 #   the ones in a batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, which is
-#   brought up to date every 100 updates. (Why, you will see below.)
+#   brought up to date every 100 updates. (An aside below shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
 #   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This is the value less the target;
 #   above, the error was the target less the value. Here we go *down* the slope of the loss, so the step is the same.)
@@ -190,8 +190,9 @@ source(dqn.forward)
 # %%
 source(DQN, "learn", "add_gradient")
 
-# %% [markdown]
-# This is the rest of the agent: how it acts, how it remembers, when an update is due, and how the old weights become new.
+# %% [markdown] tags=["aside"]
+# ### Aside: the rest of the agent
+# These lines say how it acts, how it remembers, when an update is due, and how the old weights become new.
 # The memory is written from its beginning again when it is full, hence `%`. (Weights, like counters, stand in arrays, since the
 # fields of a `NamedTuple` are fixed: `self.steps[0]` is a number.)
 
@@ -202,7 +203,8 @@ source(DQN, "act", "write_values", "remember", "is_due")
 source(dqn.copy)
 
 # %% [markdown]
-# See what comes out of it. This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
+# ### Watch it
+# This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
 # steps with the slider or the button.) It still misses the balls from one of the five columns. From which? Change
 # `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1, 2, 3, 4.
 
@@ -301,7 +303,7 @@ sees.measured(sees.options[sum(int(means[methods.PIXELS] > 0.5) for means in lis
 # %% [markdown]
 # ## Your turn
 #
-# **The table.** Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
+# What decides how fast the table learns? Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
 # $\varepsilon$, $\alpha$ and $\gamma$. Which matters? (10 repetitions of 20 000 steps.)
 
 
@@ -321,8 +323,10 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 # tried came to 1 within 3 000 steps. Only the column of the ball is random, so one look at an outcome is enough,
 # whatever $\alpha$ is. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead
 # of 0.85. </details>
-#
-# **The network.** Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
+
+# %% [markdown] tags=["aside"]
+# ### Aside: turn the knobs of the network
+# Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
 # do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean.)
 
 
@@ -367,7 +371,8 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is 0,
 # since the loss does not contain it.
 #
-# (In the next cell the agent computes this gradient, and Adam takes a step with it, in the first layer and then in the
+# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step with
+# it, in the first layer and then in the
 # second one. Its counters, such as `updates`, are arrays with one number, so that machine code can change them.)
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?
@@ -401,7 +406,9 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 # however large the gradient is. Only the direction counts. Later steps follow an average of the gradients, divided by
 # an average of their size.
 # </details>
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: the way backward, and Adam
 # **Backward** goes the chain rule, from the values to the weights (this is `by_hand` in the cell above):
 #
 # - The weight from $h_1$ to $Q(s, 0)$ is multiplied by $h_1 = 0.5$: its derivative is $0.5 \cdot (-0.5) = -0.25$. The
@@ -504,10 +511,17 @@ for row in touched:
     print(" ".join("learned" if cell else "   -   " for cell in row))
 
 # %% [markdown]
-# In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is.
-# You know the rest from the step by hand: a weight from an input that is always 0 never moves. When a ball is there in
+# In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
+# and a weight from an input that is always 0 never moves. When a ball is there in
 # the test, it is multiplied by random weights, as they were drawn at the start.
 #
+# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
+# network on pixels shares much between boards that have most pixels in common, as with noise. A weight of the first
+# layer counts only where its pixel is not 0. A ball in column 1 and a ball in column 2 light different pixels. So no
+# weight that reads the ball is shared. Ball minus paddle shares all that matters, but there a person has done the work.
+
+# %% [markdown] tags=["aside"]
+# ### Aside: where the paddle goes instead
 # What do the agents do with balls from columns 1 and 3? This is where the paddle ends, in each of ten runs. The last
 # agent is DQN on pixels once more, with 0 for all weights of the pixels that are not marked "learned".
 
@@ -526,12 +540,8 @@ for column in tasks.WITHHELD:
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle ends in the middle.
-#
-# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
-# network on pixels shares much between boards that have most pixels in common, as with noise. A weight of the first
-# layer counts only where its pixel is not 0. A ball in column 1 and a ball in column 2 light different pixels. So no
-# weight that reads the ball is shared. Ball minus paddle shares all that matters, but there a person has done the work.
-#
+
+# %% [markdown]
 # ### Can a network share more?
 # A *convolutional* network (CNN) uses the same weights at every place: a *filter*, a small array of weights, slides
 # over the image. Two of them were trained for 30 000 steps on images of balls from columns 0, 2 and 4, by PPO of
@@ -565,11 +575,11 @@ cnns.measured(cnns.options[{(True, True): 0, (True, False): 1, (False, True): 2}
 # **Measured.** The CNN over columns does: in nine of ten runs it catches the balls from both columns, in the tenth from
 # one. The small CNN catches them from both in one run, from one in three, and from none in six. One reason may be that
 # its filters are shared, but the layer after them is not. (The two differ in the size of their filters as well.) Here,
-# too, a person chose the form. So "deep learning generalises" is too simple, and so is "convolutions generalise".
+# too, a person chose the form. So "deep learning generalises" is too simple.
 # </details>
 
-# %% [markdown]
-# ### A weight that grows for ever
+# %% [markdown] tags=["aside"]
+# ### Aside: a weight that grows for ever, and the deadly triad
 # Why does DQN hold its target still? Here is the smallest example of the trouble (section 11.2). Two states have one
 # weight $w$ together: the first has the feature $x = 1$, so its value is $w$; the second has $x = 2$, so its value is
 # $2w$. All rewards are 0, so $w$ should become 0. Suppose that only the step from the first state to the second is
@@ -624,8 +634,8 @@ def triad(gamma=0.9, alpha=0.1, copy_every=20):
 
 sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.2, 0.05), copy_every=[1, 5, 20, 50])
 
-# %% [markdown]
-# ### Networks from a library, on the grid and on the image (optional)
+# %% [markdown] tags=["aside"]
+# ### Aside: networks from a library, on the grid and on the image
 # Stable-Baselines3 has DQN and PPO; the package has a PPO of its own. Ten runs of each are stored:
 #
 # | method | network | copies of the task | learning rate |
@@ -672,8 +682,8 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # table, does not hold up this network.
 # </details>
 
-# %% [markdown]
-# ### What a larger board costs (optional)
+# %% [markdown] tags=["aside"]
+# ### Aside: what a larger board costs
 # **Predict.** The board grows from 3 columns and 6 rows to 9 columns and 18 rows, so that about 30 times as many boards
 # can occur. How many times as many steps does a table need to a return of 0.99?
 
@@ -702,8 +712,8 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 
-# %% [markdown]
-# ### A car on a hill (optional)
+# %% [markdown] tags=["aside"]
+# ### Aside: a car on a hill
 # MountainCar is an environment of Gymnasium. Its observation is two real numbers, position and speed, so that a table
 # over observations would meet a new row at nearly every step. The car is too weak for the hill, and must swing up. Each
 # step costs 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$

@@ -8,7 +8,7 @@
 # reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
 # an explorer of your own.
 #
-# **Time.** 90 minutes, and 70 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2):
 # lesson 0 has them all. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -403,9 +403,10 @@ for method in causes.methods:
 #
 # Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
 # meet an agent that solves walls without it.
-#
-# ### For the curious: detachment
-# (You can skip this section.) The paper gives another reason why novelty stalls, **detachment**: the bonus at a frontier
+
+# %% [markdown] tags=["aside"]
+# ### Aside: two branches, and whether a frontier is forgotten
+# The paper gives another reason why novelty stalls, **detachment**: the bonus at a frontier
 # fades with every visit, so that the agent may turn to another frontier and never come back (Ecoffet et al., 2021). One
 # wall has one frontier and cannot show that. So here is a wall with two branches of height 100. The first action chooses the
 # branch, left or right. The only reward is at the flag, on top of the right-hand one. (The picture shows lower branches.)
@@ -841,7 +842,7 @@ check(project_1, my_program)
 # - A novelty reward gives the agent something to learn from at every step, and draws it back to its frontier. There it
 #   stalls: slips end its climbs on the way, and once it took the wrong grip, only a slip takes the right one, since what
 #   was never tried is worth 0.
-# - With two branches it leaves a frontier and comes back. Lasting detachment did not appear with a table.
+# - With two branches (in the aside) it leaves a frontier and comes back. Lasting detachment did not appear with a table.
 # - Returning first, and exploring only then, solves the high wall. Optimistic initial values with $\alpha = 1$ solve it
 #   too, since they try everything, and no later than Go-Explore.
 # - Values that are equal on paper may differ in the last digit. A program that breaks ties by it explores less.

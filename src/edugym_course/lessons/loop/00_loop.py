@@ -7,7 +7,7 @@
 # **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
 # what the discount changes; and complete an agent of about ten lines that takes millions of steps a second.
 #
-# **Time.** 40 minutes, and 25 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
+# **Time.** {time} **Before you start.** Two lectures on reinforcement learning, or
 # sections 3.1 to 3.6 and 6.5 of Sutton and Barto, *Reinforcement Learning*, 2nd edition. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 #

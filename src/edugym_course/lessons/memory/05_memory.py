@@ -8,7 +8,7 @@
 # remembers, with a window; compute how long that window must be; explain why an agent should remember its own actions;
 # and write a memory with 16 rows that does better than a window with millions.
 #
-# **Time.** 60 minutes, and 45 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). For
 # the two networks near the end it helps to know what DQN is (section 16.5). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -177,7 +177,7 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # %% [markdown]
 # ### A learned memory
 # The third kind is learned. A *recurrent* network has a memory $M_t$, some numbers that it changes at every step by a
-# function $u$ whose weights are learned. For recurrent PPO, the agent at the end of this lesson, $u$ is an *LSTM*, a
+# function $u$ whose weights are learned. For recurrent PPO, the agent of an aside near the end, $u$ is an *LSTM*, a
 # small network that keeps numbers from step to step:
 #
 # $$
@@ -347,15 +347,7 @@ figures.twin_figure(4, 4, actions=True)
 # corridor. Two marks would tell it: the last two are as many steps apart as the previous corridor is long, and the
 # present one is one place longer.
 #
-# Say that corridor $L$ is the longest one that must be played without an error.
-#
-# - In every *shorter* corridor the agent must see two marks, to know its length. That is hardest at the last unmarked
-#   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture is this moment for
-#   $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
-#   $2L - 3$.
-# - In corridor $L$ itself one mark is enough. As two are seen in all shorter ones, one alone means corridor $L$.
-#
-# So the window must be this long:
+# That takes a longer window (the aside below counts the steps):
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -373,6 +365,16 @@ for length in range(3, 9):
     alone_bytes, both_bytes = 3 * 8 * stack_size(4, k_alone), 3 * 8 * stack_size(4, k_both, 3)
     print(f"corridor {length}: observations alone, k = {k_alone:2}, {alone_bytes:7.2g} bytes;", end="  ")
     print(f"with actions, k = {k_both:2}, {both_bytes:7.2g} bytes")
+
+# %% [markdown] tags=["aside"]
+# ### Aside: where the law with actions comes from
+# Say that corridor $L$ is the longest one that must be played without an error.
+#
+# - In every *shorter* corridor the agent must see two marks, to know its length. That is hardest at the last unmarked
+#   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above is this moment
+#   for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
+#   $2L - 3$.
+# - In corridor $L$ itself one mark is enough. As two are seen in all shorter ones, one alone means corridor $L$.
 
 # %% [markdown]
 # ## Predict, then check
@@ -419,10 +421,12 @@ early.measured(
 # learn "open the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table,
 # trained on batches of remembered steps (lesson 4 is about networks). The window comes to it as separate numbers, each
 # of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
-# the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one entry. (The
+# the network (section 16.5). A step down the gradient takes the place of the change of one entry. (The
 # paper takes the DQN of Stable-Baselines3. This is the package's own, with settings of its own, so its curves are not
 # those of the paper.)
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: one update of DQN in code
 # Three names in the code: `memory` is the store of old steps for training, not what the agent remembers of the corridor.
 # `target` is the target, and `self.target` the older network. `slope_of_loss` gets $Q(S, A)$ less the target, cut to the
 # range −1 to 1, so a step *down* that slope moves $Q(S, A)$ towards the target.
@@ -431,7 +435,8 @@ early.measured(
 source(DQN.add_gradient)
 
 # %% [markdown]
-# It trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them, with 3 repetitions,
+# ### Seven observations
+# DQN trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them, with 3 repetitions,
 # so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
 #
 # <details><summary>The settings of DQN</summary>
@@ -510,8 +515,9 @@ figures.twin_figure(8, 6, actions=True)
 #
 # So the best play with this window gets through corridor 6 in 85 % of all episodes, and returns 23 on average. DQN
 # comes close. A law for "never" says little about "usually".
-#
-# ### A memory that is learned
+
+# %% [markdown] tags=["aside"]
+# ### Aside: a memory that is learned
 # Recurrent PPO sees one observation at a time, no window, and never its own actions. It has to learn what to keep. It
 # learns from 64 copies of the task at once, by the policy gradient (PPO), with an LSTM of 64 units. A run takes half a
 # minute or more, so **nothing is trained here**: these are the stored results of ten seeds, 150 000 steps each
@@ -542,8 +548,8 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # 11 of them. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
 # throws it away. DQN draws its batches from the last 10 000 steps.) </details>
 
-# %% [markdown]
-# ### The same with eyes shut, on a frozen lake
+# %% [markdown] tags=["aside"]
+# ### Aside: the same with eyes shut, on a frozen lake
 # FrozenLake is an environment of Gymnasium: a lake of 4 by 4 fields, where the agent walks from the upper left to the
 # lower right corner, around four holes. Here it is not slippery, and the agent has its *eyes shut*: every observation
 # is 0. One of the shortest ways is down, down, right, right, down, right. Its eyes are shut by a wrapper of a few
@@ -859,7 +865,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   close to it.
 # - A longer window made the table much larger, but did not slow the first steps down: early on, $k = 3$ and $k = 5$ had
 #   learned something in a few dozen rows only.
-# - Recurrent PPO learned what to keep, without a window.
+# - Recurrent PPO (in an aside) learned what to keep, without a window.
 # - With a notebook 16 rows were enough for the optimum. What counts is the right memory, not a long one.
 #
 # ### In one paragraph

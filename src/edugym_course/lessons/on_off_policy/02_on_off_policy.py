@@ -8,7 +8,7 @@
 # expected SARSA as one update with three targets; predict which of them earns more when it explores rarely, and which when
 # it explores often; and compute on the exact model where that changes.
 #
-# **Time.** 90 minutes, and 45 more for the exercises. **Before you start.** You should know what
+# **Time.** {time} **Before you start.** You should know what
 # a value function and Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection
 # (section 2.2). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -528,8 +528,8 @@ rough.measured(max(losses, key=losses.get))
 # and Barto, on another cliff.
 # </details>
 
-# %% [markdown]
-# ### The same on another cliff
+# %% [markdown] tags=["aside"]
+# ### Aside: the same on another cliff
 # CliffWalking is an environment of Gymnasium (Example 6.6 of Sutton and Barto). The agent walks on a grid of 4 by 12,
 # from the lower left corner to the lower right one. Between them is a cliff (red): a step into it costs 100 and leads
 # back to the start. Every other step costs 1. An environment is swapped in by its name. (The settings: $\varepsilon =
@@ -561,9 +561,9 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 # the step limit. (The likely reason is the noise of its targets, since expected SARSA has no such run.)
 # </details>
 
-# %% [markdown]
-# ### For the curious: stopping before the edge
-# (You can skip this section.) In the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. With
+# %% [markdown] tags=["aside"]
+# ### Aside: stopping before the edge
+# In the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. With
 # `stop_zone = 2` an episode ends well in one of the last three cells, 7, 8 and 9, and each cell short of the last costs 1.
 #
 # **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average

@@ -8,7 +8,7 @@
 # an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing its
 # optimum; and take a problem of your own through everything, up to a file that a friend can play.
 #
-# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You
+# **Time.** {time} **Before you start.** You
 # should know the definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3
 # and section 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -525,11 +525,12 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-2.4$
 # against 6.7. After 12 800 steps both are near the optimum (9.8). With $\varphi = v_*$ Q-learning is close to
 # the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help learning or slow it
-# down. With the two careless rewards more training does not bring the agent to what was meant.
+# down: to Q-learning it is the same as a table that starts at it (the aside says why). With the two careless rewards more
+# training does not bring the agent to what was meant.
 # </details>
 
-# %% [markdown]
-# ### A potential is an initial value
+# %% [markdown] tags=["aside"]
+# ### Aside: a potential is an initial value
 # Why does this potential slow learning down, and $v_*$ not? Write $Q'$ for the table of Q-learning with the potential.
 # Its error is
 #

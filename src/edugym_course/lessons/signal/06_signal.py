@@ -8,7 +8,7 @@
 # bits can be worth a lot to one player and nothing to another; explain why longer messages carry more and are harder
 # to learn from; and write a player that joins its message with its memory.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
 # All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
@@ -269,8 +269,9 @@ half.measured(methods.noise_label(first))
 # again.)
 # </details>
 
-# %% [markdown]
-# What has it learned? Each bar belongs to a word, and its colours show how often Q-learning answers it with each
+# %% [markdown] tags=["aside"]
+# ### Aside: what has it learned?
+# Each bar belongs to a word, and its colours show how often Q-learning answers it with each
 # action, in greedy episodes of all 20 runs. An agent that knows what the words mean has one colour in each bar.
 
 # %%
@@ -395,8 +396,6 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # %% [markdown]
 # - **Left.** With one word a player without memory has little else to use, and Q-learning uses it: its line lies nearly
 #   on that of obeying. At $\tau = 0.02$ a word that carries half a bit in perfect care brings nine tenths of the return.
-#   (On the toy of the player who obeys it carries 0.84 bit, as we saw. At $\tau = 0.1$ it carries 0.28 there instead of
-#   0.02.)
 # - **Right.** The information grows with the messages, and the vote turns it into return: 28 words at
 #   $\tau = 0.1$ are worth nearly as much as one word at 0.02, which carries the same half bit. Whoever obeys the first
 #   word leaves the other words unused: that line is flat.
@@ -451,8 +450,8 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # random. So bits alone do not say what a message is worth. What counts is which mistakes it leaves.
 # </details>
 
-# %% [markdown]
-# ### Many words for one thing
+# %% [markdown] tags=["aside"]
+# ### Aside: many words for one thing
 # **Predict.** Now the opposite: 16 words, four for each need, without noise (*synonyms*). They carry the same two bits
 # as four words. What does Q-learning do with them?
 
@@ -514,8 +513,9 @@ in_turn.measured(100 * blind / methods.OPTIMUM)
 # what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
 # </details>
 
-# %% [markdown]
-# Can Q-learning find that? Give the toy a single word, so that it always says the same. Then let the rows of the table
+# %% [markdown] tags=["aside"]
+# ### Aside: can Q-learning find that?
+# Give the toy a single word, so that it always says the same. Then let the rows of the table
 # belong to the last two observations *and the action between them*. This is a `FrameStack` of two.
 
 # %%
@@ -586,8 +586,8 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 # should win here is a player that uses both: that is exercise 3, and the challenge.
 # </details>
 
-# %% [markdown]
-# ### Fog on a frozen lake
+# %% [markdown] tags=["aside"]
+# ### Aside: fog on a frozen lake
 # FrozenLake of Gymnasium is a grid of 4 by 4. The agent sees its cell. Reaching the goal pays 1, and a fall into a hole
 # ends the episode. Let there be *fog*: with some probability the agent is told a random cell instead of its own. Any
 # Gymnasium environment can be changed in this way.
@@ -830,9 +830,9 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Words
 #   that carry half a bit, on a toy in perfect care, brought nine tenths of the return.
 # - Longer messages carry more. A vote used that, and Q-learning with a table needed far more steps to use a part of it.
-# - Synonyms made learning slow. Ambiguous words made it fail, although they carried a whole bit.
+# - Synonyms made learning slow (in an aside). Ambiguous words made it fail, although they carried a whole bit.
 # - Taking the four actions in turn got 99 % without any message, and Q-learning found that once it could see its last
-#   action. On a moody toy, taking turns broke down: it got a tenth.
+#   action (in an aside). On a moody toy, taking turns broke down: it got a tenth.
 # - A memory of one action helped the vote at every length, and most where a message told something, but not enough.
 #
 # ### In one paragraph

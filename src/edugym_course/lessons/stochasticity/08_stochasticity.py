@@ -8,7 +8,7 @@
 # risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being worth
 # it; and say why "risk-seeking pays" can be measured and still be wrong.
 #
-# **Time.** 65 minutes, and 40 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), ε-greedy action selection (section 2.2), and
 # what a normal distribution is. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -148,7 +148,17 @@ figures.weights_figure()
 # \mathrm{E}[R] + \frac{\beta}{2}\, \mathrm{Var}[R]
 # $$
 #
-# the mean, and for $\beta < 0$ a fine for the variance. *Why:* the value rests where $2\sigma(\beta\delta)\,\delta$ is
+# the mean, and for $\beta < 0$ a fine for the variance. (The aside below proves it.) Try it, with the mean 0.8 and the
+# standard deviation 0.3:
+
+# %%
+for label, beta in methods.RISKS.items():
+    learned = methods.learned_value(beta, lambda rng: rng.normal(0.8, 0.3))
+    print(f"{label:15}: learned {learned:.3f}, by the formula {0.8 + beta / 2 * 0.3**2:.3f}")
+
+# %% [markdown] tags=["aside"]
+# ### Aside: why it is the mean and a share of the variance
+# The value rests where $2\sigma(\beta\delta)\,\delta$ is
 # 0 on average. If the value is the one above, then $\delta$, which is $R$ less the value, is normal with the mean
 # $-\frac{\beta}{2}\mathrm{Var}[R]$. Its density is proportional to $e^{-(\delta + \beta \mathrm{Var}[R] / 2)^2 / (2
 # \mathrm{Var}[R])}$. Multiply the square out, and leave out the factor without $\delta$: the density is proportional to
@@ -161,13 +171,7 @@ figures.weights_figure()
 # \delta \cdot \frac{e^{-\delta^2 / (2 \mathrm{Var}[R])}}{e^{\beta\delta/2} + e^{-\beta\delta/2}}
 # $$
 #
-# The fraction is the same for $\delta$ and $-\delta$. So each bad surprise cancels a good one, and the mean is 0. Try
-# it, with the mean 0.8 and the standard deviation 0.3:
-
-# %%
-for label, beta in methods.RISKS.items():
-    learned = methods.learned_value(beta, lambda rng: rng.normal(0.8, 0.3))
-    print(f"{label:15}: learned {learned:.3f}, by the formula {0.8 + beta / 2 * 0.3**2:.3f}")
+# The fraction is the same for $\delta$ and $-\delta$. So each bad surprise cancels a good one, and the mean is 0.
 
 # %% [markdown]
 # ## The experiment: three players
@@ -545,8 +549,8 @@ for label, one in (("as in the experiment", played[methods.NEUTRAL]), ("patient"
 # take the risk. With good first values and smaller steps all of them do. But their mean is 0.82: they are not done
 # learning. So the price of noise is all three: good first values, smaller steps, and more of them.
 
-# %% [markdown]
-# ### "Risk-seeking pays"?
+# %% [markdown] tags=["aside"]
+# ### Aside: "Risk-seeking pays"?
 # In the paper's game (Moerland et al., 2023) the agent does not see its hits: the same row of the table serves for the
 # first hit and the ninth. (We take 100 repetitions here, since a few runs are far from the others.)
 #
@@ -605,8 +609,8 @@ for condition, players in {
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
 # another fault.
 
-# %% [markdown]
-# ### Is risk the variance?
+# %% [markdown] tags=["aside"]
+# ### Aside: is risk the variance?
 # The formula of the section "The idea" has the variance in it. Now take two lotteries with the same mean, 0, and the
 # same variance, 0.36. The first mostly wins a little and rarely loses much. The second is its mirror image.
 #
@@ -648,8 +652,8 @@ lotteries.measured("both equally, within 0.02" if abs(difference) < 0.02 else hi
 # whole game. So "risk" here means surprises, one by one, and not the variance of the return.
 # </details>
 
-# %% [markdown]
-# ### The learning rate, on another slippery ground
+# %% [markdown] tags=["aside"]
+# ### Aside: the learning rate, on another slippery ground
 # FrozenLake is an environment of Gymnasium. The agent walks over a frozen lake of 4 by 4 cells to a goal, which pays 1.
 # In some cells the ice has a hole, and a fall ends the episode without a reward. If the lake is *slippery*, the agent
 # goes where it wants with probability 1/3 only, and else to one of the two sides. (The settings: Q-learning, $\gamma =
@@ -973,9 +977,11 @@ check(project_8, my_program)
 # - Noise made learning slow. It spreads experience over many cells, whose first values were too low, and it brings bad
 #   luck. Here the first was the larger obstacle: with the rest of the game known most runs drove. Good first values,
 #   smaller steps and more of them, all three together, mended both.
-# - Risk-seeking paid only where the neutral player had learned to be too careful. Against a patient one it gained
+# - Risk-seeking (in an aside) paid only where the neutral player had learned to be too careful. Against a patient one it
+#   gained
 #   nothing, and where the risk was not worth it, it cost.
-# - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake.
+# - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake (in an
+#   aside).
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
