@@ -15,7 +15,7 @@ const OWN = ['learning_rate', 'discount', 'epsilon'] // settings that all agents
 let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
-const editor = data.editor && new Editor(find, data.editor, data.seeds) // where npm does not answer, the page is built without
+const editor = data.editor && new Editor(find, data.editor, data.seeds, onCode) // where npm does not answer, the page is built without
 find('tab-code').hidden = !editor
 lanes.forEach(lane => find('lanes').append(lane.article))
 
@@ -36,6 +36,7 @@ async function open() {
   state.seed = within(state.seed, data.seeds.length)
   if (!data.several.some(([n]) => n === state.several)) state.several = 1
   state.steps ??= race.steps
+  state.source ||= editor?.packed ?? '' // what the reader has written goes along
   for (const link of find('tasks').children) {
     if (link.textContent !== race.name) link.removeAttribute('aria-current')
     else {
@@ -68,7 +69,7 @@ async function begin() {
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   task = answer
   controls()
-  find('lanes').classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
+  for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
   charted = 0
   const own = OWN.filter(name => state[name] !== null).map(name => [`.${name}`, state[name]])
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
@@ -87,7 +88,7 @@ function legend() {
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
   const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'Purple: where it was most.', values: 'Dark to bright: the return that it expects.', nothing: '' }[state.show]
-  find('legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
+  find('legend').textContent = find('code-legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
 }
 
 function controls() {
@@ -210,7 +211,7 @@ function remeasure() {
   for (const { picture } of lanes) picture?.measure()
   redraw()
   soon(draw)
-  if (state.code) soon(editor.draw)
+  if (state.code) editor.measure()
 }
 
 function redraw() {
@@ -286,14 +287,22 @@ function program() {
   find('code').textContent = `import edugym\n\n${blocks.join('\n')}`
 }
 
+// The reader has written something: `packed` is the program as letters, '' where it is the page's own, or too long.
+function onCode(packed) {
+  state.source = packed
+  controls()
+}
+
 find('share').onclick = async () => {
   state.at = lanes.map(({ steps }) => steps)
+  await editor?.pack()
   controls()
+  const without = editor?.tooLong ? ' Your code is not in it, since it is too long for a link: send it as a file.' : ''
   try {
     await navigator.clipboard.writeText(location.href)
-    find('shared').textContent = 'Copied.'
+    find('shared').textContent = `Copied.${without}`
   } catch {
-    find('shared').textContent = 'The link is in the address bar.'
+    find('shared').textContent = `The link is in the address bar.${without}`
   }
 }
 find('theme').onclick = () => {

@@ -7,9 +7,12 @@ from typing import Any
 
 import editor
 import edugym_page
+import numpy as np
 import playground
 import pytest
 from races import RACES, Race
+
+import edugym
 
 SHORT = re.findall(r"SHORT = `(.*?)`", (playground.PAGE / "editor.js").read_text(encoding="utf-8"), re.DOTALL)[0]
 BOULDER_OF_4 = 'mdp = edugym.make_mdp("Boulder", height=4)'
@@ -25,7 +28,7 @@ def made(race: Race, seen: str) -> str:
 
 def run(source: str, task: str = BOULDER_OF_4, steps: int = 300) -> dict[str, Any]:
     """What comes of a program."""
-    return edugym_page.run(source, task, steps, 0, 1)
+    return edugym_page.run(source, task, steps, 0, 1, lambda *_: None)
 
 
 def test_the_short_agent_learns() -> None:
@@ -68,6 +71,56 @@ def test_mistakes_are_told_with_their_line(source: str) -> None:
     found = run(source)
     assert word in found["error"]
     assert found["line"] == line
+
+
+def test_whole_numbers_have_64_bits() -> None:
+    """In arrays of the agent and of its parts; an array in two places stays one; all else stays as it is."""
+    counts = np.zeros(3, np.int32)
+    inner = edugym.QLearning.create((3, 2))._replace(exploration=counts)
+    agent = edugym.QLearning.create((3, 2))._replace(Q=counts, exploration=inner)
+    given: Any = edugym_page.with_64_bits(agent)
+    assert type(given) is type(agent)
+    assert given.Q.dtype == np.int64
+    assert given.Q is given.exploration.exploration
+    assert given.exploration.Q is inner.Q
+
+
+NO_TABLE = SHORT.replace("self.Q", "self.own").replace("Q: np.ndarray", "own: np.ndarray")
+GO_EXPLORE = "agent = edugym.GoExplore.create(mdp)"
+OTHER_TABLE = SHORT.replace(".create(mdp)", ".create((9, 2))")
+VECTORS = """
+class Still:
+    tabular = False
+    def act(self, state, rng): return 0
+    def learn(self, reward): pass
+agent = Still()
+"""
+
+
+@pytest.mark.parametrize(
+    ("source", "size"),
+    [(SHORT, 10), (GO_EXPLORE, 10), (NO_TABLE, 0), (OTHER_TABLE, 0)],
+    ids=["Q", "goals", "no table", "another size"],
+)
+def test_what_the_agent_knows_is_shown(source: str, size: int) -> None:
+    """At the beginning, at the end, and between: every step counts; action values where it has a table of them."""
+    shown: list[Any] = []
+    found = edugym_page.run(source, BOULDER_OF_4, 3_000, 0, 1, lambda *given: shown.append(given))
+    assert "curve" in found
+    assert len(shown) >= 2
+    counts = [visits.sum() for visits, _ in shown]
+    assert counts[0] == 0
+    assert counts == sorted(counts)
+    assert shown[-1][0][:4].sum() == 3_000
+    assert {Q.size for _, Q in shown} == {size}
+    assert (shown[-1][1].max(initial=0.0) > 0) == (size > 0)
+
+
+def test_of_an_agent_without_a_table_nothing_is_shown() -> None:
+    """It runs as elsewhere."""
+    shown: list[Any] = []
+    assert "curve" in edugym_page.run(VECTORS, BOULDER_OF_4, 300, 0, 1, lambda *given: shown.append(given))
+    assert not shown
 
 
 def test_what_is_interpreted_says_why() -> None:

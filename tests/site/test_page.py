@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import os
+import random
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -125,6 +126,8 @@ def _photograph(reader: Reader, name: str) -> None:
     height = reader("document.documentElement.scrollHeight")
     screen = {"width": int(name.split("-")[1]), "height": height, "deviceScaleFactor": 1, "mobile": False}
     reader.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    frame = "requestAnimationFrame"  # a resized page draws its pictures again in some of the next ones
+    reader.driver.execute_async_script(f"{frame}(() => {frame}(() => setTimeout(arguments[0], 300)))")
     reader.driver.save_screenshot(str(folder / f"{name}.png"))
 
 
@@ -236,6 +239,34 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     change(reader, "        while True: pass\n", "")
     assert "Your agent ends at 1," in ran(reader)
     reader.check()
+
+
+def test_a_link_holds_the_code(address: str, browser: Any) -> None:
+    """Another reader sees it, is told where it is from, and nothing runs before Run; what is damaged is said."""
+    reader = Reader(browser, f"{address}#task=Study&code=true&steps=10000")
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+    until(lambda: reader("document.querySelector('#source').value"), "the program")
+    assert "source" not in reader("location.hash")
+    change(reader, "0.99 *", "0.5 *")
+    reader.click("#share")
+    until(lambda: reader.text("#shared"), "the link")
+    link = reader("location.href")
+    other = Reader(browser, link)
+    until(lambda: "0.5 *" in other("document.querySelector('#source').value"), "the code of the link")
+    assert "comes from the link" in other.text("#code-status")
+    assert not other("performance.getEntriesByType('resource').some(entry => /python|own/.test(entry.name))")
+    other("location.hash = '#task=Golf'")
+    until(lambda: "Golf" in browser.title, "another task")
+    assert "source=" in other("location.hash")
+    assert "Your agent ends at" in ran(Reader(browser, link))
+    damaged = Reader(browser, link.replace("source=", "source=AAAA"))
+    until(lambda: "damaged" in damaged.text("#code-status"), "what is wrong")
+    change(damaged, "0.99 *", f"0.99 * {random.Random(0).randbytes(9_000).hex()}")
+    damaged.click("#share")
+    until(lambda: "too long" in damaged.text("#shared"), "what is wrong")
+    assert "source" not in damaged("location.hash")
+    damaged.check()
 
 
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
