@@ -2,6 +2,7 @@
 // the first change; until then nothing of it is. Stop ends the worker, whatever the code does.
 
 import { chart, short } from './chart.js'
+import { Field } from './field.js'
 import { LONGEST, pack, unpack } from './packed.js'
 import { Picture } from './picture.js'
 import { soon } from './soon.js'
@@ -36,15 +37,11 @@ export class Editor {
   constructor(find, sizes, seeds, onCode) {
     Object.assign(this, { find, sizes, seeds, onCode, number: 0, template: 0, filled: '', packed: '' })
     this.draw = this.draw.bind(this)
-    this.source = find('source')
-    this.source.oninput = () => {
-      this.mark(null)
+    this.field = new Field(find('editor'), () => {
       this.python() // begins to load
       clearTimeout(this.packing)
       this.packing = setTimeout(() => this.pack(), PAUSE)
-    }
-    this.source.onscroll = () => { find('gutter').scrollTop = this.source.scrollTop }
-    this.source.onkeydown = event => this.indent(event)
+    })
     find('template').onchange = () => {
       if (this.edited() && !confirm('Replace your code?')) find('template').selectedIndex = this.template
       else this.fill().then(() => { this.clear(); this.pack() })
@@ -56,7 +53,8 @@ export class Editor {
     this.first = `With your first change or run, your browser loads Python: ${Math.round(megabytes)} MB.`
   }
 
-  // Show a task: `state` is the page's, `task` its data at this strength, `given` what `program` of the page needs.
+  // Show a task: `state` is the page's, `task` its data at this strength, and `code` writes the lines that make the task
+  // and an agent.
   async open(race, task, state, code) {
     const other = this.race !== race
     Object.assign(this, { race, task, state, code })
@@ -77,20 +75,20 @@ export class Editor {
     const text = await unpack(packed)
     this.packed = packed
     this.found = text === undefined ? 'The code in this link is damaged.' : FROM_LINK
-    if (text !== undefined) this.show(text)
+    if (text !== undefined) this.field.text = text
   }
 
   // Tell the page the program as letters of a link: none where it is a template, or too long.
   async pack() {
     clearTimeout(this.packing)
-    const packed = this.edited() ? await pack(this.source.value).catch(() => undefined) : ''
+    const packed = this.edited() ? await pack(this.field.text).catch(() => undefined) : ''
     this.tooLong = packed === undefined || packed.length > LONGEST
     this.packed = this.tooLong ? '' : packed
     this.onCode(this.packed)
   }
 
   edited() {
-    return this.source.value !== this.filled
+    return this.field.text !== this.filled
   }
 
   async fill() {
@@ -99,12 +97,7 @@ export class Editor {
     const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
     this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : SHORT
     this.found = undefined
-    this.show(this.filled)
-  }
-
-  show(text) {
-    this.source.value = text
-    this.mark(null)
+    this.field.text = this.filled
   }
 
   clear() {
@@ -133,22 +126,6 @@ export class Editor {
     this.find('code-status').textContent = text
   }
 
-  // Number the lines, and mark the one with an error.
-  mark(line) {
-    const count = this.source.value.split('\n').length
-    this.find('gutter').innerHTML = Array.from({ length: count }, (_, k) => k + 1 === line ? `<b>${k + 1}</b>` : k + 1).join('\n')
-    this.find('gutter').scrollTop = this.source.scrollTop
-    this.source.setAttribute('aria-invalid', line !== null)
-  }
-
-  indent(event) {
-    if (event.key !== 'Enter' || event.isComposing) return
-    const before = this.source.value.slice(0, this.source.selectionStart).split('\n').at(-1)
-    const spaces = before.match(/^ */)[0] + (before.trimEnd().endsWith(':') ? '    ' : '')
-    event.preventDefault()
-    document.execCommand('insertText', false, `\n${spaces}`) // unlike others, it can be undone
-  }
-
   python() {
     if (this.worker) return this.worker
     this.worker = new Worker('own.js', { type: 'module' })
@@ -162,13 +139,13 @@ export class Editor {
     if (this.running) return
     this.found = undefined
     this.clear()
-    this.mark(null)
+    this.field.mark(null)
     const { steps, seed } = this.state, { race, lane } = this, { rows, cell } = lane.table
     this.running = true
     this.find('run-code').disabled = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
-    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.source.value, task: this.code.task(lane), steps, seed, episodes: race.episodes, rows })
+    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes, rows })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
       if (data.id !== this.number) return
@@ -212,7 +189,7 @@ export class Editor {
     this.find('run-code').disabled = false
     this.find('stop-code').disabled = true
     if (data.error) {
-      this.mark(data.line)
+      this.field.mark(data.line)
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
     this.ours = data.curve

@@ -3,16 +3,16 @@
 import re
 import tarfile
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+import codemirror
 import editor
 import edugym_page
+import npm
 import numpy as np
 import playground
 import pytest
 from races import RACES, Race
-
-import edugym
 
 SHORT = re.findall(r"SHORT = `(.*?)`", (playground.PAGE / "editor.js").read_text(encoding="utf-8"), re.DOTALL)[0]
 BOULDER_OF_4 = 'mdp = edugym.make_mdp("Boulder", height=4)'
@@ -73,16 +73,21 @@ def test_mistakes_are_told_with_their_line(source: str) -> None:
     assert found["line"] == line
 
 
+class Parts(NamedTuple):
+    """An agent, or a part of one."""
+
+    array: Any
+    rest: Any
+
+
 def test_whole_numbers_have_64_bits() -> None:
     """In arrays of the agent and of its parts; an array in two places stays one; all else stays as it is."""
-    counts = np.zeros(3, np.int32)
-    inner = edugym.QLearning.create((3, 2))._replace(exploration=counts)
-    agent = edugym.QLearning.create((3, 2))._replace(Q=counts, exploration=inner)
-    given: Any = edugym_page.with_64_bits(agent)
-    assert type(given) is type(agent)
-    assert given.Q.dtype == np.int64
-    assert given.Q is given.exploration.exploration
-    assert given.exploration.Q is inner.Q
+    counts, values = np.zeros(3, np.int32), np.zeros(3)
+    given = edugym_page.with_64_bits(Parts(counts, Parts(values, counts)))
+    assert type(given) is Parts
+    assert given.array.dtype == np.int64
+    assert given.rest.array is values
+    assert given.rest.rest is given.array
 
 
 NO_TABLE = SHORT.replace("self.Q", "self.own").replace("Q: np.ndarray", "own: np.ndarray")
@@ -130,9 +135,20 @@ def test_what_is_interpreted_says_why() -> None:
     assert "it makes a dict (line 16)" in said
 
 
+def test_the_modules_of_the_field_find_each_other() -> None:
+    """By the names of files; the page asks for files that are there."""
+    written = "import { a } from '@lezer/common';\nexport { b } from \"style-mod\"; // from 'module'"
+    assert codemirror.linked(written).count('from "./') == 2
+    assert 'from "./lezer-common.js"' in codemirror.linked(written)
+    field = (playground.PAGE / "field.js").read_text(encoding="utf-8")
+    asked = re.findall(r"'([\w-]+)'", re.findall(r"MODULES = \[(.*?)\]", field)[0])
+    assert asked
+    assert {f"{name}.js" for name in asked} <= {codemirror.file_of(name) for name in codemirror.VERSIONS}
+
+
 def test_without_npm_there_is_no_editor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The page is built all the same."""
-    monkeypatch.setattr(editor, "PACKAGES", tmp_path / "npm")
+    monkeypatch.setattr(npm, "PACKAGES", tmp_path / "npm")
     monkeypatch.setenv("PATH", "")
     assert editor.build(tmp_path / "python") is None
     assert not (tmp_path / "python").exists()
@@ -140,8 +156,8 @@ def test_without_npm_there_is_no_editor(tmp_path: Path, monkeypatch: pytest.Monk
 
 def test_what_is_fetched_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """An archive that is there is not fetched again."""
-    monkeypatch.setattr(editor, "PACKAGES", tmp_path)
+    monkeypatch.setattr(npm, "PACKAGES", tmp_path)
     monkeypatch.setenv("PATH", "")
     kept = tmp_path / "a-b-1.0.tgz"
     tarfile.open(kept, "w").close()
-    assert editor._fetched("@a/b@1.0") == kept
+    assert npm.fetched("@a/b@1.0") == kept

@@ -7,6 +7,7 @@ from typing import Any
 
 import playground
 import pytest
+from races import RACES
 
 from tests.site.node import NODE
 
@@ -31,7 +32,7 @@ def in_node(body: str, given: Any) -> Any:
 def test_a_program_comes_back_from_its_letters() -> None:
     """Any text; all files of the package's agents are short enough for a link."""
     draw = random.Random(0)
-    texts = ["", "\ufeffx", *playground.sources(playground.RACES).values()]
+    texts = ["", "\ufeffx", *playground.sources(RACES).values()]
     texts += ["".join(chr(draw.choice([10, 32, 97, 233, 0x1F388])) for _ in range(size)) for size in (1, 50, 5_000)]
     packed, longest = in_node("[await Promise.all(given.map(pack)), LONGEST]", texts)
     assert in_node("await Promise.all(given.map(unpack))", packed) == texts

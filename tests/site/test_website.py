@@ -4,7 +4,6 @@ import importlib.util
 import json
 import re
 import shutil
-import subprocess
 import warnings
 from collections.abc import Iterator
 from html.parser import HTMLParser
@@ -143,22 +142,6 @@ def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: st
         assert not [name for name in asked if not name.startswith((address, "data:", "blob:"))]
         sticks_out = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
         assert browser.execute_script(sticks_out) <= 0
-
-
-@pytest.fixture(scope="module")
-def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The accessibility checker of Deque, from npm."""
-    folder = tmp_path_factory.mktemp("axe")
-    try:
-        fetched = subprocess.run(
-            ["npm", "pack", "--silent", "axe-core@4"], cwd=folder, capture_output=True, text=True, timeout=120
-        )
-    except (FileNotFoundError, subprocess.TimeoutExpired):
-        pytest.skip("npm is not there")
-    if fetched.returncode != 0:
-        pytest.skip("axe-core cannot be reached")
-    shutil.unpack_archive(folder / fetched.stdout.strip(), folder, "gztar")
-    return (folder / "package" / "axe.min.js").read_text(encoding="utf-8")
 
 
 @needs_browser
