@@ -23,6 +23,7 @@ lanes.forEach(lane => find('lanes').append(lane.article))
 
 find('tasks').innerHTML = data.races.map(({ name, challenge }) => `<a href="#task=${name}" title="${challenge}">${name}</a>`).join('')
 find('several').innerHTML = data.several.map(([n]) => `<option value="${n}">${n}</option>`).join('')
+find('code-show').innerHTML = find('show').innerHTML
 find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join('')
 
 // From the state to the page
@@ -41,7 +42,8 @@ async function open() {
     if (link.textContent !== race.name) link.removeAttribute('aria-current')
     else {
       link.setAttribute('aria-current', 'page')
-      link.scrollIntoView({ block: 'nearest', inline: 'center' })
+      const nav = link.parentElement // scrollIntoView would also scroll a page around this one
+      nav.scrollLeft = link.offsetLeft - nav.offsetLeft - (nav.clientWidth - link.offsetWidth) / 2
     }
   }
   document.title = `${race.name} · EduGym playground`
@@ -104,6 +106,7 @@ function controls() {
   }
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
   find('code-steps').value = state.steps
+  find('code-show').value = state.show
   find('policy').checked = state.policy
   find('blind').checked = state.blind
   lanes.forEach((lane, k) => lane.bet.setAttribute('aria-pressed', state.bet === k))
@@ -203,11 +206,12 @@ for (const name of OWN) find(name).oninput = event => set(name, name === 'learni
 find('own').onclick = () => { for (const name of OWN) state[name] = null; restart() }
 find('code-steps').onchange = event => set('steps', Number(event.target.value), () => restart().then(refresh))
 for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
-find('show').onchange = event => set('show', event.target.value, redraw)
+find('show').onchange = find('code-show').onchange = event => set('show', event.target.value, redraw)
 find('policy').onchange = event => set('policy', event.target.checked, redraw)
 find('blind').onchange = event => set('blind', event.target.checked, () => { controls(); play.show('') })
 
 function remeasure() {
+  if (!task) return // nothing is there yet
   for (const { picture } of lanes) picture?.measure()
   redraw()
   soon(draw)
@@ -221,6 +225,7 @@ function redraw() {
     Object.assign(lane.how, { show: state.show, policy: state.policy })
     soon(lane.draw)
   }
+  if (state.code) soon(editor.draw)
 }
 
 // Watch or play
@@ -309,6 +314,7 @@ find('theme').onclick = () => {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'
   document.documentElement.dataset.theme = localStorage.theme = theme
 }
+addEventListener('storage', setTheme) // the page around this one has changed it
 addEventListener('hashchange', open)
 addEventListener('resize', remeasure)
 await open()
