@@ -54,6 +54,17 @@ addEventListener('afterprint', () => {
   for (const fold of opened) fold.open = false
 })
 
+// A playground in a page is as high as what it shows, so that nothing scrolls inside.
+for (const frame of document.querySelectorAll('iframe.playground')) {
+  const fit = () => {
+    const inside = frame.contentDocument.body
+    new ResizeObserver(() => { frame.style.height = `${inside.offsetHeight + 2}px` }).observe(inside)
+    inside.ownerDocument.documentElement.style.overflowY = 'hidden'
+  }
+  if (frame.contentDocument?.body?.childElementCount) fit() // it was faster than this script
+  else frame.addEventListener('load', fit)
+}
+
 // The survey. Nothing is sent: the answers are a file, or a link that shows them on this page again.
 const survey = document.getElementById('survey')
 if (survey) {

@@ -11,6 +11,7 @@ import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
 from edugym.adapters.registration import specification
+from edugym.checks.contract import recorded
 from edugym.checks.interfaces import MADE, a_class
 from edugym.checks.parameters import a_dictionary
 from edugym.checks.values import deep_copy
@@ -170,7 +171,7 @@ def described(value: Any, name: str) -> dict[str, Setting]:
     Of other objects, the public attributes that are numbers, texts or booleans are described. A `VisitRecorder` is
     described as the agent in it.
     """
-    value = getattr(value, "recorded", value)
+    value = recorded(value)
     seen: set[int] = set()
 
     def walk(part: Any, path: str) -> dict[str, Setting]:
