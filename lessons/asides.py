@@ -31,8 +31,8 @@ def with_asides(cells: Sequence[NotebookNode]) -> list[NotebookNode]:
                 continue
         elif not is_code(cell) and re.match("#{1,3} ", cell.source):
             inside = False
-        if inside:
-            cell.metadata.tags = [*{"aside": None, **dict.fromkeys(cell.metadata.get("tags", []))}]
+        elif inside:
+            cell.metadata.tags = ["aside", *cell.metadata.get("tags", [])]
         made.append(cell)
     return made
 

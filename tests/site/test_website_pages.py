@@ -133,6 +133,25 @@ def test_lessons_ask_before_they_show(lessons: list[lesson_pages.Lesson]) -> Non
         assert all(len(alternative) > 10 for alternative, _ in pictures)
 
 
+def test_asides_are_folded_and_are_not_projected(lessons: list[lesson_pages.Lesson]) -> None:
+    """A fold opens below the heading of each aside and holds no other heading; what is projected has none of it."""
+    aside = re.compile(
+        rf"^### Aside, [^\n]*\n\n{re.escape(lesson_pages.FOLD)}\n(.*?)\n{re.escape(lesson_pages.FOLD_ENDS)}$",
+        re.M | re.S,
+    )
+    folded = {lesson.name: aside.findall(lesson.text) for lesson in lessons}
+    assert {lesson.name: lesson.text.count("\n### Aside") for lesson in lessons} == {
+        name: len(found) for name, found in folded.items()
+    }
+    assert sum(map(len, folded.values())) > 0
+    assert not [name for name, found in folded.items() if re.search(r"^#{2,6} ", "".join(found), re.MULTILINE)]
+    projected = projected_pages.pages(lessons)
+    for name, found in folded.items():
+        questions = [question for inside in found for question in re.findall(r"<legend>.*?</legend>", inside)]
+        assert not [question for question in questions if question in projected[f"project/{name}"]]
+        assert "Aside" not in projected[f"project/{name}"]
+
+
 def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[lesson_pages.Lesson]) -> None:
     """No formula has a command that the converter leaves as it is, nor a sign that the font lacks."""
     pytest.importorskip("latex2mathml")

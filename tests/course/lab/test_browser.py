@@ -12,9 +12,10 @@ from typing import Any
 
 import build
 import pytest
-from asides import is_aside, is_opening
+from asides import is_opening
 
 from edugym_course.lab.lessons import student_lessons
+from edugym_course.teaching.marks import is_aside
 from tests.course.lab.browser import CHROMIUM, DRIVER, PANEL, Lab, Page, chromium, running_lab, screenshots, until
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")

@@ -51,7 +51,6 @@ print(1 + 1)
 # Halves are fun.
 # %%
 half = 1 / 2
-print(half)
 # %% [markdown]
 # ## The experiment
 # %%
@@ -242,7 +241,7 @@ def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -
         ("### Aside: halves", "### Halves", "'### Halves' is marked as an aside, so it must begin with '### Aside: '"),
         (' tags=["aside"]', "", "'### Aside: halves' is an aside, so its cell needs the tag 'aside'"),
         ("# Halves are fun.", "# #### Quarters", "has no other heading in it, but '#### Quarters'"),
-        ("half = 1 / 2", "### BEGIN HIDDEN TESTS\nhalf\n### END HIDDEN TESTS", "a check or a project in it"),
+        ("half = 1 / 2", "half = 1\n### BEGIN HIDDEN TESTS\nhalf\n### END HIDDEN TESTS", "a check or a project in it"),
         ("# %%\ndraw(3)", "# %%\ndraw(half)", "'half' comes from '### Aside: halves', and whoever skips that has none"),
         ("# %%\ndraw(3)", "# %%\nhalf += 3", "'half' comes from '### Aside: halves'"),
         ("# %%\ndraw(3)", "# %%\nclass Half:\n    size = half", "'half' comes from '### Aside: halves'"),
@@ -275,7 +274,7 @@ def test_an_aside_is_folded_below_its_heading(source: Path) -> None:
         folded = [cell.source for cell in notebook.cells if cell.metadata.get("jp-MarkdownHeadingCollapsed")]
         assert folded == ["### Aside, 5 minutes: halves", "### Aside, 5 minutes: thirds"]
         inside = [cell.source for cell in notebook.cells if "aside" in cell.metadata.get("tags", [])]
-        assert inside == [folded[0], "Halves are fun.", "half = 1 / 2\nprint(half)", folded[1], "third = 1 / 3"]
+        assert inside == [folded[0], "Halves are fun.", "half = 1 / 2", folded[1], "third = 1 / 3"]
         opening = notebook.cells[0].source
         assert "**Time.** About 5 minutes, 10 more for the asides, which are folded" in opening
         assert "and 5 for the exercises. (Reckoned" in opening
