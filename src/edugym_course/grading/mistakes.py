@@ -8,6 +8,7 @@ from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
 
 Mistake = TypeVar("Mistake")
 
+LOOKS_LIKE = "in this case it looks like this: "
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
@@ -32,7 +33,7 @@ def mistake_that_fits(
             return sentence
     for sentence, mistake in mistakes.items():
         if here is not None and here(mistake):
-            return f"in this case it looks like this: {sentence}"
+            return f"{LOOKS_LIKE}{sentence}"
     return otherwise
 
 
@@ -55,10 +56,19 @@ class NumberCase(NamedTuple):
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
     """Check several numbers. If there are mistakes that explain all of them, no others are named.
 
+    Otherwise the mistake that fits the first wrong number is named as what it looks like, unless one of the right
+    numbers before it shows that the answer does not make this mistake.
+
     Raises:
         WrongAnswer: one is not right.
     """
     everywhere = [why for why in cases[0].mistakes if all(same(case.found, case.mistakes[why]) for case in cases)]
+    possible = {*cases[0].mistakes}
     for what, found, expected, mistakes in cases:
-        wrong = {why: mistakes[why] for why in everywhere or mistakes if not same(mistakes[why], expected)}
+        wrong = {
+            why if everywhere else f"{LOOKS_LIKE}{why}": mistakes[why]
+            for why in everywhere or mistakes
+            if why in possible and not same(mistakes[why], expected)
+        }
         compare(what, found, expected, wrong, otherwise=otherwise)
+        possible -= {why for why in mistakes if not everywhere and not same(mistakes[why], expected)}

@@ -40,12 +40,15 @@ def one_step_update(
     Q, entry = tables["Q"], (now.state, now.action)
     if now.terminated and ends == "skipped":
         return
+    if now.terminated and ends == "twice":
+        Q[entry] += learning_rate * (now.reward + extra - Q[entry])
     old = Q[entry]
     if step == "shrunk first":
         Q[entry] *= 1 - learning_rate
     future = {
         "terminated": not now.terminated,
         "never": True,
+        "twice": True,
         "truncated": not (now.terminated or now.truncated),
         "inverted": now.terminated,
     }.get(ends, not now.terminated)
@@ -75,6 +78,8 @@ def one_step_update(
         "minus": old - learning_rate * (aim - old),
         "weights": learning_rate * old + (1 - learning_rate) * aim,
         "rate on old": old + aim - learning_rate * old,
+        "rate on reward": aim + (learning_rate - 1) * (reward + extra),
+        "old discounted": old + learning_rate * (aim - discount * old),
     }[step]
 
 
@@ -169,6 +174,7 @@ Q_LEARNING = Update(
             "ends": "nothing"
         },
         "at the end of an episode nothing is learned, and that is where the reward is": {"ends": "skipped"},
+        "at the end of an episode it learns twice: is an `else` missing?": {"ends": "twice"},
         "the reward is missing": {"target": "no reward"},
         "the reward is discounted; γ belongs to the value of the next state only": {"target": "discounted"},
         "the value of the next state is not discounted: multiply it by γ": {"target": "undiscounted"},
@@ -181,6 +187,8 @@ Q_LEARNING = Update(
         "the old value is lost: α times the target is not Q(S, A) + α [target − Q(S, A)]": {"step": "only"},
         "the sign is wrong: it moves away from the target": {"step": "minus"},
         "α belongs to the whole bracket, not to Q(S, A) alone": {"step": "rate on old"},
+        "α stands before the reward alone: put the whole bracket into parentheses": {"step": "rate on reward"},
+        "Q(S, A) is discounted as well: γ belongs to the value of the next state only": {"step": "old discounted"},
         "α and 1 − α have changed places": {"step": "weights"},
         "Q(S, A) changes before the maximum is taken: compute the whole target from the old Q": {
             "step": "shrunk first"

@@ -22,9 +22,11 @@ HINTS = (
     ("truth value of an array", "compare single entries, not whole rows"),
     (
         r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
-        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late)' is not defined",
+        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late|states|actions|rewards)' is not defined",
         FIELD,
     ),
+    (r"name '(alpha|beta|gamma|alfa|lr)' is not defined", "the exercise has another name for it"),
+    (r"name 'inf(inity)?' is not defined", "infinity is math.inf"),
     ("cannot access local variable", "it gets a value on some paths only"),
     ("'NoneType'", "something is None there: is a `return` missing?"),
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
@@ -36,13 +38,25 @@ HINTS = (
     ),
     ("could not be broadcast", "two arrays of different sizes meet there"),
     ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
+    (
+        r"(float|int)\d*' object is not (iterable|reversible|subscriptable)|index to scalar",
+        "that is a single number, and a row, a list or range(...) is needed there",
+    ),
+    (
+        r"(float|int|list|array)\d*' object is not callable",
+        "that is no function: leave the parentheses out, or take an entry with [ ]",
+    ),
+    ("cannot be empty", "nothing is left to choose from: for which values does that happen?"),
     ("too many indices", "the array has fewer axes than there are indices"),
     (
         "out of bounds|index out of range",
         "indices go from 0 to the size less 1: is the range, or the order of the indices, right?",
     ),
     ("math domain error|expected a positive input", "a logarithm needs a number above 0: leave zeros out"),
-    ("inhomogeneous", "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?"),
+    (
+        "inhomogeneous|policy must be a whole number",
+        "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?",
+    ),
     ("only integer", "an index is a whole number"),
     (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
     (r"missing \d+ required", "it has more parameters than the call gives it values"),

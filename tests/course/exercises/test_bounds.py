@@ -48,17 +48,17 @@ TOLERANCES: list[tuple[Exercise, Callable[[float], Any], float]] = [
 ]
 """A right answer with an error, and how large this may be."""
 REFUSED = [
-    (exploration.exercise_1, EPSILON * 1.019, "smaller, by a little: give four digits or more"),
-    (exploration.exercise_1, EPSILON * 1.021, "so ε must be smaller"),
-    (exploration.exercise_1, EPSILON * 0.981, "larger, by a little: give four digits or more"),
-    (exploration.exercise_1, EPSILON * 0.979, "so ε must be larger"),
+    (exploration.exercise_1, EPSILON * 1.069, "smaller, by a little: give four digits or more"),
+    (exploration.exercise_1, EPSILON * 1.071, "so ε must be smaller"),
+    (exploration.exercise_1, EPSILON * 0.931, "larger, by a little: give four digits or more"),
+    (exploration.exercise_1, EPSILON * 0.929, "so ε must be larger"),
     (on_off_policy.exercise_1, -36.985 - 0.099, "that is too low, by a little: take the next higher tenth"),
     (on_off_policy.exercise_1, -36.985 - 0.101, "steps should be best" + NEARLY + "look at every tenth"),
     (on_off_policy.exercise_1, -36.985 - 0.999, "steps should be best" + NEARLY + "look at every tenth"),
     (on_off_policy.exercise_1, -36.985 - 1.001, "steps should be best"),
     (on_off_policy.exercise_1, -36.985 + 0.101, "it is higher than it need be" + NEARLY + "look at every tenth"),
     (on_off_policy.exercise_1, -36.985 + 1.001, "it is higher than it need be"),
-    (on_off_policy.exercise_2, off(exact_switch, 0.0123), "that is close, but look in steps of 0.001 or smaller"),
+    (on_off_policy.exercise_2, off(exact_switch, 0.0123), "that is close: does the search begin at 0"),
     (on_off_policy.exercise_2, off(exact_switch, 0.0127), "print the number of steps of the best run for some ε"),
     (signal.exercise_1, 24, "fewer words are enough"),
     (stochasticity.exercise_1, LEVEL + 0.00099, "it is too high" + NEARLY + "look in steps of 0.0001"),
