@@ -6,6 +6,8 @@ import traceback
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from types import FrameType
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +17,7 @@ from edugym_course.grading.time_limit import LIMIT, time_limit
 
 PACKAGES = tuple(map(str, own_folders()))
 
-FIELD = "write `self.` before a field"
+FIELD = "write `self.` before a field or a method"
 HINTS = (
     ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
@@ -28,7 +30,7 @@ HINTS = (
     (r"name '(alpha|beta|gamma|alfa|lr)' is not defined", "the exercise has another name for it"),
     (r"name 'inf(inity)?' is not defined", "infinity is math.inf"),
     ("cannot access local variable", "it gets a value on some paths only"),
-    ("'NoneType'", "something is None there: is a `return` missing?"),
+    ("'NoneType'", "something is None there: is a `return` missing, or does what is called return nothing?"),
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
     (
@@ -62,6 +64,11 @@ HINTS = (
     (r"missing \d+ required", "it has more parameters than the call gives it values"),
     ("positional argument", "its parameters are not those of the exercise"),
     ("unexpected keyword argument", "its parameters are not those of the exercise"),
+    ("'module' object is not callable", "a module has this name too: write `self.` before a method"),
+    (
+        "ndarray' object has no attribute '(append|extend|insert|pop|remove)'",
+        "an array keeps its size: write into an entry of it",
+    ),
     ("'list' object has no attribute", "that is a list: np.array(...) makes an array of it"),
     ("has no attribute", "is the name spelt as in the exercise?"),
 )
@@ -100,7 +107,9 @@ def _sentence(what: str, error: Exception) -> str:
     if isinstance(error, KeyError):
         message = f"there is no key {message}"
     hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]
-    if hints and hints[0] == FIELD and not _in_method(error):
+    if isinstance(error, NameError) and error.name and hasattr(_self_of(error), error.name):
+        hints = [FIELD]
+    elif hints and hints[0] == FIELD and not _in_method(error):
         hints = ["is it a parameter, under another name?"]
     because = f" ({hints[0]})" if hints else ""
     kind = type(error).__name__
@@ -125,8 +134,19 @@ def _student_line(error: Exception) -> str:
 
 def _in_method(error: Exception) -> bool:
     """Return whether the error comes from a method of a student's."""
-    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__) if not _is_ours(frame.f_code.co_filename)]
+    frames = _student_frames(error)
     return bool(frames) and "self" in frames[-1].f_code.co_varnames
+
+
+def _self_of(error: Exception) -> Any:
+    """Return the object whose method the error comes from; None if it is no method of a student's."""
+    frames = _student_frames(error)
+    return frames[-1].f_locals.get("self") if frames else None
+
+
+def _student_frames(error: Exception) -> list[FrameType]:
+    """Return the calls of the student's own code on the way to the error."""
+    return [frame for frame, _ in traceback.walk_tb(error.__traceback__) if not _is_ours(frame.f_code.co_filename)]
 
 
 def _last_file(error: Exception) -> str:

@@ -12,6 +12,8 @@ from edugym_course.grading.errors import Unsolved, WrongAnswer
 
 TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
+CARET = "`^` is no power in Python, that is `**`"
+"""What to say of a number in which one stands for the other."""
 UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
@@ -46,8 +48,10 @@ def number(what: str, value: Any) -> float:
     if isinstance(value, str):
         raise WrongAnswer(f"{what} should be a number, but is the text {value!r}: leave the quotes out")
     if isinstance(value, tuple | list | dict | set) or getattr(value, "ndim", False):
-        shape = f" of shape {value.shape}" if hasattr(value, "shape") else ""
-        raise WrongAnswer(f"{what} should be one number, but is a {type(value).__name__}{shape}: take an entry of it")
+        kind, of_them = type(value).__name__, "take an entry of it"
+        if hasattr(value, "shape"):
+            kind, of_them = f"{kind} of shape {value.shape}", f"{of_them}, or is it their sum that is needed?"
+        raise WrongAnswer(f"{what} should be one number, but is a {kind}: {of_them}")
     if callable(value):
         raise WrongAnswer(f"{what} should be a number, but is a function: call it, with parentheses")
     if hasattr(value, "item") and not isinstance(value, np.generic):

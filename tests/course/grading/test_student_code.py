@@ -100,6 +100,8 @@ ERRORS = [
     ("return g(1, 2, 3)", "its parameters are not those of the exercise"),
     ("return g(1, z=2)", "its parameters are not those of the exercise"),
     ("return [True].all()", "that is a list: np.array(...) makes an array of it"),
+    ("return np.zeros(2).append(1)", "an array keeps its size: write into an entry of it"),
+    ("return math(2)", "a module has this name too: write `self.` before a method"),
     ("return np.zeros(2).maximum()", "is the name spelt as in the exercise?"),
 ]
 """Lines that raise an error, and what is said of it."""
@@ -117,6 +119,13 @@ def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
 
     said = run(f"def f(self=None):\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
     assert f"({hint}" in said
+
+
+def test_a_name_that_self_has() -> None:
+    """Any field and any method of the student's own class is known as such."""
+    for line in ("return b + 1", "return count(1)"):
+        said = run(f"def m(self):\n    {line}\n\ndef f():\n    return m(Pair(1, 2))", Pair=Pair)
+        assert said.endswith("is not defined (write `self.` before a field or a method)")
 
 
 def test_no_self_in_a_plain_function() -> None:

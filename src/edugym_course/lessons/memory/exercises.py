@@ -15,7 +15,7 @@ from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare, exact, given, number
+from edugym_course.grading.values import CARET, compare, exact, given, number
 from edugym_course.lessons.memory.notes import MISTAKES, Notes, right
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
@@ -73,6 +73,15 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
         "an unmarked place counts once, not twice: there are N + 1 observations": (doors + 2) ** window,
         "L^2 / 2 + 1 is not L(L-1)/2 + 1": (doors + 1) ** (length**2 // 2 + 1),
         "L(L-1) should be divided by 2": (doors + 1) ** (length * (length - 1) + 1),
+        "set brackets: L * L - 1 // 2 multiplies and divides before it subtracts": (doors + 1)
+        ** (length * length - 1 // 2 + 1),
+        "set brackets around N + 1: a power is taken before the sum": doors + 1**window,
+        CARET: (doors + 1) ^ window,
+        "the window shows observations alone here, so the actions do not multiply the rows": (doors + 1) ** window
+        * doors ** (window - 1),
+        "those are the bytes of the values; the rows are asked for": (doors + 1) ** window * 3 * 8,
+        "the windows of all lengths are added up; an episode starts with copies of its first observation, so all have"
+        " the full length": sum((doors + 1) ** k for k in range(1, window + 1)),
     }
 
 
@@ -197,6 +206,44 @@ DIGITS = (
 )
 
 
+ROWS: Mapping[str, Callable[[Any, int, int], int]] = MappingProxyType(
+    {
+        "the number starts from 1; start from 0": lambda w, n, m: _in_digits(w, n, m, start=1),
+        "the last entry is left out: range(len(window)) goes through all of them": lambda w, n, m: _in_digits(
+            w[:-1], n, m
+        ),
+        "the first entry is left out: indices begin with 0": lambda w, n, m: _in_digits(w[1:], m, n),
+        "only the first entry counts: is the `return` inside the loop?": lambda w, n, m: int(w[0]),
+        "only the last entry counts: is something overwritten in the loop?": lambda w, n, m: int(w[-1]),
+        "that is the sum of the entries, which many windows share": lambda w, n, m: int(np.sum(w)),
+        "each digit is multiplied as well: multiply the number so far, and add the digit after that": (
+            lambda w, n, m: _in_digits(w, n, m, late=True)
+        ),
+        "the two numbers of values have changed places: n_observations belongs to even indices": (
+            lambda w, n, m: _in_digits(w, m, n)
+        ),
+        "an action has n_actions values, not n_observations": lambda w, n, m: _in_digits(w, n, n),
+        "an observation has n_observations values, not n_actions": lambda w, n, m: _in_digits(w, m, m),
+        "the digits are those of a decimal number: 10 is no number of values here": lambda w, n, m: _in_digits(
+            w, 10, 10
+        ),
+        "use self.n_observations and self.n_actions in place of 4 and 3: the check takes others": (
+            lambda w, n, m: _in_digits(w, 4, 3)
+        ),
+    }
+)
+"""By sentence, what each mistake makes of a window with `n` observations and `m` actions."""
+
+
+def _in_digits(entries: Any, even: int, odd: int, *, start: int = 0, late: bool = False) -> int:
+    """Return the number with these digits, of so many values at even and at odd indices."""
+    row = start
+    for i, digit in enumerate(map(int, entries)):
+        values = odd if i % 2 else even
+        row = (row + digit) * values if late else row * values + digit
+    return row
+
+
 def _whole(call: str, found: Any) -> int:
     """Return a whole number as an int.
 
@@ -212,34 +259,40 @@ def _whole(call: str, found: Any) -> int:
 
 def _check_rows(made: Any, k: int, n: int, m: int) -> None:
     """Check that `row` numbers the windows: all numbers differ and fit the table."""
-    size = n**k * m ** (k - 1)
+    size, what = n**k * m ** (k - 1), f"with {n} observations and {m} actions"
+    windows = [np.array(entries) for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1)))]
+    rows = [_row(made, window, what) for window in windows]
+    why = mistake_that_fits(
+        ROWS,
+        lambda rule: all(rule(window, n, m) == row for window, row in zip(windows, rows, strict=True)),
+        otherwise=DIGITS,
+    )
     known: dict[int, list[int]] = {}
-    for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1))):
-        window = np.array(entries)
-        call = f"row({window.tolist()}) with {n} observations and {m} actions"
-        mine = window.copy()
-        with student_code(call):
-            found = made.row(mine)
-        row = _whole(call, found)
-        if not np.array_equal(mine, window):
-            raise WrongAnswer(f"{call} changes the window that it is given, and that is still needed: only read it")
+    for window, row in zip(windows, rows, strict=True):
         if not 0 <= row < size:
             raise WrongAnswer(
-                f"{call} should be from 0 to {size - 1}, but is {row}: an observation is a digit with {n} values and"
-                f" an action one with {m}; {DIGITS}"
+                f"row({window.tolist()}) {what} should be from 0 to {size - 1}, but is {row}: an observation is a digit"
+                f" with {n} values and an action one with {m}; {why}"
             )
         other = known.setdefault(row, window.tolist())
         if other != window.tolist():
-            differ = [i for i in range(len(other)) if other[i] != window[i]]
-            why = (
-                "they differ in an action only, so the action makes no difference to the row"
-                if all(i % 2 for i in differ)
-                else DIGITS
-            )
+            if why == DIGITS and np.array_equal(other[::2], window[::2]):
+                why = "they differ in an action only, so the action makes no difference to the row"
             raise WrongAnswer(
-                f"row({other}) and row({window.tolist()}) are both {row} with {n} observations and {m} actions, but"
-                f" different windows need different rows: {why}"
+                f"row({other}) and row({window.tolist()}) are both {row} {what}, but different windows need different"
+                f" rows: {why}"
             )
+
+
+def _row(made: Any, window: Any, what: str) -> int:
+    """Return the number that a student's `row` gives a window."""
+    call, mine = f"row({window.tolist()}) {what}", window.copy()
+    with student_code(call):
+        found = made.row(mine)
+    row = _whole(call, found)
+    if not np.array_equal(mine, window):
+        raise WrongAnswer(f"{call} changes the window that it is given, and that is still needed: only read it")
+    return row
 
 
 def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int, int]]:

@@ -58,6 +58,24 @@ MISTAKES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProx
         "the present place is compared with the number of doors; compare what was *seen* with it": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if place == n else 0)
         ),
+        "it writes the place to `notes[action]`: index and value have changed places": (
+            lambda notes, place, seen, action, n: (_noted(notes, action, place), place + 1 if seen == n else 0)
+        ),
+        "it notes the door plus 1; doors count from 0, and N stands for nothing": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action + 1), place + 1 if seen == n else 0)
+        ),
+        "`if seen` is true for every door but 0; compare with self.num_doors": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen else 0)
+        ),
+        "`if seen` is true for every door but 0, and for no mark as well; compare with self.num_doors": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), 0 if seen else place + 1)
+        ),
+        "the finger stays at the marked place; there the corridor starts again, so the next place is 0": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n else place)
+        ),
+        "a corridor may be longer than its number of doors: no remainder is needed, a mark shows the last place": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), (place + 1) % n)
+        ),
         "3 stands where self.num_doors should": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == 3 else 0)
         ),

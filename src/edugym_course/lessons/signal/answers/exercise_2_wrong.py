@@ -314,3 +314,63 @@ def bits_in(joint):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum() * joint[:, y].sum())
     return total
+
+
+# %% needs equally likely
+# says: p(x) is taken to be the same for every need; it is the sum of a row
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p / (joint[:, y].sum() / len(joint)))
+    return total
+
+
+# %% all equally likely
+# says: p(x) and p(y) are taken to be the same for every need and every message; they are sums of the table
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p * joint.size)
+    return total
+
+
+# %% overwritten
+# says: only the last pair counts: is the sum overwritten in the loop?
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total = p * math.log2(p / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% no signs
+# says: a logarithm below 0 counts as well, with its sign
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * abs(math.log2(p / (joint[x].sum() * joint[:, y].sum())))
+    return total
+
+
+# %% one digit
+# says: do not round it
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p / (joint[x].sum() * joint[:, y].sum()))
+    return round(total, 1)

@@ -316,3 +316,66 @@ def act(self, observation, rng):
         votes[self.last[0]] = -100.0
     self.last[0] = pick(votes, rng)
     return self.last[0]
+
+
+# %% the next number
+# says: where the last action has most votes, it takes the one with the next number; it should take the one with most
+#   words among them
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    action = pick(votes, rng)
+    if action == self.last[0]:
+        action = (action + 1) % 4
+    self.last[0] = action
+    return action
+
+
+# %% a place in a list
+# says: that is the place of the action in a list of the others, and not the action
+def act(self, observation, rng):
+    others = [a for a in range(4) if a != self.last[0]]
+    votes = np.array([sum(word % 4 == a for word in observation[1:]) for a in others])
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% written before it is left out
+# says: `pick` is called twice, and what was picked first is left out: leave the last action out before you pick, and
+#   pick once
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    self.last[0] = pick(votes, rng)
+    votes[self.last[0]] = -100
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% named or not
+# says: a need that is named twice counts once: += 1 instead of = 1
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for word in observation[1:]:
+        votes[word % 4] = 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% in proportion
+# says: it draws the needs in proportion to their words; it should take one with the most
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = 0
+    if votes.sum() == 0:
+        votes = np.array([float(a != self.last[0]) for a in range(4)])
+    action = int(rng.choice(4, p=votes / votes.sum()))
+    self.last[0] = action
+    return action
