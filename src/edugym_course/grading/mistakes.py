@@ -8,6 +8,7 @@ from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
 
 Mistake = TypeVar("Mistake")
 
+IN_THIS_CASE = "in this case it looks like this: "
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
@@ -32,7 +33,7 @@ def mistake_that_fits(
             return sentence
     for sentence, mistake in mistakes.items():
         if here is not None and here(mistake):
-            return f"in this case it looks like this: {sentence}"
+            return f"{IN_THIS_CASE}{sentence}"
     return otherwise
 
 
@@ -53,12 +54,16 @@ class NumberCase(NamedTuple):
 
 
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
-    """Check several numbers. If there are mistakes that explain all of them, no others are named.
+    """Check several numbers. If there are mistakes that explain all of them, no others are named; else those of a case.
 
     Raises:
         WrongAnswer: one is not right.
     """
     everywhere = [why for why in cases[0].mistakes if all(same(case.found, case.mistakes[why]) for case in cases)]
     for what, found, expected, mistakes in cases:
-        wrong = {why: mistakes[why] for why in everywhere or mistakes if not same(mistakes[why], expected)}
+        wrong = {
+            (why if everywhere else f"{IN_THIS_CASE}{why}"): mistakes[why]
+            for why in everywhere or mistakes
+            if not same(mistakes[why], expected)
+        }
         compare(what, found, expected, wrong, otherwise=otherwise)
