@@ -8,7 +8,11 @@ from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
 
 Mistake = TypeVar("Mistake")
 
+<<<<<<< HEAD
 LOOKS_LIKE = "in this case it looks like this: "
+=======
+IN_THIS_CASE = "in this case it looks like this: "
+>>>>>>> readC
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
@@ -33,7 +37,11 @@ def mistake_that_fits(
             return sentence
     for sentence, mistake in mistakes.items():
         if here is not None and here(mistake):
+<<<<<<< HEAD
             return f"{LOOKS_LIKE}{sentence}"
+=======
+            return f"{IN_THIS_CASE}{sentence}"
+>>>>>>> readC
     return otherwise
 
 
@@ -54,7 +62,7 @@ class NumberCase(NamedTuple):
 
 
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
-    """Check several numbers. If there are mistakes that explain all of them, no others are named.
+    """Check several numbers. If there are mistakes that explain all of them, no others are named; else those of a case.
 
     Otherwise the mistake that fits the first wrong number is named as what it looks like, unless one of the right
     numbers before it shows that the answer does not make this mistake.
@@ -66,9 +74,15 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
     possible = {*cases[0].mistakes}
     for what, found, expected, mistakes in cases:
         wrong = {
+<<<<<<< HEAD
             why if everywhere else f"{LOOKS_LIKE}{why}": mistakes[why]
             for why in everywhere or mistakes
             if why in possible and not same(mistakes[why], expected)
+=======
+            (why if everywhere else f"{IN_THIS_CASE}{why}"): mistakes[why]
+            for why in everywhere or mistakes
+            if not same(mistakes[why], expected)
+>>>>>>> readC
         }
         compare(what, found, expected, wrong, otherwise=otherwise)
         possible -= {why for why in mistakes if not everywhere and not same(mistakes[why], expected)}

@@ -65,11 +65,14 @@ def one_step_update(
     }[target]
     if now.terminated and ends == "nothing":
         aim = 0.0
+    less = old
+    if ends.startswith("brackets"):
+        aim, less = _without_brackets(ends, now, aim, old)
     if step == "next row":
         entry = (now.next_state, now.action)
         old = Q[entry]
     Q[entry] = {
-        "difference": old + learning_rate * (aim - old),
+        "difference": old + learning_rate * (aim - less),
         "next row": old + learning_rate * (aim - old),
         "shrunk first": (1 - learning_rate) * old + learning_rate * aim,
         "no old": old + learning_rate * aim,
@@ -81,6 +84,16 @@ def one_step_update(
         "rate on reward": aim + (learning_rate - 1) * (reward + extra),
         "old discounted": old + learning_rate * (aim - discount * old),
     }[step]
+
+
+def _without_brackets(ends: str, now: Transition, aim: float, old: float) -> tuple[float, float]:
+    """Return the target, and what is subtracted from it, where `a if terminated else b - Q` has no brackets."""
+    subtracts_at_the_end = ends in ("brackets: -Q at the end", "brackets: only -Q at the end")
+    if ends == "brackets: R at the end" and not now.terminated:
+        aim -= now.reward
+    if ends == "brackets: only -Q at the end" and now.terminated:
+        aim = 0.0
+    return aim, old if now.terminated == subtracts_at_the_end else 0.0
 
 
 def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], float]) -> float:
@@ -174,7 +187,18 @@ Q_LEARNING = Update(
             "ends": "nothing"
         },
         "at the end of an episode nothing is learned, and that is where the reward is": {"ends": "skipped"},
+<<<<<<< HEAD
         "at the end of an episode it learns twice: is an `else` missing?": {"ends": "twice"},
+=======
+        "− Q(S, A) is missing at the end of an episode: `a if terminated else b - Q` subtracts it from b only, so put"
+        " brackets around `a if terminated else b`": {"ends": "brackets: -Q before the end"},
+        "− Q(S, A) is missing but at the end of an episode: `a if not terminated else b - Q` subtracts it from b only,"
+        " so put brackets around `a if not terminated else b`": {"ends": "brackets: -Q at the end"},
+        "Python reads `R + a if terminated else b - Q` as `(R + a) if terminated else (b - Q)`: put brackets around"
+        " `a if terminated else b`": {"ends": "brackets: R at the end"},
+        "Python reads `R + a if not terminated else b - Q` as `(R + a) if not terminated else (b - Q)`: put brackets"
+        " around `a if not terminated else b`": {"ends": "brackets: only -Q at the end"},
+>>>>>>> readC
         "the reward is missing": {"target": "no reward"},
         "the reward is discounted; γ belongs to the value of the next state only": {"target": "discounted"},
         "the value of the next state is not discounted: multiply it by γ": {"target": "undiscounted"},

@@ -100,6 +100,8 @@ def compare(
     if abs(found - expected) <= (allowance(expected) if tolerance is None else tolerance):
         return found
     near = {sentence: abs(found - wrong) for sentence, wrong in mistakes.items() if _looks_like(found, wrong, expected)}
+    if tolerance is None and says is None and _rounded(found, expected):
+        otherwise = "that is the right number, but rounded: give it as it is, without round() or int()"
     why = min(near, key=lambda sentence: near[sentence]) if near else otherwise
     told = says(found) if says else f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(f"{told}: {why}")
@@ -147,6 +149,12 @@ def _looks_like(found: float, wrong: float, expected: float) -> bool:
     """Whether a number is what a mistake gives, also when the student has rounded it to a few digits."""
     close = 2e-3 * abs(wrong) + 1e-12
     return abs(found - wrong) <= close and abs(found - wrong) < abs(found - expected)
+
+
+def _rounded(found: float, expected: float) -> bool:
+    """Whether a number is the right one, rounded to a few digits after the decimal point."""
+    rounded = [math.trunc(expected), *(round(expected, places) for places in range(4))]
+    return abs(found - expected) < 0.03 * abs(expected) and any(same(found, one) for one in rounded)
 
 
 def digits(value: float, other: float) -> str:

@@ -32,8 +32,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
 # gives energy, on any day, and two nights of it are needed. Going out takes energy. Days with neither lecture nor exam
-# are *free days*: there only going out does harm. Everything has a small price. In the picture, what brought the
-# student closer to passing is green, what led away from it is red, and what did neither is grey.
+# are *free days*: of what the student does there, only going out makes it harder to pass. Everything has a small price,
+# also on a free day. In the picture, what brought the student closer to passing is green, what led away from it is red,
+# and what did neither is grey.
 
 # %%
 study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
@@ -56,17 +57,17 @@ frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study",
 # *terminates* after the last day, so every episode has ten steps. The lecture days and the prices $r_a$ are the
 # *layout* of the task. They are drawn once, and the agent is not told.
 #
-# These methods are the environment. (`missing` counts what the exam still asks for. `Student` has one more field: whether
-# the exam was passed, for the picture.)
+# These methods are the environment. (`Student` is the state $s$, with one more field for the picture: whether the exam
+# was passed. `missing` counts what the exam still asks for.)
 
 # %%
 source(type(study), "transition", "reward", "passes", "missing", "terminal", "observation")
 
 # %% [markdown]
 # **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. The calendar comes when the
-# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (In the
-# call `energy_needed` is 0. In spite of its name, which is the paper's, the exam asks for *more* energy than that: 1.) How many episodes do you need until you pass? And when
-# you pass for the first time: *which of your six actions earned it?*
+# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (In
+# the call `energy_needed` is 0. The exam asks for *more* energy than this number.) How many episodes do you need until
+# you pass? And when you pass for the first time: *which of your six actions earned it?*
 
 # %%
 play(
@@ -160,10 +161,11 @@ print("after 100 episodes both tables are the same but for rounding:", np.allclo
 # %% [markdown] tags=["aside"]
 # ### Aside: the same without lists
 # The agent of the package learns the same, although its code looks different. It does not wait for the end of the
-# episode and needs no lists that grow. It keeps only the last $n$ steps, in places that are used again and again: hence
-# `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$ rewards are now complete. The first loop makes
-# its target, backwards, and the second one is the update. When the episode ends, all steps that are left learn. (For $n
-# = \infty$ the agent keeps as many rewards as the longest episode has.)
+# episode and needs no lists that grow. It keeps only the last $n$ rewards and actions, and the last $n + 1$ states, in
+# places that are used again and again: hence `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$
+# rewards are now complete. The first loop makes its target, backwards, and the second one is the update. When the
+# episode ends, all steps that are left learn. (For $n = \infty$ the agent keeps as many rewards as the longest episode
+# has.)
 
 # %%
 source(NStepSARSA.learn)
@@ -395,7 +397,7 @@ sliders(
 #
 # - **total_days.** With 20 days instead of 10 $n = 1$ loses most, perhaps because its staircase has more steps. Its
 #   mean return in these 1 000 episodes falls from 2.9 to 0.0, and that of Monte Carlo from 4.3 to 3.7.
-# - **epsilon.** With 0.5 instead of 0.1 that of $n = 1$ falls to 1.2, and that of Monte Carlo rises to 5.4.
+# - **epsilon.** With 0.5 instead of 0.1 the mean return of $n = 1$ falls to 1.2, and that of Monte Carlo rises to 5.4.
 # - **alpha.** With 0.01 Monte Carlo passes in 98 % of the runs, and $n = 1$ in 17 %. With 0.5 it is 85 % and 93 %.
 # - $n = 1$ is the best by far with many actions and a large learning rate: with ten actions and $\alpha = 0.5$ it passes in
 #   71 % of the runs, $n = 3$ in 37 %, and Monte Carlo in 9 %.
@@ -415,8 +417,9 @@ sliders(
 Sheet("bias", [[figures.bias_series()]])
 
 # %% [markdown]
-# - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. (With each further
-#   day there is one more price in it, and still no exam.) Only $n = 10$, Monte Carlo, sees the exam.
+# - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. (It even
+#   becomes a little worse with $n$: each further day adds a price to the target, and still no exam.) Only $n = 10$,
+#   Monte Carlo, sees the exam.
 # - *Late*, once the values are true, bootstrapping adds exactly what it leaves out, so every $n$ has the right mean.
 #
 # So what is left late is the variance.
@@ -452,15 +455,15 @@ noise.measured(100 * targets.noise_share(0.2))
 
 # %% [markdown]
 # This figure explains the puzzle. Where rewards are not very noisy, *the agent makes most of the noise itself:* a deep
-# target hands back the agent's own random actions. The last two bars are so
-# high because only these targets contain the action on the day of the exam, where a random one costs 10: with $n = 10$ by
-# its reward, with $n = 9$ by the value $Q(S_9, A_9)$. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures, which
-# are on the days 2, 4 and 5 of this layout: a random action may miss one.)
+# target hands back the agent's own random actions. A target with $n$ rewards contains $n + 1$ actions: the last one,
+# $A_n$, is in the value $Q(S_n, A_n)$. So only the last two targets contain the action on the day of the exam, where a
+# random one costs 10, and their bars are so high. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures,
+# which are on the days 2, 4 and 5 of this layout: a random action may miss one.)
 #
 # **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
 # targets, and $x$ the variance of the value itself after many updates. One more update,
-# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If each target is independent of those before, as with
-# Monte Carlo, this means
+# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If the policy stays and each target is independent
+# of those before, as with Monte Carlo, this means
 #
 # $$
 # x = (1 - \alpha)^2 x + \alpha^2 v \quad\Rightarrow\quad x = \frac{\alpha}{2 - \alpha}\, v .
@@ -476,15 +479,15 @@ print("from one action to the next, by their prices:", np.diff(np.sort(-make_mdp
 
 # %% [markdown]
 # The last line compares this with the task: on a free day, two actions differ by a few hundredths. A value that
-# scatters by ± 0.69 cannot tell them apart. So Monte Carlo passes the exam and wastes its free days. Noise of the rewards
-# is not needed for that. (For smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap
-# scatter too.)
+# scatters by ± 0.69 cannot tell them apart. (On later days it scatters hardly less, since nearly all of it comes from
+# the exam.) So Monte Carlo passes the exam and wastes its free days. Noise of the rewards is not needed for that. (For
+# smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap scatter too.)
 #
 # ### The price of depth can be paid by the learning rate
 # The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
 # $\lceil H/n \rceil / \alpha$ episodes.
 #
-# **Predict.** Which $n$ likes the *smallest* learning rate in its first 500 episodes?
+# **Predict.** With which $n$ is the best learning rate for the first 500 episodes the *smallest*?
 
 # %%
 smallest = predict("The smallest best learning rate is that of ...", ["n = 1", "n = 3", "n = 5", "Monte Carlo"])
@@ -631,8 +634,9 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 #
 # Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price.
 # So what was tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which
-# untried actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section
-# 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (An aside below tests this.)
+# untried actions can be reached keeps a value near 0, so the agent goes there (compare optimistic values in Sutton and
+# Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (An aside below tests
+# this.)
 # </details>
 #
 # What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
@@ -674,8 +678,8 @@ wary.measured(more)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It meets the exam about as often, and keeps it more often. So the explanation holds: without untried
-# actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. (Monte Carlo loses
-# much too. What was not tried looked good to it as well, in the states in which it was.)
+# actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. (Monte Carlo
+# loses much too. In a state that it came to, untried actions looked good to it as well.)
 #
 # But it does not explain who is ahead *here*. The two meet the exam about equally often. The difference comes after
 # that: Monte Carlo hands a pass to all days at once. With $n = 1$ it goes back one day at a time, through values that
@@ -772,7 +776,8 @@ display(figures.race({"quiet": quiet}, repetitions=30))
 #
 # The action $A_t$ is not in the product: we learn *its* value, whoever chose it. Here $\pi$ is greedy, $b$ is ε-greedy,
 # there are $N$ actions, and one of them is the best in each state. Write the function. Its argument `greedy` is a list
-# that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`.
+# that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`. Its
+# first entry is that of $A_t$, which is not in the product.
 #
 # <details><summary>Hint</summary>A random action is the best one with probability 1/N. So an ε-greedy policy takes the
 # best action with probability 1 − ε + ε/N. What is the ratio for an action that the greedy policy never

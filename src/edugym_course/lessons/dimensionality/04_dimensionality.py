@@ -71,7 +71,7 @@ print(observation.astype(int))
 # ball and at the paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue
 # for each of the 50 cells.
 #
-# **Play it yourself, blind.** You see the observation "grid" as ten lines of five numbers. How long did it take you to
+# **Play it yourself, blind.** You see the observation "grid" as ten lines of five numbers. How long does it take you to
 # find out what the ones mean? An agent starts with less: it does not even know that two pixels are neighbours.
 
 # %%
@@ -95,8 +95,8 @@ source(QLearning.learn)
 # %% [markdown]
 # A *dense* table has a row for every observation that could be written down. With 50 pixels that are 0 or 1 there are
 # $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$. A *network*, which we will come to, has a
-# number of weights that grows with the number of pixels, not with the number of boards. (That of this lesson, with 64
-# hidden units, has 3 459.)
+# number of weights that grows with the number of pixels, not with the number of boards. (The network of this lesson has
+# 64 hidden units and 3 459 weights.)
 
 # %%
 positions, grid, image = (sizes.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
@@ -107,10 +107,10 @@ figures.size_sheet()
 
 # %% [markdown]
 # The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
-# line of the network counts weights, all others rows. The two lowest lines lie close together:
-# "boards that occur" are the different boards that can be seen while the ball falls. There are exactly as many as
-# states that can occur, 195: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be
-# reached, and in 25 the ball is already down.)
+# line of the network counts weights, all others rows. The two lowest lines lie close together: "boards that occur" are
+# the different boards that can be seen while the ball falls. There are 195 of them, exactly as many as there are states
+# that can occur: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be reached, and
+# in 25 the ball is already down.)
 #
 # So a table could hold rows for those boards alone. It does not need to know them beforehand: a *hashed* table gives a
 # row to each board when it is seen for the first time.
@@ -134,9 +134,10 @@ figures.size_sheet()
 # $$
 #
 # But $y$ is no constant: it depends on $w$ as well, through the value of $S'$. That part of the derivative is left out.
-# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Mind the order in
-# `learn`: whoever computes a value leaves the features of that state in `features`. The target needs the value of $S'$,
-# so it comes first; then comes that of $S$, and `follow_gradient` finds the features of $S$ there. `at_once` is 1 here.)
+# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Mind the order in `learn`. Each
+# computation of a value leaves the features of its state in `features`. The target needs the value of $S'$, so it comes
+# first. Then comes the value of $S$, and `follow_gradient` finds the features of $S$ there. `at_once`, by which the
+# step is divided, is 1 here.)
 
 # %%
 source(LinearQLearning.learn)
@@ -184,8 +185,8 @@ source(dqn.forward)
 # $$
 #
 # If $S'$ is terminal, $y = R$. Mind the names in the code: `self.target` is $\theta^-$, the old *weights*, and the
-# variable `target` is $y$. `row` is the place of a transition in the memory. `act` fills `batch` before the step: it alone is
-# given random numbers.
+# variable `target` is $y$. `row` is the place of a transition in the memory. `batch` holds the places that were drawn.
+# `act` draws them, since it is the only method that gets random numbers.
 
 # %%
 source(DQN, "learn", "add_gradient")
@@ -320,9 +321,9 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 # <details><summary>What came out</summary>
 #
 # None of the three matters much; the columns and the levels do. On five columns without noise every setting that we
-# tried came to 1 within 3 000 steps. Only the column of the ball is random, so one look at an outcome is enough,
-# whatever $\alpha$ is. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead
-# of 0.85. </details>
+# tried came to 1 within 3 000 steps. One reason may be that only the column of the ball is random: an outcome that was
+# seen once stays true, so a large $\alpha$ does no harm. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended
+# somewhat lower, at 0.71 and 0.77 instead of 0.85. </details>
 
 # %% [markdown] tags=["aside"]
 # ### Aside: turn the knobs of the network
@@ -419,7 +420,8 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 #   have 0.
 #
 # These are the lines that went backward, and those of Adam. The rate in `adam` is the learning rate with a correction
-# for averages that start at 0 (in step 1: 0.0032). The draw from memory comes in exercise 3.
+# for averages that start at 0 (in step 1 it is 0.0032, and the quotient is 3.16). The draw from memory comes in
+# exercise 3.
 
 # %%
 source(dqn.slope_of_loss)
@@ -476,11 +478,11 @@ unseen.measured(len(generalises))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns here, but for one
-# run of ten. That is due to its large steps: with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its sum has no term
-# for ball and paddle together, so it cannot represent the true values. Weights exist that catch every ball, from all five
-# columns: try to find them. But Q-learning looks for correct values, not for a good policy. In 60 runs with each of four
-# learning rates none found such weights.)
+# no better on new columns than a table. (Linear in the pixels does not even learn the training columns here, but for
+# one run of ten. Its large steps are a part of the reason: with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its
+# sum has no term for ball and paddle together, so it cannot represent the true values. Weights exist that catch every
+# ball, from all five columns: try to find them. But Q-learning looks for correct values, not for a good policy. In 60
+# runs with each of four learning rates none found such weights.)
 # </details>
 #
 # ### The picture that explains it
@@ -621,9 +623,10 @@ bound.measured(grows[0] - 0.01)
 # dotted line shows one case: it learns from the step to the end as well, as on-policy learning does.
 #
 # DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
-# $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at
-# most for each copy, not for each update. The dashed line shows that. Van Hasselt et al. (2018) looked for such growth
-# in DQN on many games: values became too large at times, but hardly ever without end.
+# $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but from one copy to the next it
+# grows at most by the factor $2 \gamma$, however many updates lie between them. The dashed line shows that. Van Hasselt
+# et al. (2018) looked for such growth in DQN on many games: values became too large at times, but hardly ever without
+# end.
 
 
 # %%
@@ -673,10 +676,10 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so these are two tests apart. The
-# median run first gets there after about 10 000 steps on both, but four runs on the grid fall back, and one on the
-# image. Settings and networks differ as well, so this compares two recipes, not two observations. And the image is not
-# as rich as it sounds: only seven of the 256 levels occur, in no more than 195 images.
+# **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so the difference is two tests. The
+# median run first gets there after about 10 000 steps in both cases. Afterwards four runs on the grid fall back, and
+# one on the image. Settings and networks differ as well, so this compares two recipes, not two observations. And the
+# image is not as rich as it sounds: only seven of the 256 levels occur, in no more than 195 images.
 #
 # The darkened image took as many steps as the plain one. A new brightness at every step, which was the end of the
 # table, does not hold up this network.
@@ -718,8 +721,8 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # over observations would meet a new row at nearly every step. The car is too weak for the hill, and must swing up. Each
 # step costs 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$
 # and $\varepsilon = 0$, in 3 runs of 20 000 steps. (All values start at 0 and every step costs 1. So what was not tried
-# looks best. For tiles that is exploration enough.) One has position and speed themselves as features, and a constant,
-# the other one 8 tilings of 8 by 8 tiles (as in section 10.1).
+# looks best, and this is probably why tiles need no other exploration.) One has position and speed themselves as
+# features, and a constant, the other one 8 tilings of 8 by 8 tiles (as in section 10.1).
 #
 # **Predict.** After training the weights are held still. Whose greedy policy gets up the hill?
 
@@ -797,9 +800,9 @@ check(exercise_1, table_entries, seed=1, quiet=True)
 #   says whether the episode is over. Change the entries of `self.w` in place.
 #
 # Your agent is then trained with balls from columns 0, 2 and 4, and tested as in "Balls from columns that were never
-# seen". It gets 6 000 steps, the table 40 000. Afterwards change the features, for instance to the column of the ball
-# alone, and see what it still knows. (The check makes up features of its own, in which several are not 0, so use
-# `self.features`.)
+# seen". It trains for 6 000 steps; the table there had 40 000. Afterwards change the features, for instance to the
+# column of the ball alone, and see what it still knows. (The check makes up features of its own, in which several are
+# not 0, so use `self.features`.)
 #
 # <details><summary>Hint</summary>The value is <code>np.sum(x * self.w[:, action])</code>. In <code>learn</code>, first
 # compute the features of <code>state</code>, then the target, then change the weights of the action that was taken. A

@@ -74,7 +74,7 @@ env.scene()
 #
 # Corridors $1, 2, \dots, L$ have $1 + 2 + \dots + L = L(L+1)/2$ places in all. An agent that gets through corridor 3
 # and errs at the first place of corridor 4 has a return of 6. If it errs later in corridor 4, it has up to 9. The
-# optimum is 1 000, up to the step limit.
+# optimum is 1 000: a right door in each of the 1 000 steps.
 #
 # These methods are the environment. In the code the right doors follow from `seed`, $p$ is `position`, and `opened` is
 # a wrong door, or −1.
@@ -147,8 +147,9 @@ source(best_value)
 # %% [markdown]
 # Watch what Q-learning has learned with a window of 2 observations, without actions. This is one greedy episode after
 # 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row of the
-# window that the agent sees *after* it has opened the door. That is 4 times the older observation plus the newer one; so
-# row 15 is (3, 3), no mark and no mark. At which row does it err?
+# window that the agent sees *after* it has opened the door, so the row at which it decides stands in the frame before.
+# That is 4 times the older observation plus the newer one; so row 15 is (3, 3), no mark and no mark. At which row does
+# it err?
 
 # %%
 two = players.learn(2, n_steps=50_000, repetitions=1)
@@ -203,8 +204,9 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
 #
 # The dotted lines show the best play that we could find for each window. It may look at the window alone, and it may
-# guess. (A computer plays all sequences of doors at once. For each window it picks the door that adds most to the mean
-# return, given what it does in all others, and repeats that until nothing gets better.) (The optimum with full memory, 1 000, is far above the panels.)
+# guess. A computer has searched for it: it plays all sequences of doors at once. For each window it picks the door that
+# adds most to the mean return, given what it does in all other windows, and repeats that until nothing gets better.
+# (The optimum with full memory, 1 000, is far above the panels.)
 #
 # The cell after the next is the whole experiment: one task for each window. `repeat` makes the agent 50 times, trains it, and
 # plays 40 greedy episodes every 4 000 steps. `players.learn_all` makes these calls too, and with `actions=True` the window
@@ -275,7 +277,7 @@ sliders(
 # %% [markdown]
 # <details><summary>What they change</summary>
 #
-# The numbers are those of $k = 3$ with actions, where the default settings end at 7.0.
+# All numbers are for $k = 3$ with actions. The settings as they stand end at 7.0.
 #
 # - With $\varepsilon = 0$ it ends at 6.3. In each row the first door that was right gets a value above 0. All others
 #   stay at 0, so the agent never tries them there. With any other ε of the slider it does, and 0.5 ends at 7.0 too.
@@ -374,7 +376,8 @@ for length in range(3, 9):
 #   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above is this moment
 #   for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
 #   $2L - 3$.
-# - In corridor $L$ itself one mark is enough. As two are seen in all shorter ones, one alone means corridor $L$.
+# - In corridor $L$ itself one mark is enough. In all shorter corridors the agent sees two, so a single one means
+#   corridor $L$.
 
 # %% [markdown]
 # ## Predict, then check
@@ -436,8 +439,8 @@ source(DQN.add_gradient)
 
 # %% [markdown]
 # ### Seven observations
-# DQN trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them, with 3 repetitions,
-# so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
+# Two agents with DQN train for 80 000 steps. One sees 7 observations, the other one also the actions between them. Each
+# has 3 repetitions, so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
 #
 # <details><summary>The settings of DQN</summary>
 #
@@ -583,9 +586,9 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 #
 # **Measured.** Two. Six observations of nothing are still nothing. With its last two actions the agent can know where
 # it is on the way. On the way above, *down, down* is followed by right, *down, right* by right, *right, right* by down,
-# and *right, down* by right. (At the start two times action 0, left, stand in the window.) One action is too little:
-# *down* is followed by down once, and by right another time. The other ways do not help: of all 256 rules from one last
-# action to the next one, none gets to the goal.
+# and *right, down* by right. (At the start the window holds *left, left*, which is action 0 two times.) One action is
+# too little: *down* is followed by down once, and by right another time. The other ways do not help: of all 256 rules
+# from one last action to the next one, none gets to the goal.
 #
 # Three actions contain all that two contain, and yet two of the five runs with $k = 4$ ended without the goal. One
 # pushes against the wall for ever, the other walks to and fro between the first two cells. (We also made 20 runs of
@@ -636,8 +639,9 @@ check(exercise_1, table_rows, seed=1, quiet=True)
 # - `push` gets the window, the action that was just taken, and what was seen after it. It returns the next window: the
 #   oldest observation and the oldest action go, the new action and the new observation come at the end. It must not
 #   change the array that it gets, which still belongs to the state before.
-# - `row` returns the number of the row for a window: a whole number from 0 to the number of rows less 1, another one
-#   for every window. An observation has `self.n_observations` possible values, an action `self.n_actions`.
+# - `row` returns the number of the row for a window: a whole number from 0 to the number of rows less 1, and a
+#   different one for every window. An observation has `self.n_observations` possible values, an action
+#   `self.n_actions`.
 #
 # The race shows Q-learning on your window, with $k = 4$, beside the two windows of the lesson, for 20 000 steps. If
 # your window is right, its line lies on that of the lesson's window with actions. (`@wrapper` passes on what the class
@@ -735,9 +739,9 @@ display(figures.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_step
 # sees is the note under the finger and the present observation, no more. That makes $(N + 1)^2 = 16$ rows. What a note
 # *means* is for Q-learning to find out.
 #
-# Write `update`, which is called after every step. (After a wrong door the episode is over, so there it does not
-# matter.) It gets the `notes` (an array, at first with $N$ in every line, for "nothing"), the present `place`, what was
-# `seen` there (the marked door, or $N$ for no mark), and the `action`. It does two things:
+# Write `update`, which is called after every step. (After a wrong door the episode is over, and then it does not matter
+# what `update` does.) It gets the `notes` (an array, at first with $N$ in every line, for "nothing"), the present
+# `place`, what was `seen` there (the marked door, or $N$ for no mark), and the `action`. It does two things:
 #
 # - It writes the door that was opened into the line of the place. (`notes` is a copy already, so change it in place.)
 # - It returns the next place: one further, or 0 if this was the last place of the corridor. How does the agent know
