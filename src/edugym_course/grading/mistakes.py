@@ -8,11 +8,7 @@ from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
 
 Mistake = TypeVar("Mistake")
 
-<<<<<<< HEAD
 LOOKS_LIKE = "in this case it looks like this: "
-=======
-IN_THIS_CASE = "in this case it looks like this: "
->>>>>>> readC
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
@@ -37,11 +33,7 @@ def mistake_that_fits(
             return sentence
     for sentence, mistake in mistakes.items():
         if here is not None and here(mistake):
-<<<<<<< HEAD
             return f"{LOOKS_LIKE}{sentence}"
-=======
-            return f"{IN_THIS_CASE}{sentence}"
->>>>>>> readC
     return otherwise
 
 
@@ -74,15 +66,9 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
     possible = {*cases[0].mistakes}
     for what, found, expected, mistakes in cases:
         wrong = {
-<<<<<<< HEAD
             why if everywhere else f"{LOOKS_LIKE}{why}": mistakes[why]
             for why in everywhere or mistakes
             if why in possible and not same(mistakes[why], expected)
-=======
-            (why if everywhere else f"{IN_THIS_CASE}{why}"): mistakes[why]
-            for why in everywhere or mistakes
-            if not same(mistakes[why], expected)
->>>>>>> readC
         }
         compare(what, found, expected, wrong, otherwise=otherwise)
         possible -= {why for why in mistakes if not everywhere and not same(mistakes[why], expected)}

@@ -187,9 +187,7 @@ Q_LEARNING = Update(
             "ends": "nothing"
         },
         "at the end of an episode nothing is learned, and that is where the reward is": {"ends": "skipped"},
-<<<<<<< HEAD
         "at the end of an episode it learns twice: is an `else` missing?": {"ends": "twice"},
-=======
         "− Q(S, A) is missing at the end of an episode: `a if terminated else b - Q` subtracts it from b only, so put"
         " brackets around `a if terminated else b`": {"ends": "brackets: -Q before the end"},
         "− Q(S, A) is missing but at the end of an episode: `a if not terminated else b - Q` subtracts it from b only,"
@@ -198,7 +196,6 @@ Q_LEARNING = Update(
         " `a if terminated else b`": {"ends": "brackets: R at the end"},
         "Python reads `R + a if not terminated else b - Q` as `(R + a) if not terminated else (b - Q)`: put brackets"
         " around `a if not terminated else b`": {"ends": "brackets: only -Q at the end"},
->>>>>>> readC
         "the reward is missing": {"target": "no reward"},
         "the reward is discounted; γ belongs to the value of the next state only": {"target": "discounted"},
         "the value of the next state is not discounted: multiply it by γ": {"target": "undiscounted"},

@@ -12,12 +12,8 @@ differ from the rule's, these explanations are tried in turn, and the first that
 6. wrong numbers, 0 among them;
 7. a count that does not grow by one.
 
-<<<<<<< HEAD
 If none does, it is said which mistake fits the first case that differs and most of the others, or that too many
 entries change.
-=======
-If none does, it is said which mistake fits the first case that differs, or that too many entries change, or another.
->>>>>>> readC
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -29,11 +25,7 @@ import numpy as np
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-<<<<<<< HEAD
 from edugym_course.grading.mistakes import LOOKS_LIKE, UNUSUAL
-=======
-from edugym_course.grading.mistakes import IN_THIS_CASE, UNUSUAL
->>>>>>> readC
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import TOLERANCE, all_same, differing, digits, in_brackets
 
@@ -176,16 +168,9 @@ class Update:
         if counted := _miscounted(cases, right, found, difference):
             return counted
         student, expected = (outcomes[difference.case][difference.step] for outcomes in (found, right))
-<<<<<<< HEAD
         for sentence, change in singles.items():  # none fits everywhere: one that fits most of what differs
             if self._fits_most(cases, right, found, {**settings, **change}, difference):
                 return f"{LOOKS_LIKE}{sentence}"
-=======
-        for sentence, change in singles.items():  # none fits everywhere: one that fits here
-            outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
-            if all_same(outcome[difference.table], student[difference.table]):
-                return f"{IN_THIS_CASE}{sentence}"
->>>>>>> readC
         before = _before(cases, found, difference)
         changed, right_ones = (differing(before, after[difference.table]).tolist() for after in (student, expected))
         if len(changed) > len(right_ones):

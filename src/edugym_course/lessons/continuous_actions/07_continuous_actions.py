@@ -34,8 +34,8 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 #
 # An arm with two joints, the shoulder and the elbow, stands between a red box and a green container. From its end, the
 # *wrist*, hangs a magnet. The magnet takes the box if it comes down on it. Between the walls of the container, below
-# their rim, it lets the box fall: the closer to the middle the better. (The magnet takes the box and lets it go by
-# itself; the actions only move the arm.)
+# their rim, it lets the box fall: the closer to the middle the better. (The magnet works by itself; the actions only
+# move the arm.)
 
 # %%
 env = gym.make("edugym/Trashbot-v0", n_bins=5).unwrapped
@@ -328,8 +328,8 @@ for alpha in (0.01, 0.03, 0.1):
         print(f"{kind:39}: {left:3} of 100 means leave the container, {end:2} are outside in the end")
 
 # %% [markdown]
-# Look at $\alpha = 0.01$ first. Without a baseline the policies begin well. But when $\sigma$ has shrunk to about 0.1,
-# they are thrown out of the container, sooner or later all of them. Many come back and leave again. The scores
+# Look at $\alpha = 0.01$ first. Without a baseline they begin well. But when $\sigma$ has shrunk to about 0.1, they are
+# thrown out of the container, sooner or later all of them. Many come back and leave again. The scores
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves.
 #
@@ -411,7 +411,7 @@ source(GaussianActorCritic.learn)
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# The dotted lines are the best possible returns. (The line of 9 bins can hardly be told from that of real numbers.)
+# The dotted lines are the best possible returns. (The lines of 9 bins and of real numbers lie nearly on each other.)
 #
 # The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. `repeat` makes each agent
 # 20 times, trains it, and plays a greedy episode every 4 000 steps. (Further down `methods.learn_all` does all this.)
@@ -577,9 +577,8 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # exclude 0. Against real numbers the interval just contains 0. So "fewer actions are learned sooner" is shown for 3
 # bins against more bins here, and for nothing else.
 #
-# With drawn actions 3 bins end no lower than the others on average, although more is possible for the others. One
-# continuous run and one with 9 bins never learn to deliver, and they pull the means down. Drawing actions may cost
-# exactness too; we did not test this.
+# With drawn actions 3 bins end no lower on average. One continuous run and one with 9 bins never learn to deliver, and
+# they pull the means down. Drawing actions may cost exactness too; we did not test this.
 #
 # In the right panel the runs spread widely. Three of the ten continuous policies end at 0 there: the arm holds the box
 # until time is up. Bins fail there too: the printed lines count even more runs below 1 with 9 bins. Nothing in this
@@ -628,8 +627,8 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
 # close to it. But what is possible and what is learned are two things. One reason may be that its drawn actions are
 # never exact ($\sigma$ is fixed), so that near the narrow container they hit a wall more often than they deliver. A
-# collision costs 2. Holding the box costs 1, but only after 150 steps: discounted, that is 0.2. We did not test this
-# reason.
+# collision costs 2. Holding the box costs 1, but only after 150 steps: discounted, that is 0.2. This reason is
+# untested.
 #
 # Three bins lose little more than what is no longer possible for them.
 # </details>
@@ -657,10 +656,9 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** None. They start narrow: hardly any of their actions reaches the rich container, and those in between
-# hit the wall. So they settle there, and place the box exactly: in the wrong container. The bins start everywhere
-# (their learning rate is 0.1). All of them find the rich container. But they cannot reach its middle, so they stop
-# below 4.
+# **Measured.** None. They start narrow: hardly any action reaches the rich container, and those in between hit the
+# wall. So they settle there, and place the box exactly, in the wrong container. The bins start everywhere (their
+# learning rate is 0.1). All of them find the rich container. But they cannot reach its middle, so they stop below 4.
 #
 # So real numbers give exactness, and bins a policy that can have several peaks and starts everywhere. </details>
 #
@@ -713,8 +711,8 @@ holes.measured("nothing at all" if not beginner.preferences.any() else "to avoid
 #
 # **Measured.** Nothing at all. Its return was 0 and its baseline was 0, so $\delta = 0$ at every step. A policy
 # gradient learns from differences between the return and the baseline. Only after its first success can it learn. The
-# figure goes on to 6 000 steps. There all five runs reach the goal, with a baseline and without; five runs do not show
-# which is faster. (Each point averages three evaluations.) </details>
+# figure goes on to 6 000 steps. There all five runs reach the goal, with a baseline and without. Five do not show which
+# is faster. (Each point averages three evaluations.) </details>
 
 # %% [markdown]
 # ## Exercises
