@@ -18,7 +18,7 @@ onmessage = async ({ data }) => {
     }
     else postMessage({ kind: 'ready' })
   } catch (error) {
-    postMessage({ kind: 'done', error: error.message, line: null })
+    postMessage({ kind: 'done', error: error.message, line: null, broken: true })
   }
 }
 
