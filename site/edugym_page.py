@@ -72,7 +72,8 @@ class Watch:
         mdp: the task.
         agent: the agent.
         n_steps: how many steps it will be trained for.
-        show: takes visits and values, as lists of numbers in one row.
+        show: is given flat arrays: the visits of all rows of the table, and the action values, none if it has no such
+            table.
 
     Attributes:
         agent: the agent; its visits are counted where it has a table.
