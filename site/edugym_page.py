@@ -72,7 +72,8 @@ class Watch:
         mdp: the task.
         agent: the agent.
         n_steps: how many steps it will be trained for.
-        show: takes visits and values, as lists of numbers in one row.
+        show: is given flat arrays: the visits of all rows of the table, and the action values, none if it has no such
+            table.
 
     Attributes:
         agent: the agent; its visits are counted where it has a table.
@@ -139,7 +140,7 @@ def run(source: str, task: str, n_steps: int, seed: int, episodes: int, show: Sh
             watch = Watch(mdp, with_64_bits(space["agent"]), n_steps, show)
             done = edugym.train(mdp, watch.agent, n_steps, seed=seed, evaluation_episodes=episodes, stop=watch)
             watch.show()
-        except Exception as error:
+        except (Exception, SystemExit, KeyboardInterrupt) as error:
             return {"error": _told(error), "line": _line(error)}
     points = zip(done.steps.tolist(), done.returns.tolist(), strict=True)
     said = [str(one.message) for one in caught if issubclass(one.category, UserWarning)]
@@ -160,12 +161,14 @@ def with_64_bits(value: Any) -> Any:
     return changed(value)
 
 
-def _told(error: Exception) -> str:
+def _told(error: BaseException) -> str:
     text = error.msg if isinstance(error, SyntaxError) else str(error)
-    return f"{type(error).__name__}: {text}"
+    if isinstance(error, ModuleNotFoundError):
+        text += ". The page has edugym, numpy and the modules of Python itself"
+    return f"{type(error).__name__}: {text}".removesuffix(": ")
 
 
-def _line(error: Exception) -> int | None:
+def _line(error: BaseException) -> int | None:
     """The last line of the reader's code on the way to an error."""
     if isinstance(error, SyntaxError):
         return error.lineno

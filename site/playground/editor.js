@@ -101,7 +101,7 @@ export class Editor {
   }
 
   clear() {
-    if (this.running) this.stop()
+    if (this.running) this.stop('')
     this.ours = this.theirs = []
     this.looks = {}
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
@@ -130,7 +130,7 @@ export class Editor {
     if (this.worker) return this.worker
     this.worker = new Worker('own.js', { type: 'module' })
     this.worker.onmessage = ({ data }) => this.receive(data)
-    this.worker.onerror = event => this.receive({ kind: 'done', error: event.message || 'Python could not be loaded.', line: null })
+    this.worker.onerror = event => this.receive({ kind: 'done', error: event.message || 'Python could not be loaded.', line: null, broken: true })
     this.worker.postMessage({ kind: 'load', sizes: this.sizes })
     return this.worker
   }
@@ -161,13 +161,13 @@ export class Editor {
   stop(text) {
     this.worker?.terminate()
     this.worker = undefined
+    this.rival?.postMessage({ kind: 'rate', rate: 0 })
     this.end()
-    if (text) this.tell(text)
+    this.tell(text)
   }
 
   end() {
     this.running = false
-    this.rival?.postMessage({ kind: 'rate', rate: 0 })
     this.find('run-code').disabled = false
     this.find('stop-code').disabled = true
   }
@@ -185,15 +185,13 @@ export class Editor {
     }
     if (data.printed) this.print(data.printed)
     if (data.kind !== 'done') return
-    this.running = false
-    this.find('run-code').disabled = false
-    this.find('stop-code').disabled = true
+    if (data.broken) this.stop('') // Python itself has come to an end: the next run loads it again
+    this.end()
     if (data.error) {
       this.field.mark(data.line)
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
     this.ours = data.curve
-    this.result = data
     soon(this.draw)
     this.tell(this.verdict(data))
     if (data.said.length) this.find('code-said').textContent = data.said.join(' ')

@@ -2,14 +2,12 @@
 // not loaded before. Where it cannot be loaded, the plain one stays.
 
 const MODULES = ['codemirror-commands', 'codemirror-lang-python', 'codemirror-language', 'codemirror-state', 'codemirror-view', 'lezer-highlight']
-const LABEL = 'Your agent in Python. While you edit, Tab indents; Escape, then Tab, leaves the field.'
 
 export class Field {
   // `onEdit` is called when the reader has changed something.
   constructor(box, onEdit) {
     Object.assign(this, { box, onEdit, shown: '', area: box.querySelector('textarea'), gutter: box.querySelector('pre') })
     box.field = this // for tests
-    this.area.setAttribute('aria-label', LABEL)
     this.area.oninput = () => {
       this.mark(null)
       this.enrich()
@@ -96,10 +94,10 @@ export class Field {
     return [
       lineNumbers(), history(), python(), indentUnit.of('    '), bracketMatching(), syntaxHighlighting(classHighlighter), marked,
       EditorState.tabSize.of(4),
-      keymap.of([indentWithTab, ...defaultKeymap, ...historyKeymap]), // Escape, then Tab, leaves the field: see LABEL
+      keymap.of([indentWithTab, ...defaultKeymap, ...historyKeymap]), // Escape, then Tab, leaves the field, as its label says
       EditorView.decorations.compute([marked], state => state.field(marked) === null ? Decoration.none : Decoration.set(wrong.range(state.field(marked)))),
       gutterLineClass.compute([marked], state => state.field(marked) === null ? RangeSet.empty : RangeSet.of(marker.range(state.field(marked)))),
-      EditorView.contentAttributes.compute([marked], state => ({ tabindex: '0', 'aria-label': LABEL, 'aria-invalid': String(state.field(marked) !== null) })),
+      EditorView.contentAttributes.compute([marked], state => ({ tabindex: '0', 'aria-label': this.area.ariaLabel, 'aria-invalid': String(state.field(marked) !== null) })),
       EditorView.updateListener.of(update => { if (update.docChanged && !this.quiet) this.onEdit() }),
     ]
   }

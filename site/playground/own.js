@@ -15,10 +15,9 @@ onmessage = async ({ data }) => {
     if (data.kind === 'run') {
       printed = []
       postMessage({ kind: 'done', ...run(python, data), printed })
-    }
-    else postMessage({ kind: 'ready' })
+    } else postMessage({ kind: 'ready' })
   } catch (error) {
-    postMessage({ kind: 'done', error: error.message, line: null })
+    postMessage({ kind: 'done', error: error.message, line: null, broken: true })
   }
 }
 
@@ -91,7 +90,9 @@ async function begun(pyodide, memory, module, tables) {
 }
 
 function run(python, { source, task, steps, seed, episodes, rows }) {
-  const show = (visits, Q) => postMessage({ kind: 'look', look: knowledge(visits.toJs(), Q.toJs(), rows) })
+  const show = (visits, Q) => { // a program may also make a task of its own, which has no picture here
+    if (visits.length === rows) postMessage({ kind: 'look', look: knowledge(visits.toJs(), Q.toJs(), rows) })
+  }
   const told = python.run(source, task, steps, seed, episodes, show)
   const done = told.toJs({ dict_converter: Object.fromEntries })
   told.destroy()
