@@ -17,6 +17,7 @@ from edugym.experiments.profiles import report
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.pictures import OTHERS, Dots
 from edugym_course import agent_profiles, arguments, profiling
+from edugym_course.stored import what_determines
 from tests.course.test_commands import run
 
 
@@ -243,28 +244,53 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
     agents = {name: getattr(edugym, name).create for name in ("QLearning", "SARSA")}
     monkeypatch.setattr(agent_profiles, "agents", lambda: agents)
     assert agent_profiles.load() is None
-    assert agent_profiles.stale() == ["QLearning", "SARSA"]
+    assert agent_profiles.stale() == {"QLearning": [LOW], "SARSA": [LOW]}
     done = run("profile", "--all", "--output", str(tmp_path / "out"))
     assert done.exit_code == 0, done.output
     assert "Made again: QLearning, SARSA." in done.output
-    assert agent_profiles.stale() == []
+    assert agent_profiles.stale() == {}
     stored = agent_profiles.load()
     assert stored is not None
     fresh = edugym.profile({"QLearning": edugym.QLearning.create}, challenges=[LOW])
     assert stored.scores("QLearning", "Boulder") == pytest.approx(fresh.scores("QLearning", "Boulder"), abs=1e-3)
     assert stored.steps("QLearning", "Boulder") == fresh.steps("QLearning", "Boulder")
-    monkeypatch.setattr(agent_profiles, "code_of", lambda name: "new" if name == "SARSA" else code_of(name))
-    assert agent_profiles.stale() == ["SARSA"]
+    monkeypatch.setattr(
+        agent_profiles, "code_of", lambda name, ladder: name if name == "SARSA" else code_of(name, ladder)
+    )
+    assert agent_profiles.stale() == {"SARSA": [LOW]}
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
     assert "No stored profile was made from the present code of SARSA" in done.output
     assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
 
 
+def test_only_what_has_changed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A new ladder alone; who cannot enter is blank, what was there stays, and a new agent has nothing yet."""
+    monkeypatch.setattr(agent_profiles, "PATH", tmp_path / "stored.csv")
+    monkeypatch.setattr(agent_profiles, "agents", lambda: {"QLearning": edugym.QLearning.create})
+    arm = ARM._replace(strengths=(0.9,), n_steps=10)
+    shorter = LOW._replace(n_steps=100)
+    for ladders, changed in (((LOW,), LOW), ((LOW, arm), arm), ((shorter, arm), shorter)):
+        monkeypatch.setattr(agent_profiles, "LADDERS", ladders)
+        assert agent_profiles.stale() == {"QLearning": [changed]}
+        found = agent_profiles.make_again(agent_profiles.stale(), tmp_path / "unfinished")
+        assert agent_profiles.stale() == {}
+        assert found.score("QLearning", "Boulder").n == agent_profiles.REPETITIONS
+        assert list(found.blank["QLearning"]) == [ladder.name for ladder in ladders[1:]]
+    monkeypatch.setattr(agent_profiles, "agents", lambda: {"SARSA": edugym.SARSA.create})
+    later = agent_profiles.load()
+    assert later is not None
+    assert later.agents == ("SARSA",)
+    assert later.score("SARSA", "Boulder").n == 0
+
+
 code_of = agent_profiles.code_of
 
 
-def test_the_code_of_an_agent_is_its_own_and_that_of_the_tasks() -> None:
-    """Those of two agents differ."""
-    assert code_of("QLearning") != code_of("SARSA")
-    assert len(agent_profiles.agents()) > 10
-    assert not {"DQN", "GaussianActorCritic"} & agent_profiles.agents().keys()
+def test_the_code_of_an_agent_is_its_own_and_that_of_the_task() -> None:
+    """Those of two agents, of two tasks and of two sets of rungs differ; what a task only shows does not count."""
+    hashes = [code_of(agent, ladder) for agent in ("QLearning", "SARSA") for ladder in (*LADDERS, LOW)]
+    assert len({*hashes}) == 2 * (len(LADDERS) + 1)
+    assert len(agent_profiles.agents()) > 20
+    code = "class Task:\n    def step(self):\n        return {}\n    def info(self):\n        return {}\n"
+    shown = [what_determines(code.format(step, info), shown=("info",)) for step, info in ((1, 1), (1, 2), (2, 1))]
+    assert shown[0] == shown[1] != shown[2]

@@ -100,8 +100,8 @@ def said(profile: Profile, challenge: str) -> Said:
     ]
     best = best_agents(profile, challenge)
     take = listed(best) if best else "nobody"
-    if best and profile.score(best[0], challenge).estimate < HALF:
-        take = f"nobody is good; at best {take}"
+    if best and (score := profile.score(best[0], challenge).estimate) < HALF:
+        take = f"nobody is good; the best score is {rounded(score)}, of {best[0]}"
     sentence = f"{ladder.strength[:1].upper()}{ladder.strength[1:]}: {'; '.join(parts)}."
     return Said(challenge, ladder.challenge, take, sentence)
 
@@ -239,7 +239,7 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
         parts = [f"<h3>{escape(f'{challenge}: {about.isolates}')}</h3>", f"<p>{escape(about.sentence)}</p>"]
         if rows:
             numbers = f"<details><summary>numbers</summary>{table(heading, rows)}</details>"
-            parts += [_figure(Rungs(profile, challenge), about.sentence), numbers]
+            parts += [figure(Rungs(profile, challenge, beside), about.sentence), numbers]
         challenges.append("<section>" + "\n".join(parts) + "</section>")
     grey = " Grey marks are agents of the package, at their defaults." if beside else ""
     blank = f"<h2>Who cannot enter</h2>\n{items(reasons(profile))}" if reasons(profile) else ""
@@ -258,8 +258,8 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 <h1>What the agents master</h1>
 <p>{escape(INTRODUCTION)}</p>
 <div class="figures">
-{_figure(Radar(profile), "Radar of the scores; the table has the numbers")}
-{_figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
+{figure(Radar(profile), "Radar of the scores; the table has the numbers")}
+{figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
 compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.{grey}</p>
@@ -278,7 +278,7 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 """
 
 
-def _figure(panel: Panel, says: str) -> str:
+def figure(panel: Panel, says: str) -> str:
     """A panel as SVG within the page, whose ink is that of the page."""
     drawn = to_bytes(Sheet("panel", [[panel]]).draw(), "svg").decode()
     svg = re.sub(r"^.*?(?=<svg)", "", drawn, flags=re.DOTALL)
