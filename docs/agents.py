@@ -14,7 +14,7 @@ from textwrap import fill
 from edugym import Profile
 from edugym.adapters.registration import in_course_order
 from edugym.experiments.profiles.pictures import written
-from edugym.experiments.profiles.report import best_agents, listed, method, rounded, said
+from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, rounded, said
 from edugym.experiments.profiles.scores import HALF
 from edugym_course import agent_profiles
 
@@ -26,12 +26,12 @@ can be, 0 that it plays no better than at random. All agents have their default 
 score does not mean that the agent cannot learn the task. (One exception: on Trashbot, `GaussianActorCritic` has tiles
 over the wrist and what it holds only.) Agents with features or a network see an observation as a vector, the others as
 a row of their table."""
-YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent of yours, and shows it beside these;
-`edugym profile "QLearning + FrameStack(4)"` does it for an agent with a wrapper. Where no agent does well, a wrapper
-may be what is missing: [what every remedy gains in every environment](isolation.md) has some."""
-TAKE = """These are the agents with the highest score, and those whose difference from it may be chance."""
+YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent of yours, and shows it beside these
+([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4)"` does it for an agent with a
+wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
+STRENGTH = "Further down stands up to which strength each is good."
 SCORES = """The score, and how far its 95 % interval reaches to both sides. **Bold** are the agents to take. A dash: the
-agent cannot enter; the reasons are below."""
+agent cannot enter; the reasons are below. A question mark: it is not measured yet."""
 BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
 interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 
@@ -62,7 +62,7 @@ def page(profile: Profile, stale: dict[str, list[str]]) -> str:
             "",
             "## Which agent to take",
             "",
-            fill(TAKE, 120),
+            fill(f"{TAKE} {STRENGTH}", 120),
             "",
             *table(["", "take"], take),
             "",
@@ -105,7 +105,7 @@ def score(profile: Profile, agent: str, challenge: str) -> str:
     """Return a score as it is shown."""
     found = profile.score(agent, challenge)
     if not found.n:
-        return "–"
+        return absent(profile, agent, challenge)
     text = f"{rounded(found.estimate)} ± {rounded(found.high - found.estimate)}"
     return f"**{text}**" if agent in best_agents(profile, challenge) and found.estimate >= HALF else text
 
@@ -114,8 +114,13 @@ def breaking(profile: Profile, agent: str, challenge: str) -> str:
     """Return where an agent breaks as it is shown."""
     found = profile.breaks(agent, challenge)
     if found is None:
-        return "–"
+        return absent(profile, agent, challenge)
     return written(float(f"{found.strength:.2g}")) if found.where == "between" else found.where
+
+
+def absent(profile: Profile, agent: str, challenge: str) -> str:
+    """Return what stands where there is no score."""
+    return "–" if challenge in profile.blank.get(agent, {}) else "?"
 
 
 def reasons(profile: Profile) -> list[str]:

@@ -42,10 +42,12 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
         for strength, score in zip(LADDER.strengths, scores, strict=True)
         for k in range(3)
     ]
-    profile = Profile(pandas.DataFrame(rows), (LADDER,), ("good", "blank"), {"blank": {"Boulder": "it is afraid"}})
+    profile = Profile(
+        pandas.DataFrame(rows), (LADDER,), ("good", "blank", "new"), {"blank": {"Boulder": "it is afraid"}}
+    )
     page = loaded().page(profile, {"blank": ["Boulder"]})
     score, broken, take = cells
-    for line in (f"| good | {score} |", f"| good | {broken} |", f"| {take} |", "| blank | – |"):
+    for line in (f"| good | {score} |", f"| good | {broken} |", f"| {take} |", "| blank | – |", "| new | ? |"):
         assert line in page
     assert "Boulder, blank: it is afraid." in page
     assert "made from earlier code: blank: Boulder" in page

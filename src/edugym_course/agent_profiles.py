@@ -107,7 +107,7 @@ def make_again(parts: dict[str, list[Ladder]], checkpoints: str | os.PathLike[st
         agent = {name: agents()[name]}
         blank = why_not_entered(agent, ladders)[name]
         entered = [ladder for ladder in ladders if ladder.name not in blank]
-        runs = []
+        runs: list[Any] = []
         if entered:
             found = profile(agent, challenges=entered, repetitions=REPETITIONS, checkpoints=checkpoints, **how)
             runs = found.runs[list(KEPT)].round({"score": DIGITS}).to_dict("records")
@@ -117,7 +117,7 @@ def make_again(parts: dict[str, list[Ladder]], checkpoints: str | os.PathLike[st
     return stored
 
 
-def _store(name: str, runs: list[dict[str, Any]], code: dict[str, str], blank: dict[str, str]) -> None:
+def _store(name: str, runs: list[Any], code: dict[str, str], blank: dict[str, str]) -> None:
     """Put what is new of an agent in the place of the old."""
     import pandas
 

@@ -11,11 +11,11 @@ from gymnasium.spaces import Discrete
 from matplotlib import pyplot
 
 import edugym
-from edugym import Ladder, make_mdp
+from edugym import Ladder, Profile, make_mdp, repeat
 from edugym.experiments.profiles import profile as profiles
 from edugym.experiments.profiles import report
 from edugym.experiments.profiles.ladders import LADDERS
-from edugym.experiments.profiles.pictures import OTHERS, Dots
+from edugym.experiments.profiles.pictures import OTHERS, Dots, Rungs
 from edugym_course import agent_profiles, arguments, profiling
 from edugym_course.stored import what_determines
 from tests.course.test_commands import run
@@ -127,6 +127,45 @@ def test_an_agent_is_given_once() -> None:
         arguments.agents(["QLearning", "QLearning"])
 
 
+TUNED = "\n\ndef made(environment, speed=1):\n    return Table(environment)\n"
+
+
+def test_settings_to_choose_from(mine: Path) -> None:
+    """All combinations of those that an agent has, besides itself; its wrappers stay, and who has none is left out."""
+    (mine / "mine.py").write_text(MINE + TUNED)
+    agents = arguments.agents(["QLearning", "DynaQ + FrameStack(2)", "mine.py:made", "mine.py:model"])
+    grids = arguments.grids(agents, ["exploration=EpsilonGreedy(0.2)", "planning_steps=0,5", "speed=2"])
+    greedy = "exploration=EpsilonGreedy(0.2)"
+    assert {label: [*grid] for label, grid in grids.items()} == {
+        "QLearning": ["as given", greedy],
+        "DynaQ + FrameStack(2)": ["as given", f"{greedy}, planning_steps=0", f"{greedy}, planning_steps=5"],
+        "made": ["as given", "speed=2"],
+    }
+    assert grids["QLearning"]["as given"] is agents["QLearning"]
+    assert grids["QLearning"][greedy]((2, 2)).exploration == edugym.EpsilonGreedy(0.2)
+    make, wrap = grids["DynaQ + FrameStack(2)"][f"{greedy}, planning_steps=5"]
+    assert make((2, 2)).planning.n == 5
+    assert wrap is agents["DynaQ + FrameStack(2)"][1]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("speed=2", "QLearning, SARSA has no speed"),
+        ("learning_rate", "name=value, but not 'learning_rate'"),
+        ("learning_rate=", "learning_rate must be values such as .*, but is ''"),
+        ("learning_rate=x", "but is 'x'"),
+        ("exploration=Greedy(1)", "exploration must be values"),
+        ("learning_rate=0.1] + [2", "learning_rate must be values"),
+    ],
+)
+def test_what_is_no_setting_to_choose_from(text: str, says: str) -> None:
+    """It says what is allowed."""
+    agents = arguments.agents(["QLearning", "SARSA"])
+    with pytest.raises(ValueError, match=says):
+        arguments.grids(agents, [text])
+
+
 def wall(height: float, layout_seed: int) -> Any:
     """A low wall."""
     return make_mdp("Boulder", height=int(height), layout_seed=layout_seed)
@@ -189,6 +228,22 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 2 * 2 * 2
 
 
+def test_the_report_shows_tuned_agents_beside_themselves(mine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With what there was to choose, and what the choice cost."""
+    monkeypatch.setattr(profiles, "LADDERS", (LOW,))
+    tuned = ("--tuned", "learning_rate=1e-9,0.5", "--repetitions", "2")
+    done = run("profile", "QLearning", "mine.py:Table", *tuned, "--output", "out")
+    assert done.exit_code == 0, done.output
+    written = Path("out/report.md").read_text(encoding="utf-8")
+    assert "| QLearning | Table | tuned QLearning |" in written
+    # Three settings, three times, on two rungs of 200 steps each.
+    assert (
+        "QLearning had the choice of: as given; learning_rate=1e-09; learning_rate=0.5. It tried them for 3,600"
+        in written
+    )
+    assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 3 * 2 * 2
+
+
 def test_a_command_that_is_wrong(tmp_path: Path) -> None:
     """It ends with one sentence."""
     for given, says in (
@@ -196,32 +251,51 @@ def test_a_command_that_is_wrong(tmp_path: Path) -> None:
         (("QLearning", "--challenge", "Chess"), "Chess"),
         ((), "give agents, or --all"),
         (("QLearning", "--all"), "give agents, or --all"),
+        (("--all", "--tuned", "learning_rate=0.1"), "stored profiles are not tuned"),
+        (("QLearning", "--tuned", "learning_rate=7"), "learning_rate must be greater than 0 and at most 1"),
     ):
         done = run("profile", *given, "--output", str(tmp_path / "out"))
         assert done.exit_code == 2
         assert says in done.output
 
 
-def test_ctrl_c_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The folder stays for the same command."""
+@pytest.mark.parametrize("at", ["profile", "tuned_profile"])
+def test_ctrl_c_keeps_what_is_done(at: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The folder stays for the same command, which takes from it what was done."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    monkeypatch.setattr(profiles, "LADDERS", (LOW,))
+    original, line = getattr(profiling, at), ("QLearning", "--tuned", "learning_rate=0.5", "--repetitions", "2")
 
-    def interrupted(*_: Any, **how: Any) -> Any:
-        how["checkpoints"].mkdir(parents=True)
+    def interrupted(*given: Any, **how: Any) -> Any:
+        original(*given, **how)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(profiling, "profile", interrupted)
-    done = run("profile", "QLearning", "--output", str(tmp_path / "out"))
+    monkeypatch.setattr(profiling, at, interrupted)
+    done = run("profile", *line, "--output", str(tmp_path / "out"))
     assert done.exit_code == 130
     assert "the same command goes on" in done.output
-    assert (tmp_path / "out" / "unfinished").exists()
+    assert any((tmp_path / "out" / "unfinished").iterdir())
+    monkeypatch.setattr(profiling, at, original)
+    again: list[Any] = []
+
+    def counted(task: Any, agents: Any, *given: Any, **how: Any) -> Any:
+        again.append(agents)
+        return repeat(task, agents, *given, **how)
+
+    monkeypatch.setattr(profiles, "repeat", counted)
+    assert run("profile", *line, "--output", str(tmp_path / "out")).exit_code == 0
+    assert [name for agents in again for name in agents if name == "QLearning"] == []
+    assert bool(again) == (at == "profile")  # then it goes on with the choice
 
 
 def test_dots_name_the_agents_beside_them_only_where_there_are_some() -> None:
     """The legend has an entry for each agent, and one for all of those beside."""
     found = edugym.profile({"Q": edugym.QLearning.create}, challenges=[LOW], repetitions=2)
     for beside, labels in ((None, ["Q"]), (found, [OTHERS, "Q"])):
-        assert sorted(Dots(found, beside).draw().get_legend_handles_labels()[1]) == sorted(labels)
+        for drawn in (Dots(found, beside), Rungs(found, "Boulder", beside)):
+            assert sorted(drawn.draw().get_legend_handles_labels()[1]) == sorted(labels)
+    others = Profile(found.runs, (LOW._replace(strengths=(2,)),), ("Q",))
+    assert Rungs(found, "Boulder", others).draw().get_legend_handles_labels()[1] == ["Q"]
     pyplot.close("all")
 
 

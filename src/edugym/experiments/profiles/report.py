@@ -184,7 +184,8 @@ def method(profile: Profile) -> list[str]:
         "A score of 0 is the mean return of random play, 1 that of the best play; below 0 is worse than random play.",
         f"The score in a challenge is the mean over the rungs. The intervals are 95 % intervals over the"
         f" {repetitions} repetitions. An agent breaks where its mean score first falls below 0.5, interpolated.",
-        f"{profile.settings} The budgets: {named}.",
+        profile.settings,
+        f"The budgets: {named}.",
         f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),
     ]
 
@@ -192,6 +193,12 @@ def method(profile: Profile) -> list[str]:
 INTRODUCTION = (
     "For every challenge there is a ladder of tasks, from easy to hopeless. A score of 1 means that an agent plays each"
     " of them as well as can be, 0 that it plays no better than at random."
+)
+
+
+TAKE = (
+    "Find the challenge that is most like your problem, and take an agent that stands beside it: the one with the"
+    " highest score, or one whose difference from it may be chance."
 )
 
 
@@ -206,7 +213,7 @@ def markdown(profile: Profile, beside: Profile | None = None) -> str:
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
-    lines = ["# What the agents master", "", INTRODUCTION, "", *table(*score_table(profile, beside))]
+    lines = ["# What the agents master", "", INTRODUCTION, "", TAKE, "", *table(*score_table(profile, beside))]
     lines += ["![Radar, scores with intervals, and ladders](profile.svg)", "", "## The challenges", ""]
     for challenge in profile.challenges:
         about = said(profile, challenge)
@@ -264,8 +271,8 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
 compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.{grey}</p>
 <h2>Which agent to take</h2>
+<p>{escape(TAKE)} The ladders below say up to which strength of the challenge it is good.</p>
 {table(*score_table(profile, beside))}
-<p class="soft">“Take” names the agent with the highest score, and those whose difference from it may be chance.</p>
 <h2>The challenges</h2>
 <div class="figures ladders">
 {chr(10).join(challenges)}
