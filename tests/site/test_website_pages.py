@@ -3,6 +3,7 @@
 import json
 import re
 from typing import Any
+from xml.etree import ElementTree
 
 import agent_pages
 import docstrings
@@ -15,6 +16,7 @@ import survey
 from repository import ROOT
 
 import edugym
+from edugym_course import agent_profiles
 
 
 @pytest.fixture(scope="module")
@@ -182,11 +184,23 @@ def test_the_survey_has_the_statements_of_the_lessons(lessons: list[lesson_pages
     assert "action=" not in form
 
 
-def test_an_agents_page_has_equation_code_lessons_and_returns(lessons: list[lesson_pages.Lesson]) -> None:
-    """The page shows what runs, with what it calls."""
+def test_an_agents_page_has_equation_code_lessons_and_profile(lessons: list[lesson_pages.Lesson]) -> None:
+    """The page shows what runs, with what it calls; and its ladders, or why there is none."""
     page = agent_pages.page("QLearning", edugym.QLearning, lessons)
-    for part in ("max_a Q(S', a)", "def learn(", "def one_step_target(", "lessons/01_exploration.md", "| [Boulder]"):
+    for part in ("max_a Q(S', a)", "def learn(", "def one_step_target(", "lessons/01_exploration.md"):
         assert part in page
+    profile = agent_profiles.load()
+    assert profile is not None
+    for challenge in profile.challenges:
+        sentence = page.split(f"**[{challenge}](")[1].partition(":::")[0]
+        assert ("<svg" in sentence) == (profile.score("QLearning", challenge).n > 0)
+    assert "a table needs the actions 0, 1" in page
+    for picture in re.findall(r"<svg.*</svg>", page):
+        seen = ElementTree.fromstring(picture)
+        own, *others = (line.attrib for line in reversed(seen.findall("polyline")))
+        assert len(own["points"].split()) == len(seen.findall("circle"))
+        assert len(others) > 10
+        assert {line["class"] for line in others} == {"other"}
 
 
 def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[lesson_pages.Lesson]) -> None:
