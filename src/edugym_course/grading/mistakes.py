@@ -1,6 +1,6 @@
 """Which of the usual mistakes explains what an answer gives, in all cases of a check."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from edugym_course.grading.errors import nobody_asks_why
@@ -23,7 +23,8 @@ def mistake_that_fits(
     Args:
         mistakes: the mistakes, by the sentence that tells of each.
         everywhere: whether a mistake gives what the answer gives in all cases.
-        here: whether it does so in the case that is told; None names no such mistake.
+        here: whether it does so in the case that is told, and not only there by chance (see `explains_most`); None
+            names no such mistake.
         otherwise: what to say if none fits.
     """
     if nobody_asks_why():
@@ -35,6 +36,16 @@ def mistake_that_fits(
         if here is not None and here(mistake):
             return f"{LOOKS_LIKE}{sentence}"
     return otherwise
+
+
+def explains_most(wrong: Iterable[bool]) -> bool:
+    """Whether a mistake explains the first case that is wrong, which is told, and most of the others.
+
+    Args:
+        wrong: whether it gives what the answer gives, for each case in which the answer is wrong.
+    """
+    fits = [*wrong]
+    return fits[0] and 2 * sum(fits) > len(fits)
 
 
 class NumberCase(NamedTuple):

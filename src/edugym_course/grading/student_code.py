@@ -59,7 +59,7 @@ HINTS = (
         "inhomogeneous|policy must be a whole number",
         "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?",
     ),
-    ("only integer", "an index is a whole number"),
+    ("only integer|indices must be of integer", "an index is a whole number"),
     (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
     (r"missing \d+ required", "it has more parameters than the call gives it values"),
     ("positional argument", "its parameters are not those of the exercise"),

@@ -95,6 +95,7 @@ ERRORS = [
     ("return np.random.default_rng(0).choice([])", "nothing is left to choose from"),
     ("return np.array([[1], [1, 2]])", "an array of numbers is needed there"),
     ("return np.zeros(2)[1.0]", "an index is a whole number"),
+    ("return np.zeros(2)[np.ones(2)]", "an index is a whole number"),
     ("return create()", "`create` takes the environment first"),
     ("return g(1)", "it has more parameters than the call gives it values"),
     ("return g(1, 2, 3)", "its parameters are not those of the exercise"),

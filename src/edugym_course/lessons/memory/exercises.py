@@ -13,9 +13,9 @@ from edugym.envs.memory_corridor import MemoryCorridor
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_that_fits
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import CARET, compare, exact, given, number
+from edugym_course.grading.values import CARET, exact, given, number
 from edugym_course.lessons.memory.notes import MISTAKES, Notes, right
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
@@ -29,18 +29,18 @@ def exercise_1(answer: Any, seed: int) -> str:
     require_function("table_rows", answer, "the doors and the length")
     rng = np.random.default_rng(seed)
     cases = [(int(rng.integers(5, 8)), 4), (4, 3 + int(rng.integers(2))), (2, 5), (3, 2), (6, 1)]
+    found = []
     for doors, length in cases:
-        call = f"table_rows({doors}, {length})"
+        call, right_size = f"table_rows({doors}, {length})", (doors + 1) ** window_law(length)
         with student_code(call):
-            found = answer(doors, length)
-        right = (doors + 1) ** window_law(length)
-        mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
-        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+            size = answer(doors, length)
+        found.append(NumberCase(call, number(call, size), float(right_size), _row_mistakes(doors, length)))
+    compare_all(found, otherwise=UNUSUAL)
     doors, length = 2, 9
     call = f"table_rows({doors}, {length})"
     with student_code(call):
-        found = answer(doors, length)
-    exact(call, found, (doors + 1) ** window_law(length))
+        size = answer(doors, length)
+    exact(call, size, (doors + 1) ** window_law(length))
     return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
 
 
@@ -57,6 +57,9 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
             doors + 1
         )
         ** (length * (length + 1) // 2),
+        "that is the window for corridor L - 1": (doors + 1) ** window_law(length - 1),
+        "L(L-1)/2 observations and the present one make L(L-1)/2 + 1; here is one more": (doors + 1) ** (window + 1),
+        "7 is the window of corridor 4 alone; compute it from the length": (doors + 1) ** 7,
         "that is the window for corridor L + 1": (doors + 1) ** window_law(length + 1),
         "that is the number of entries, a row has one for each action; the rows are asked for": (doors + 1) ** window
         * doors,

@@ -76,6 +76,24 @@ MISTAKES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProx
         "a corridor may be longer than its number of doors: no remainder is needed, a mark shows the last place": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), (place + 1) % n)
         ),
+        "the first place is 0; −1 is the last line of an array": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n else -1)
+        ),
+        "doors are 0 to N - 1, and N itself is no mark: compare with self.num_doors, not with one less": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n - 1 else 0)
+        ),
+        "the other notes are wiped out, and they are still needed: write into `notes[place]` alone": (
+            lambda notes, place, seen, action, n: (
+                _noted(np.full_like(notes, n), place, action),
+                place + 1 if seen == n else 0,
+            )
+        ),
+        "the lines behind the place are written as well: the index is the place alone": (
+            lambda notes, place, seen, action, n: (
+                np.where(np.arange(len(notes)) >= place, action, notes),
+                place + 1 if seen == n else 0,
+            )
+        ),
         "3 stands where self.num_doors should": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == 3 else 0)
         ),

@@ -252,3 +252,15 @@ def my_scores(a, mu, sigma):
 # says: the minus before (a − μ)² / (2σ²) and that of the exponent −2 make a plus
 def my_scores(a, mu, sigma):
     return (a - mu) / sigma**2, -((a - mu) ** 2) / sigma**2 - 1
+
+
+# %% of ln of the variance
+# says: that is the derivative with respect to ln σ²; with respect to ln σ it is twice as large
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, ((a - mu) ** 2 / sigma**2 - 1) / 2
+
+
+# %% a 2 too many
+# says: the exponent −2 of σ and the 2 in 2σ² cancel; here the 2 is too many
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, 2 * (a - mu) ** 2 / sigma**2 - 1

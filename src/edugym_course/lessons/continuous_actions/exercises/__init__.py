@@ -12,8 +12,9 @@ from edugym.envs.trashbot.task import Trashbot
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import CARET, allowance, compare, exact, given, number
+from edugym_course.grading.values import CARET, allowance, exact, given, number
 from edugym_course.lessons.continuous_actions.exercises.episodes import check_update
 from edugym_course.lessons.continuous_actions.methods import gaussian, tiles_on_the_wrist
 
@@ -25,18 +26,18 @@ def exercise_1(answer: Any, seed: int) -> str:
     require_function("preferences", answer, "joints, bins and cells")
     rng = np.random.default_rng(seed)
     cases = [(3, 5, 10 + int(rng.integers(5))), (2, 3, 7), (3, 4, 6), (1, 9, 12), (4, 3, 5 + int(rng.integers(3)))]
+    found = []
     for joints, bins, cells in cases:
-        call = f"preferences({joints}, {bins}, {cells})"
+        call, right = f"preferences({joints}, {bins}, {cells})", 2 * cells**joints * bins**joints
         with student_code(call):
-            found = answer(joints, bins, cells)
-        right = 2 * cells**joints * bins**joints
-        mistakes = {why: float(n) for why, n in _size_mistakes(joints, bins, cells).items() if n != right}
-        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+            size = answer(joints, bins, cells)
+        found.append(NumberCase(call, number(call, size), float(right), _size_mistakes(joints, bins, cells)))
+    compare_all(found, otherwise=UNUSUAL)
     joints, bins, cells = 8, 3, 2000  # more than 64 bits, and few enough actions to list them
     call = f"preferences({joints}, {bins}, {cells})"
     with student_code(call):
-        found = answer(joints, bins, cells)
-    exact(call, found, 2 * (cells * bins) ** joints)
+        size = answer(joints, bins, cells)
+    exact(call, size, 2 * (cells * bins) ** joints)
     many = 2 * (30 * 5) ** 6
     return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
 
@@ -172,6 +173,12 @@ OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
         "the derivative of − ln σ with respect to ln σ is −1, not −σ": lambda a, m, s: (a - m) ** 2 / s**2 - s,
         "the derivative of − ln σ with respect to ln σ is −1, not −ln σ": lambda a, m, s: (
             (a - m) ** 2 / s**2 - np.log(s)
+        ),
+        "that is the derivative with respect to ln σ²; with respect to ln σ it is twice as large": lambda a, m, s: (
+            ((a - m) ** 2 / s**2 - 1) / 2
+        ),
+        "the exponent −2 of σ and the 2 in 2σ² cancel; here the 2 is too many": lambda a, m, s: (
+            2 * (a - m) ** 2 / s**2 - 1
         ),
         "the derivative with respect to σ is divided by σ; multiply it by σ": lambda a, m, s: (
             (a - m) ** 2 / s**4 - 1 / s**2

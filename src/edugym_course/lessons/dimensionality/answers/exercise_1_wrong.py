@@ -306,3 +306,11 @@ def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return 3 * rows * columns * columns
     return 3 * 2 ^ (rows * columns) if kind == "grid" else 3 * 256 ^ (3 * rows * columns)
+
+
+# %% the colours in the base
+# says: each of the three colours has 256 values: 256^3 for a cell, not 256 times 3
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * columns * 3
+    return (2 if kind == "grid" else 256 * 3) ** (rows * columns) * 3

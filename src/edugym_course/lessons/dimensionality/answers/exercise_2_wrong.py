@@ -540,3 +540,17 @@ def learn(self, state, action, reward, next_state, terminated):
     best = max([self.value(next_state, a) for a in range(1, 3)])
     target = reward if terminated else reward + self.discount * best
     self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% the next action, and the present state
+# says: that is the present state's value of the action that is best in the next state; take that of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    best = self.greedy(next_state, np.random.default_rng(0))
+    target = reward if terminated else reward + self.discount * self.value(state, best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% features as an index
+# says: (an index is a whole number)
+def value(self, board, action):
+    return self.w[self.features(board), action]

@@ -10,7 +10,7 @@ import numpy as np
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
+from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, explains_most, mistake_that_fits
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
@@ -136,6 +136,9 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         ),
         "only the column of the action that was taken changes; the others have learned nothing, whatever their own"
         " error": lambda s: s.w + s.alpha * np.outer(s.x, _target(s) - s.x @ s.w),
+        "that is the present state's value of the action that is best in the next state; take that of the next state": (
+            lambda s: _moved(s, _target(s, lambda q: float((s.x @ s.w)[q.argmax()])))
+        ),
         "the last action is left out of the maximum: range(3) goes through all three": lambda s: _moved(
             s, _target(s, lambda q: float(q[:-1].max()))
         ),
@@ -218,15 +221,14 @@ def exercise_2(answer: Any, seed: int) -> str:
     cases = steps_for(seed)
     _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
-    for step, found in zip(cases, outcomes, strict=True):
-        if all_same(right_update(step), found):
-            continue
+    wrong = [pair for pair in zip(cases, outcomes, strict=True) if not all_same(right_update(pair[0]), pair[1])]
+    if wrong:
         why = mistake_that_fits(
             UPDATES,
-            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, outcomes, strict=True)),
-            partial(_gives, step, found),
+            lambda rule: all(_gives(*pair, rule) for pair in zip(cases, outcomes, strict=True)),
+            lambda rule: explains_most(_gives(*pair, rule) for pair in wrong),
         )
-        raise WrongAnswer(f"{_told_update(step, found)}: {why}")
+        raise WrongAnswer(f"{_told_update(*wrong[0])}: {why}")
     return "Right: the error times the features. See it catch:"
 
 

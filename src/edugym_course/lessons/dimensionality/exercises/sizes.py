@@ -108,6 +108,9 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             ),
             "those are the boards with one ball and one paddle; a dense table has a row for every image that could be"
             " written down": lambda r, c: r * c * c * 3,
+            "each of the three colours has 256 values: 256^3 for a cell, not 256 times 3": lambda r, c: (
+                (256 * 3) ** (r * c) * 3
+            ),
             "the three colours are in the exponent": lambda r, c: 256 ** (r * c) * 3 * 3,
         },
     }

@@ -1,7 +1,6 @@
 """Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -11,7 +10,7 @@ from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import explains_most, mistake_that_fits
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, in_brackets, number, same
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
@@ -242,20 +241,21 @@ def _values(weights: Layers, x: Any) -> Any:
 
 
 def _check_targets(cases: list[Remembered], found: list[float]) -> None:
-    for case, target in zip(cases, found, strict=True):
-        right = _right(case)
-        if same(target, right):
-            continue
-        why = mistake_that_fits(
-            TARGETS,
-            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, found, strict=True)),
-            partial(_gives, case, target),
-        )
-        raise WrongAnswer(
-            f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
-            f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
-            f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
-        )
+    wrong = [pair for pair in zip(cases, found, strict=True) if not same(_right(pair[0]), pair[1])]
+    if not wrong:
+        return
+    why = mistake_that_fits(
+        TARGETS,
+        lambda rule: all(_gives(*pair, rule) for pair in zip(cases, found, strict=True)),
+        lambda rule: explains_most(_gives(*pair, rule) for pair in wrong),
+    )
+    case, target = wrong[0]
+    right = _right(case)
+    raise WrongAnswer(
+        f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
+        f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
+        f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
+    )
 
 
 def _gives(case: Remembered, target: float, rule: Callable[[Remembered], float]) -> bool:

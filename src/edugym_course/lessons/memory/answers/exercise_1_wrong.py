@@ -153,3 +153,21 @@ def table_rows(num_doors, length):
 def table_rows(num_doors, length):
     k = length * (length - 1) // 2 + 1
     return sum((num_doors + 1) ** shorter for shorter in range(1, k + 1))
+
+
+# %% the corridor before
+# says: that is the window for corridor L - 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** ((length - 1) * (length - 2) // 2 + 1)
+
+
+# %% one more
+# says: L(L-1)/2 observations and the present one make L(L-1)/2 + 1; here is one more
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2 + 2)
+
+
+# %% the window of the prediction
+# says: 7 is the window of corridor 4 alone; compute it from the length
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** 7

@@ -214,3 +214,32 @@ def update(self, notes, place, seen, action):
 def update(self, notes, place, seen, action):
     notes.append(action)
     return place + 1 if seen == self.num_doors else 0
+
+
+# %% back to -1
+# says: the first place is 0; −1 is the last line of an array
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else -1
+
+
+# %% the last door
+# says: doors are 0 to N - 1, and N itself is no mark: compare with self.num_doors, not with one less
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors - 1 else 0
+
+
+# %% one note
+# says: the other notes are wiped out, and they are still needed: write into `notes[place]` alone
+def update(self, notes, place, seen, action):
+    notes[:] = self.num_doors
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% all lines from here on
+# says: the lines behind the place are written as well: the index is the place alone
+def update(self, notes, place, seen, action):
+    notes[place:] = action
+    return place + 1 if seen == self.num_doors else 0

@@ -1,5 +1,5 @@
 # %% the last action from the message
-# says: , which is none of the usual mistakes
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
 # says: where self.last[0] =
 def act(self, observation, rng):
     votes = np.zeros(4)
@@ -379,3 +379,54 @@ def act(self, observation, rng):
     action = int(rng.choice(4, p=votes / votes.sum()))
     self.last[0] = action
     return action
+
+
+# %% ten votes less
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
+# says: , takes action
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] -= 10
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% half the votes
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] /= 2
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% remembers the first word
+# says: self.last[0] should be
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+    action = pick(votes, rng)
+    self.last[0] = observation[1] % 4
+    return action
+
+
+# %% ties go to the next one
+# says: , which is none of the usual mistakes
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+        votes[(self.last[0] + 1) % 4] += 0.5
+    self.last[0] = pick(votes, rng)
+    return self.last[0]

@@ -19,6 +19,7 @@ from edugym_course.lessons.signal.exercises.listener import (
     HEARD,
     LISTENER_MISTAKES,
     check_case,
+    check_left_out,
     check_memory,
     made_by,
     probabilities,
@@ -180,6 +181,11 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
         "p(x) and p(y) are taken to be the same for every need and every message; they are sums of the table": float(
             np.sum(p * np.log2(p * joint.size))
         ),
+        "that is the mean of a row and of a column; p(x) and p(y) are their sums": right + math.log2(joint.size),
+        "pairs that are rarer than p(x) p(y) count too, with their sign; leave out only those that never occur": _sum(
+            joint, joint > np.outer(p_x, p_y)
+        ),
+        "that is a share of the entropy of x; the information itself is asked for": right / entropy_x,
         "only the last pair counts: is the sum overwritten in the loop?": float(_terms(joint)[possible][-1]),
         "a logarithm below 0 counts as well, with its sign": float(np.abs(_terms(joint)).sum()),
         "the weight p(x, y) before the logarithm is missing": float(np.sum(np.log2(p / outer))),
@@ -244,10 +250,11 @@ def exercise_3(answer: Any, seed: int) -> str:
         for sentence, change in LISTENER_MISTAKES.items()
         if all(np.abs(probabilities(case, **change) - one).max() < CLOSE for case, one in zip(cases, seen, strict=True))
     }
+    if not everywhere:
+        check_left_out(cases, seen)
     for case in cases:
         check_case(made, case, everywhere)
-    for case in cases:
-        check_memory(made, case)
+    check_memory(made, cases)
     return "Right: message and memory together. See it race:"
 
 

@@ -50,8 +50,10 @@ HEARD = (
     Heard((40, 7, 7, 2), -1),
     Heard((9, 1, 1, 3, 3, 0), 1),
     Heard((61, 3, 2, 3, 0, 0), -1),
+    Heard((70, *13 * (1,), 2, 2), 1),
 )
-"""What is observed in the check: hit points that name another need than the words, synonyms, ties, a first step."""
+"""What is observed in the check: hit points that name another need than the words, synonyms, ties, a first step, and a
+long message that names the last action again and again."""
 
 
 def probabilities(
@@ -202,16 +204,29 @@ def made_by(answer: Any) -> Any:
     return made
 
 
-def check_memory(made: Any, case: Heard) -> None:
+def check_memory(made: Any, cases: list[Heard]) -> None:
     """Check that the action is remembered."""
-    call = case.call
-    with student_code(call):
-        action = action_of(call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
-    if made.last[0] == action:
-        return
-    if made.last[0] == case.last:
+    wrong = []
+    for case in cases:
+        with student_code(case.call):
+            action = action_of(case.call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
+        if made.last[0] != action:
+            wrong.append((case, action, int(made.last[0])))
+    for case, action, last in wrong:
+        if last != case.last:
+            raise WrongAnswer(f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}")
+    for case, action, _ in wrong:
         raise WrongAnswer(
-            f"{call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before you"
-            " return"
+            f"{case.call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before"
+            " you return"
         )
-    raise WrongAnswer(f"after {call} took action {action}, self.last[0] should be {action}, but is {made.last[0]}")
+
+
+def check_left_out(cases: list[Heard], seen: list[Reals]) -> None:
+    """Check that the last action is never taken again, from how often each action is."""
+    for case, shares in zip(cases, seen, strict=True):
+        if case.last >= 0 and shares[case.last] > 0.0:
+            raise WrongAnswer(
+                f"{case.call}, {case.told}, takes action {case.last} in {shares[case.last]:.0%} of calls, but that is"
+                " the one that was taken last: it should not be taken again, however many words name it"
+            )
