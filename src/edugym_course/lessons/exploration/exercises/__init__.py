@@ -83,7 +83,7 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
         - 0.5 / height,
         f"that is 1/2 to the power of {height}: it is (1 − ε/2)^{height} that should be 1/2": 0.5**height
         if found
-        else 1.0,
+        else 1.0,  # an ε of 0 is as near to it, and means something else
         "that is the half of ε/2, the probability of a wrong grip: ε is twice that, and not half of it": right / 4,
         "that is twice too large: ε/2 is the probability of a wrong grip, and ε twice that": 2 * right,
         "that is the value with which the cell began": 0.1,
