@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import nullcontext
+from functools import partial
 from itertools import cycle
 from typing import Any
 
@@ -71,6 +72,11 @@ def test_the_mistake_that_fits_best_is_told(mistakes: dict[str, list[float]], wh
         check_choices("act(0, rng)", lambda rng: 1, HALF, mistakes, tables={}, where="where all is well")
 
 
+def one_of(some: list[int], rng: np.random.Generator) -> Any:
+    """Choose one of some actions."""
+    return rng.choice(some)
+
+
 @pytest.mark.parametrize(
     ("choices", "why"),
     [
@@ -87,7 +93,7 @@ def test_other_cases_contradict_a_mistake(choices: list[list[int]], why: str) ->
         ([0.0, 1.0, 0.0], {"the first": [1.0, 0.0, 0.0], "the wrong one": [1.0, 0.0, 0.0]}),
     ]
     cases = [
-        ChoiceCase(lambda rng, some=some: rng.choice(some), expected, mistakes, {}, "here")
+        ChoiceCase(partial(one_of, some), expected, mistakes, {}, "here")
         for some, (expected, mistakes) in zip(choices, asked, strict=True)
     ]
     with pytest.raises(WrongAnswer, match=why):

@@ -267,3 +267,20 @@ def importance_ratio(greedy, epsilon, n_actions):
 # says: gives several numbers: the ratio is their product, as of np.prod(...)
 def importance_ratio(greedy, epsilon, n_actions):
     return [is_greedy / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:]]
+
+
+# %% all but the last
+# says: the last action is left out in place of the first, A_t: the later actions are greedy[1:]
+def importance_ratio(greedy, epsilon, n_actions):
+    earlier = greedy[:-1]
+    return (1 - epsilon + epsilon / n_actions) ** -len(earlier) if all(earlier) else 0.0
+
+
+# %% b divided by π, and so by 0
+# says: that is the probability of these actions under b; the ratio is π divided by b
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        b = 1 - epsilon + epsilon / n_actions if is_greedy else epsilon / n_actions
+        rho *= b / (1 if is_greedy else 0)
+    return rho

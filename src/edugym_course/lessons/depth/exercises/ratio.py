@@ -93,6 +93,10 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "with one action no factor is left, and an empty product is 1": {"empty": 0.0},
     "the last action is left out; the product goes to the end of the list": {"how": "without last"},
+    "the last action is left out in place of the first, A_t: the later actions are greedy[1:]": {
+        "how": "without last",
+        "skipped": 0,
+    },
     "a random action may be the best one too, so b takes it with probability 1 − ε + ε/N, not 1 − ε": {
         "likely": "1 - ε"
     },
@@ -103,7 +107,6 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "b takes the best action with probability 1 − ε + ε/N; ε/N is the part of it that comes by chance": {
         "likely": "ε/N"
     },
-    "`x / 1 - ε + ε/N` is (x / 1) − ε + ε/N: put what you divide by into parentheses": {"how": "precedence"},
     "ε is divided by N, not multiplied: b takes the best action with probability 1 − ε + ε/N": {
         "likely": "1 - ε + ε N"
     },
@@ -121,6 +124,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "it stays 0: a product starts at 1": {"how": "zero"},
     "that is b/π, upside down": {"how": "inverse"},
     "that is the probability of these actions under b; the ratio is π divided by b": {"how": "probability"},
+    "`x / 1 - ε + ε/N` is (x / 1) − ε + ε/N: put what you divide by into parentheses": {"how": "precedence"},
     "the ratios of the single actions are multiplied, not added": {"how": "sum"},
     "the ratios of the single actions are multiplied; that is their mean": {"how": "mean"},
     "that is the ratio of one action alone: multiply all of them (is the `return` inside the loop?)": {"how": "last"},

@@ -54,6 +54,7 @@ Power = Annotated[
 def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
     """Check the largest ε with which half of the climbs reach the top of a wall."""
     right = _epsilon(height)
+    found = number("epsilon", answer)
     mistakes = {
         "that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the"
         " time": right / 2,
@@ -80,7 +81,9 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
         f"`0.5 ** 1 / {height}` is (0.5 ** 1) / {height}: put 1 / {height} into parentheses": 2 * (1 - 0.5 / height),
         f"`0.5 ** 1 / {height}` is (0.5 ** 1) / {height}: put 1 / {height} into parentheses; and ε is twice that": 1
         - 0.5 / height,
-        f"that is 1/2 to the power of {height}: it is (1 − ε/2)^{height} that should be 1/2": 0.5**height,
+        f"that is 1/2 to the power of {height}: it is (1 − ε/2)^{height} that should be 1/2": 0.5**height
+        if found
+        else 1.0,  # an ε of 0 is as near to it, and means something else
         "that is the half of ε/2, the probability of a wrong grip: ε is twice that, and not half of it": right / 4,
         "that is twice too large: ε/2 is the probability of a wrong grip, and ε twice that": 2 * right,
         "that is the value with which the cell began": 0.1,
@@ -91,7 +94,6 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
             return f"ε = {digits(epsilon, 0.0)} is no probability"
         return f"with ε = {digits(epsilon, right)}, {(1 - epsilon / 2) ** height:.2%} of the climbs reach the top"
 
-    found = number("epsilon", answer)
     close = abs(found / right - 1) < 0.07
     otherwise = "half should, so ε must be " + ("smaller" if found > right else "larger")
     if not 0 <= found <= 1:

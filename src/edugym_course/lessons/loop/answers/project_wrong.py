@@ -326,3 +326,35 @@ def my_program(environment, n_steps, seed):
         if terminated or truncated:
             state, _ = environment.reset()
     return lambda state: int(Q[state].argmin())
+
+
+# %% the mean
+# says: the mean over the actions of the next state stands where the maximum should
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        best = np.flatnonzero(Q[state] == Q[state].max())
+        action = rng.integers(Q.shape[1]) if rng.random() < 0.1 else rng.choice(best)
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        target = reward if terminated else reward + 0.99 * Q[next_state].mean()
+        Q[state, action] += 0.5 * (target - Q[state, action])
+        state = environment.reset()[0] if terminated or truncated else next_state
+    return lambda state: int(Q[state].argmax())
+
+
+# %% another discount
+# says: the discount is too small: it is 0.99 in the text
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    state, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        best = np.flatnonzero(Q[state] == Q[state].max())
+        action = rng.integers(Q.shape[1]) if rng.random() < 0.1 else rng.choice(best)
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        target = reward if terminated else reward + 0.9 * Q[next_state].max()
+        Q[state, action] += 0.5 * (target - Q[state, action])
+        state = environment.reset()[0] if terminated or truncated else next_state
+    return lambda state: int(Q[state].argmax())
