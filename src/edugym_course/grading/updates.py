@@ -176,9 +176,9 @@ class Update:
         if len(changed) > len(right_ones):
             return f"{len(changed)} entries of `{difference.table}` change, and only one should"
         if len(changed) == len(right_ones) == 1 and changed != right_ones:
-            wrong, entry = (", ".join(map(str, one[0])) for one in (changed, right_ones))
+            moved, entry = (", ".join(map(str, one[0])) for one in (changed, right_ones))
             name = difference.table
-            return f"another entry changes than should, {name}[{wrong}] and not {name}[{entry}]"
+            return f"another entry changes than should, {name}[{moved}] and not {name}[{entry}]"
         return UNUSUAL
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:

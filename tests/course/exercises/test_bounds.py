@@ -82,12 +82,12 @@ REFUSED = [
     (
         own_problem.exercise_1,
         0,
-        "with late = 0 it is best to stay quiet at 8:20 when she is fast asleep, for a ring is worth -3.9 there",
+        "with late = 0 it is best to stay quiet at 8:20",
     ),
     (
         own_problem.exercise_1,
         8,
-        "with late = 8 it is best to ring at 8:20 when she is fast asleep, for a ring is worth -4.7 there",
+        "fast asleep, for a ring is worth -4.7 there and silence -6: it is higher",
     ),
     (stochasticity.exercise_1, 0, "level = 0 is not a level, "),
     (stochasticity.exercise_1, 1, "at level = 1 the drive is worth -0.9985 and the chip -0.9498: "),

@@ -102,3 +102,34 @@ def my_program(environment, n_steps, seed):
         Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
         s = environment.reset()[0] if over or cut else s2
     return lambda s: int(Q[s].argmin())
+
+
+# %% no brackets
+# says: They fit a usual mistake:
+# says: − Q(S, A) is missing at the end of an episode: put brackets around `... if terminated else ...`
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+        s2, r, over, cut, _ = environment.step(a)
+        delta = r if over else r + 0.9 * Q[s2].max() - Q[s, a]
+        Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: int(Q[s].argmax())
+
+
+# %% a smaller α
+# says: α is 0.1, or some other number far below 0.4
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+        s2, r, over, cut, _ = environment.step(a)
+        delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+        Q[s, a] += 0.1 * 2 / (1 + np.exp(0.5 * delta)) * delta
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: int(Q[s].argmax())
