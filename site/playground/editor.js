@@ -36,7 +36,8 @@ export class Editor {
   // `onCode` is told the program as letters of a link, see `pack`.
   constructor(find, sizes, seeds, onCode) {
     Object.assign(this, { find, sizes, seeds, onCode, number: 0, template: 0, filled: '', packed: '' })
-    this.draw = this.draw.bind(this)
+    this.curves = this.curves.bind(this)
+    this.paint = { ours: () => this.knowledge('ours'), theirs: () => this.knowledge('theirs') }
     this.field = new Field(find('editor'), () => {
       this.python() // begins to load
       clearTimeout(this.packing)
@@ -108,7 +109,7 @@ export class Editor {
     this.print([])
     this.find('code-said').textContent = 'Your code finds the task as mdp. The seed is that of the race.'
     this.tell(this.found ?? (this.worker ? 'Change something, and run it.' : this.first))
-    soon(this.draw)
+    this.draw()
   }
 
   // What the rival sees is the task of both.
@@ -151,7 +152,8 @@ export class Editor {
       if (data.id !== this.number) return
       this.theirs = data.curves[0]
       this.looks.theirs = data
-      soon(this.draw)
+      soon(this.curves)
+      soon(this.paint.theirs)
     }
     this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: lane.kernel, plan: lane.plan, look: lane.plan.look, rows, now: cell.length,
       seeds: [this.seeds[seed]], steps, every: Math.max(1, Math.floor(steps / LATE)), settings: {}, at: 0 })
@@ -181,7 +183,7 @@ export class Editor {
     if (data.kind === 'ready' && this.running) this.tell('Your agent learns …')
     if (data.kind === 'look') {
       this.looks.ours = data.look
-      soon(this.draw)
+      soon(this.paint.ours)
     }
     if (data.printed) this.print(data.printed)
     if (data.kind !== 'done') return
@@ -192,7 +194,7 @@ export class Editor {
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
     this.ours = data.curve
-    soon(this.draw)
+    soon(this.curves)
     this.tell(this.verdict(data))
     if (data.said.length) this.find('code-said').textContent = data.said.join(' ')
   }
@@ -213,14 +215,21 @@ export class Editor {
   // The page has another size.
   measure() {
     for (const picture of Object.values(this.pictures)) picture.measure()
-    soon(this.draw)
+    this.draw()
   }
 
   draw() {
+    for (const part of [this.curves, this.paint.ours, this.paint.theirs]) soon(part)
+  }
+
+  curves() {
     const { task, state, race, lane } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
     chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum })
     this.find('code-caption').innerHTML = `Mean return of ${race.episodes} games without exploring. <b class="ours">Your agent</b>, <b class="theirs">${lane.label}</b>`
     this.find('rival-name').textContent = lane.label
-    for (const [id, look] of Object.entries(this.looks)) this.pictures[id].know(look, state.show, state.policy)
+  }
+
+  knowledge(id) {
+    if (this.looks[id]) this.pictures[id].know(this.looks[id], this.state.show, this.state.policy)
   }
 }

@@ -225,7 +225,7 @@ function redraw() {
     Object.assign(lane.how, { show: state.show, policy: state.policy })
     soon(lane.draw)
   }
-  if (state.code) soon(editor.draw)
+  if (state.code) editor.draw()
 }
 
 // Watch or play
