@@ -55,25 +55,30 @@ def test_what_a_network_believes() -> None:
 
 
 def test_goals_of_other_episodes() -> None:
-    """They come from steps before the episode, so hardly a transition reaches them; those of 'future' are reached."""
-    steps = {methods.OtherEpisodes().achieved_after(3, 8, draw) for draw in np.linspace(0, 1, 1000, endpoint=False)}
-    assert steps == set(range(-methods.FAR_BACK, 0))
+    """They come from steps before the episode, each as likely."""
+    steps = [methods.OtherEpisodes().achieved_after(3, 8, k / methods.FAR_BACK) for k in range(methods.FAR_BACK)]
+    assert sorted(steps) == [*range(-methods.FAR_BACK, 0)]
+
+
+@pytest.mark.slow
+def test_which_transitions_reach_their_goal() -> None:
+    """Hardly one where the goals come from elsewhere; with 'future' more than with 'final'."""
     none, others, final, future = (
         methods.rewarded_share(strategy) for strategy in (methods.NONE, methods.OTHERS, methods.FINAL, methods.FUTURE)
     )
     assert max(none, others) < 0.02 < 0.15 < final < future
 
 
+@pytest.mark.slow
 def test_the_control_has_as_many_transitions() -> None:
     """And as many updates as 'future': only the goals differ."""
     task, counted = make_mdp("Switches", n_switches=3), []
     for strategy in (methods.FUTURE, methods.OTHERS):
         agent = methods.network(strategy, learn_from=20)(task)
         train(task, agent, 60, seed=1)
-        per_step = int(agent.dqn.steps[0]) / 60
         counted.append(int(agent.dqn.updates[0]))
-        assert 4.0 < per_step < 7.0
-    assert counted[0] == counted[1]
+        assert 4 * 60 < agent.dqn.steps[0] < 7 * 60
+    assert counted[0] == counted[1] > 0
 
 
 def test_claims() -> None:
@@ -93,8 +98,8 @@ def test_claims() -> None:
     assert measured(experiments.table_claims(tables)) == [round(-3 - methods.best_return(4), 6), 1.5, 2.5]
     shares: Any = {one: [0.1 * i] * 2 for i, one in enumerate(every)}
     assert measured(experiments.memory_claims(shares)) == [0.0, 0.3, 0.1, 0.2]
-    agents = {methods.NONE: [counter_of_wrong_switches(8)] * 2, methods.FUTURE: [counter_of_wrong_switches(8)] * 2}
-    believed = made_up({one: [{10: 0.0}] * 2 for one in agents}, agents=agents)
+    agents = {one: [counter_of_wrong_switches(8)] for one in (methods.NONE, methods.FUTURE)}
+    believed = made_up({one: [{10: 0.0}] for one in agents}, agents=agents)
     last = -8 - methods.true_value(8)
     assert measured(experiments.value_claims(believed)) == pytest.approx([4 + methods.true_value(4), last, 7.0])
 

@@ -337,8 +337,8 @@ tabular.measured(both.final("future").mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About −7.9, as if it had learned nothing. Hindsight gives a table at most $5 \cdot 15\,000 = 75\,000$ updates
-# for its 524 288 numbers, and each tells of one pair alone. The network had the same transitions, and knows the way for all
+# **Measured.** About −7.9, as if it had learned nothing. Each step is learned five times, so a table makes at most
+# 75 000 updates for its 524 288 numbers, and each tells of one pair alone. The network had the same transitions, and knows the way for all
 # pairs. So it has *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others
 # are. For a table hindsight saves some steps where most pairs can be visited. With six switches and 50 000 steps it returned
 # −3.0 instead of −3.8.

@@ -26,6 +26,14 @@ def _best(row: Any) -> int:
     return int(np.argmax(row))
 
 
+def _right(Q: Reals, s: int, g: int) -> int:
+    return _best(Q[s, g])
+
+
+def _taken(rule: Callable[[Reals, int, int], int], case: Values) -> int:
+    return rule(*case)
+
+
 def _from(start: int, Q: Reals, s: int, g: int) -> int:
     return _best(Q[s, g]) if Q[s, g].max() > -start else 0
 
@@ -66,8 +74,7 @@ def _values(rng: np.random.Generator) -> list[Values]:
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the greedy action for a goal."""
     require_function("greedy", answer, "Q, state and goal")
-    rules = [lambda case: _best(case[0][case[1], case[2]])]
-    rules += [lambda case, rule=rule: rule(*case) for rule in GREEDY_MISTAKES.values()]
+    rules = [partial(_taken, rule) for rule in (_right, *GREEDY_MISTAKES.values())]
     cases, found, calls = _values(telling_draw(seed, _values, rules)), [], []
     for Q, state, goal in cases:
         call = f"greedy(Q, {state}, {goal}), where Q[{state}, {goal}] = {in_brackets(Q[state, goal])},"
@@ -81,7 +88,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         calls.append(call)
         found.append(int(action))
     for (Q, state, goal), call, action in zip(cases, calls, found, strict=True):
-        if (expected := _best(Q[state, goal])) != action:
+        if (expected := _right(Q, state, goal)) != action:
 
             def everywhere(mistake: Callable[..., int]) -> bool:
                 return all(mistake(*case) == taken for case, taken in zip(cases, found, strict=True))

@@ -36,10 +36,10 @@ def one_setting(n_switches: int, strategy: str, **settings: Any) -> Sheet:
 
 def beliefs(results: Results, methods: tuple[str, ...]) -> Sheet:
     """Return what networks believe of the best action, by the distance to the goal, beside what is true."""
-    measured = {method: values_by_distance(results, method) for method in methods}
+    measured = {method: [*values_by_distance(results, method)] for method in methods}
     n = len(next(iter(measured.values())))
-    x = np.arange(1, n + 1)
-    true = np.array([true_value(int(d)) for d in x])
+    x = [*range(1, n + 1)]
+    true = np.array([true_value(d) for d in x])
     panel = Against(
         x, measured, "what the network believes", "distance: switches that are wrong", "max Q(s, g, a)", {"true": true}
     )
