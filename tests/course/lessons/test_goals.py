@@ -89,9 +89,10 @@ def test_claims() -> None:
     long = finals({methods.NONE: [-8.0, -7.0]})
     expected = [round(value - n - best[n], 6) for n in by_size for value in (0.5, 1.0)]
     assert measured(experiments.network_claims(by_size, long)) == [*expected, *[0.0] * 3, *[1.5] * 3, 0.5]
-    random = made_up({experiments.AT_RANDOM: [{5: -8.0, 10: -6.0}] * 2})
+    curve = {0: -8.0, 5: -8.0, 10: -6.0}
+    random = made_up({experiments.RANDOM_FUTURE: [curve] * 2, experiments.RANDOM_NONE: [{10: -7.5}] * 2})
     found = measured(experiments.random_claims(random))
-    assert found == [round(-6 - best[8], 6), round(-7 - experiments.random_return(8), 6)]
+    assert found == [round(-22 / 3 - best[8], 6), round(-22 / 3 - experiments.random_return(8), 6), 0.5]
     tables = {
         n: finals({methods.NONE: [1.0 - n] * 2, methods.FUTURE: [2.0 - n, 3.0 - n]}) for n in experiments.OF_TABLES
     }

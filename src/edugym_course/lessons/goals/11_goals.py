@@ -100,9 +100,10 @@ for n in (2, 4, 6, 8, 10, 13):
 # | 2 | 110 | 0 | 010 | $-1$ | $0$ | yes |
 #
 # This is *hindsight* (Andrychowicz et al., 2017): when the episode is over, learn its steps again for a goal $g'$ that it
-# did reach. (Go-Explore of lesson 1 learned its way back to a state like that.) Two things must be true of the task. The goal has no part in the dynamics, so that the steps would have been
-# the same. And we know $r(s', g')$ for any goal, so that we can ask for the rewards. The task is not changed: the
-# question to it is. And Q-learning is off-policy (lesson 2), so it may learn from steps that were meant for another goal.
+# did reach. (Go-Explore in lesson 1 does so for every state on its path.) Two things must be true of the task. The goal
+# has no part in the dynamics, so that the steps would have been the same. And we know $r(s', g')$ for any goal, so that we
+# can ask for the rewards. The task is not changed: the question to it is. And Q-learning is off-policy (lesson 2), so it
+# may learn from steps that were meant for another goal.
 #
 # Which goals $g'$? Two strategies are usual. 'final' takes what the last step achieved. 'future' draws, for each step and $k$
 # times, one of the steps from there on, and takes what it achieved.
@@ -117,8 +118,8 @@ source(FutureGoals.achieved_after)
 source(HindsightQLearning, "learn_in_hindsight", "update")
 
 # %% [markdown]
-# (A row of its table is a pair of a state and a goal.) Here it learns from the episode above, with 'final'. All values
-# were $-9$ before, so that you see which have changed.
+# (A row of its table is a pair of a state and a goal. `reward_at_goal` is 0, and `reward_elsewhere` is $-1$.) Here it
+# learns from the episode above, with 'final'. All values were $-9$ before, so that you see which have changed.
 
 # %%
 agent = HindsightQLearning.create(
@@ -194,9 +195,9 @@ who.measured(names.get(close, "all three"))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 'final' and 'future', and 'future' gets there first. Without
-# hindsight the network has learned nothing at all, and more time does not help: after 200 000 steps it returned −7.97.
-# (The end may lie a little above the dashed line: 100 episodes happen to have somewhat nearer goals.)
+# **Measured.** 'final' and 'future', and 'future' gets there first. Without hindsight the network has learned nothing at
+# all, and more time does not help: after 200 000 steps it returned −7.97. (The end may lie a little above the dashed
+# line, if 100 episodes happen to have somewhat nearer goals.)
 # </details>
 
 # %% [markdown]
@@ -239,8 +240,8 @@ for strategy in ("no hindsight", "final", "future"):
     print(f"{strategy:12}: {methods.rewarded_share(strategy):.1%} of the transitions reach their goal")
 
 # %% [markdown]
-# The same thousand flips, but with 'future' the share is a hundred times as large. Now ask the networks what they believe: the value of the best
-# action, by how many switches are wrong. The dashed line is true.
+# With 'future' the share is a hundred times as large. Now ask the networks what they believe: the value of the best action,
+# by how many switches are wrong. The dashed line is true.
 
 # %%
 figures.beliefs(eight, ("no hindsight", "future"))
@@ -255,10 +256,10 @@ figures.beliefs(eight, ("no hindsight", "future"))
 # ## Predict, then check
 #
 # ### Is hindsight a way to explore?
-# This agent does not even try: with $\varepsilon = 1$ it flips at random from the first step to the last. So it hardly ever
-# reaches a goal while it learns, one time in 37.
+# Two agents that do not even try: with $\varepsilon = 1$ they flip at random from the first step to the last, one with
+# 'future' and one without hindsight. So both hardly ever reach their goal while they learn, one time in 37.
 #
-# **Predict.** With 'future', what can it do in the end, when it acts greedily?
+# **Predict.** In the end they act greedily. What can the one with 'future' do?
 
 # %%
 at_random = predict(
@@ -268,29 +269,28 @@ at_random = predict(
 at_random
 
 # %%
-random_flips = {"future, ε = 1": methods.network("future", exploration=EpsilonGreedy(1.0))}
-blind = methods.learn(8, random_flips)
+blind = methods.at_random()
 display(figures.learning_curves({"random flips": (8, blind)}))
+for method in blind.methods:
+    earned = blind.average(method, "training_return").mean()
+    print(f"{method}: while it learns {earned:.2f}, greedy in the end {blind.final(method).mean():.2f}")
 end = blind.final("future, ε = 1").mean()
-print(
-    f"while it learns {blind.mean('future, ε = 1', 'training_return', over='training').estimate:.2f}, greedy {end:.2f}"
-)
 at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About −3, as much as with ε = 0.1. It has flipped at random all the time, and reached its goals no more
-# often than random play. So hindsight is no exploration: it does not change one action. It makes more of the same
-# steps. And "an agent that never reaches its goal has nothing to learn from" is wrong: from each episode it learns how to
-# reach the patterns that it *did* reach, and with so many of them the network knows the way to all.
+# **Measured.** About −3, as much as with ε = 0.1. While it learned it reached its goals no more often than random play. So
+# hindsight is not a way to explore: none of these flips came from it. It makes more of the same flips, of which the other
+# agent made nothing. And "an agent that does not reach its goal has nothing to learn from" is wrong: from each episode it
+# learns how to reach the patterns that it *did* reach, and in the end the network knows the way to all.
 # </details>
 
 # %% [markdown]
 # ### Is it only more data?
-# With 'future' the memory has five times as many transitions. Perhaps that helps, and not what they are? Take as $g'$ a pattern
-# that *another* episode achieved. The memory has as many transitions as with 'future', with honest rewards, and only the goals are
-# others. (In the code these goals come from steps before the episode, a negative number.)
+# With 'future' the memory has five times as many transitions. Perhaps that helps, and not what they are? Take as $g'$ a
+# pattern that *another* episode achieved. The memory has as many transitions as with 'future', with honest rewards, and
+# only the goals are others. (In the code these goals come from steps before the episode, a negative number.)
 
 # %%
 source(methods.OtherEpisodes.achieved_after)
@@ -431,7 +431,8 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # ## What you saw
 #
 # - With eight switches random play reaches its goal in one of 37 episodes, and a network without hindsight learned nothing.
-# - With hindsight, 'final' or 'future', it came to the best return. It did so even when all its flips were random.
+# - With hindsight, 'final' or 'future', it came to the best return. With 'future' it did so even when all its flips were
+#   random.
 # - With goals that were *not* achieved the effect was gone.
 # - A table gained little: it learns each pair of a state and a goal by itself.
 #

@@ -1,6 +1,6 @@
 """The exercises of lesson 11: the greedy action for a goal, 'final', and the goals of 'future'."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from itertools import combinations
 from typing import Any
@@ -224,11 +224,11 @@ def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
     with student_code(call):
         found = answer(mine)
         given(call, found)
-        found = [*found]
+        found = [*found] if isinstance(found, Iterable) else [found]
     if mine != steps:
         raise WrongAnswer(f"{call} changes its list `steps`; make a new list")
     for one in found:
-        if not isinstance(one, tuple | list) or len(one) != 6:
+        if not isinstance(one, tuple | list | np.ndarray) or len(one) != 6:
             raise WrongAnswer(
                 f"{call} should give a list of transitions (state, goal, action, reward, next_state, terminated), but"
                 f" one of them is {one!r}"

@@ -13,6 +13,7 @@ from edugym.adapters.registration import make_mdp
 from edugym.agents.hindsight import FinalGoal, FutureGoals, Hindsight, NoHindsight
 from edugym.agents.hindsight_dqn import HindsightDQN
 from edugym.agents.hindsight_q_learning import HindsightQLearning
+from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.switches import Panel, Switches
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
@@ -85,6 +86,14 @@ def learn(n_switches: int, methods: Mapping[str, Maker], n_steps: int = N_STEPS,
 def networks(n_switches: int = N_SWITCHES, strategies: tuple[str, ...] = (NONE, FUTURE, FINAL), **how: Any) -> Results:
     """Train networks with some strategies of hindsight; other arguments as in `learn`."""
     return learn(n_switches, {strategy: network(strategy) for strategy in strategies}, **how)
+
+
+def at_random(**how: Any) -> Results:
+    """Train networks that flip at random as long as they learn, with 'future' and without hindsight; as in `learn`."""
+    random = EpsilonGreedy(1.0)
+    return learn(
+        N_SWITCHES, {f"{strategy}, ε = 1": network(strategy, exploration=random) for strategy in (NONE, FUTURE)}, **how
+    )
 
 
 def tables(n_switches: int = N_SWITCHES, strategies: tuple[str, ...] = (NONE, FUTURE), **how: Any) -> Results:

@@ -192,3 +192,9 @@ def final(steps):
 # %% what the function returns
 # says: final should be a function of steps, but is of the type list
 final = []
+
+
+# %% a single number
+# says: but one of them is 3
+def final(steps):
+    return 3
