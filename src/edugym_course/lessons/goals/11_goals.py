@@ -341,7 +341,7 @@ tabular.measured(both.final("future").mean())
 # 75 000 updates for its 524 288 numbers, and each tells of one pair alone. The network had the same transitions, and knows the way for all
 # pairs. So it has *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others
 # are. For a table hindsight saves some steps where most pairs can be visited. With six switches and 50 000 steps it returned
-# −3.0 instead of −3.8.
+# −3.0 instead of −3.9.
 # </details>
 
 # %% [markdown]
