@@ -25,6 +25,7 @@ class ChoiceCase(NamedTuple):
         mistakes: by the sentence that tells of it, the probabilities that each mistake gives.
         tables: the arrays of the agent by name, which choosing must not change.
         where: the case, for the sentence: "where tries[2] = [1, 0]".
+        noun: what is chosen, if it is no action.
     """
 
     choose: Callable[[np.random.Generator], Any]
@@ -32,6 +33,7 @@ class ChoiceCase(NamedTuple):
     mistakes: Mapping[str, Sequence[float]]
     tables: Mapping[str, Any]
     where: str
+    noun: str = "action"
 
 
 def check_choices(
@@ -42,9 +44,10 @@ def check_choices(
     *,
     tables: Mapping[str, Any],
     where: str,
+    noun: str = "action",
 ) -> None:
     """Check how often each action is chosen, in one case: see `ChoiceCase` and `check_all_choices`."""
-    check_all_choices(call, [ChoiceCase(choose, expected, mistakes, tables, where)])
+    check_all_choices(call, [ChoiceCase(choose, expected, mistakes, tables, where, noun)])
 
 
 def check_all_choices(call: str, cases: Sequence[ChoiceCase]) -> None:
@@ -69,7 +72,8 @@ def check_all_choices(call: str, cases: Sequence[ChoiceCase]) -> None:
         if not _fits(shares, case.expected):
             why = _why(call, case, shares, contradicted, cases[number + 1 :])
             raise WrongAnswer(
-                f"{call}, {case.where}, should choose {_told(case.expected)}, but it chooses {_told(shares)}{why}"
+                f"{call}, {case.where}, should choose {_told(case.expected, case.noun)}, but it chooses"
+                f" {_told(shares, case.noun)}{why}"
             )
         if first != second:
             raise WrongAnswer(
@@ -102,32 +106,33 @@ def _shares(draws: Sequence[int], case: ChoiceCase) -> Any:
     return np.bincount(draws, minlength=len(case.expected)) / DRAWS
 
 
-def action_of(call: str, value: Any, n_actions: int) -> int:
-    """Return an action as an int.
+def action_of(call: str, value: Any, n_actions: int, noun: str = "action") -> int:
+    """Return an action, or what else is numbered, as an int.
 
     Raises:
         WrongAnswer: it is not one of 0, 1, ..., n_actions - 1.
     """
     given(call, value)
+    a_noun = f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
         kind = "an array" if isinstance(value, np.ndarray) else f"{value!r}"
         hint = ""
         if isinstance(value, np.ndarray | list | tuple):
             hint = ": return one of its entries, drawn with rng.choice"
         elif isinstance(value, float | np.floating):
-            hint = ": an action is the *index* of a value (if it is the index, int(...) makes it whole)"
+            hint = f": {a_noun} is the *index* of a value (if it is the index, int(...) makes it whole)"
         elif isinstance(value, bool | np.bool_):
             hint = ": np.flatnonzero(...) gives the indices at which a comparison is true"
-        raise WrongAnswer(f"{call} should give the number of an action, a whole number, but gives {kind}{hint}")
+        raise WrongAnswer(f"{call} should give the number of {a_noun}, a whole number, but gives {kind}{hint}")
     if not 0 <= value < n_actions:
-        raise WrongAnswer(f"{call} should give an action from 0 to {n_actions - 1}, but gives {value}")
+        raise WrongAnswer(f"{call} should give {a_noun} from 0 to {n_actions - 1}, but gives {value}")
     return int(value)
 
 
 def _draw(call: str, case: ChoiceCase) -> list[int]:
     rng = np.random.default_rng(0)
     with student_code(call):
-        return [action_of(call, case.choose(rng), len(case.expected)) for _ in range(DRAWS)]
+        return [action_of(call, case.choose(rng), len(case.expected), case.noun) for _ in range(DRAWS)]
 
 
 def _fits(shares: Any, probabilities: Sequence[float]) -> bool:
@@ -141,9 +146,9 @@ def _distance(shares: Any, probabilities: Sequence[float]) -> float:
     return float(np.abs(np.asarray(shares) - np.asarray(probabilities)).sum())
 
 
-def _told(probabilities: Any) -> str:
+def _told(probabilities: Any, noun: str) -> str:
     """Return actions and their probabilities in words: "action 1", "action 0 in 48 % and action 1 in 52 % of calls"."""
     some = [(action, share) for action, share in enumerate(probabilities) if share > 0]
     if len(some) == 1:
-        return f"action {some[0][0]}"
-    return " and ".join(f"action {action} in {share:.0%}" for action, share in some) + " of calls"
+        return f"{noun} {some[0][0]}"
+    return " and ".join(f"{noun} {action} in {share:.0%}" for action, share in some) + " of calls"

@@ -78,7 +78,7 @@ def test_how_far_a_mistake_may_be_rounded(value: float, doubled: bool) -> None:
     """By two thousandths of it; what is nearer to the right number is no mistake at all."""
     with pytest.raises(WrongAnswer, match="it is doubled$" if doubled else "none of the usual mistakes"):
         compare("x", value, 0.5, {"it is doubled": 1.0})
-    with pytest.raises(WrongAnswer, match="^(?!.*it is nearly right)"):
+    with pytest.raises(WrongAnswer, match=r"^(?!.*it is nearly right)"):
         compare("x", value, value - 1e-6, {"it is nearly right": value + 1e-5})
     with pytest.raises(WrongAnswer, match="but rounded"):
         compare("x", 1.0, 1.0 - 2**-10, {"it is as far away": 1.0 + 2**-10})

@@ -593,8 +593,9 @@ check(project_0, my_program)
 # update the value of what is far away comes back by one state. *Now say this in your own words.*
 #
 # ### What comes next
-# The shop was easy in many ways. Each of the next lessons takes one of them away; below are their environments. In lesson 10
-# you write your own: states, actions, and a reward that says what you mean.
+# The shop was easy in many ways. Each of the next nine lessons takes one of them away; below are their environments. In lesson
+# 10 you write your own: states, actions, and a reward that says what you mean. And in lesson 11 the goal is another one in each
+# episode.
 
 # %%
 figures.nine_challenges()
