@@ -101,7 +101,7 @@ def compare(
         return found
     near = {sentence: abs(found - wrong) for sentence, wrong in mistakes.items() if _looks_like(found, wrong, expected)}
     if tolerance is None and says is None and _rounded(found, expected):
-        otherwise = "that is the right number, but rounded: give it as it is, without round() or int()"
+        otherwise = "is it rounded? Give the number as it is, without round(), int() or //"
     why = min(near, key=lambda sentence: near[sentence]) if near else otherwise
     told = says(found) if says else f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(f"{told}: {why}")

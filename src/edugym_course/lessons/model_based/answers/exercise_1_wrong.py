@@ -137,6 +137,6 @@ def smallest_error(v, gamma):
 
 
 # %% rounded
-# says: that is the right number, but rounded: give it as it is, without round() or int()
+# says: is it rounded? Give the number as it is, without round(), int() or //
 def smallest_error(v, gamma):
     return round(1 + (1 - gamma) * v, 1)

@@ -186,7 +186,7 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 
 
 # %% rounded
-# says: that is the right number, but rounded: give it as it is, without round() or int()
+# says: is it rounded? Give the number as it is, without round(), int() or //
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0.0 if terminated else potential(next_state)
     gain = discount * after - potential(state)
