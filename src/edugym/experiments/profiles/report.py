@@ -99,7 +99,8 @@ def said(profile: Profile, challenge: str) -> Said:
         for words, agents in outcomes.items()
     ]
     best = best_agents(profile, challenge)
-    take = listed(best) if best else "nobody"
+    entered = any(profile.score(agent, challenge).n for agent in profile.agents)
+    take = listed(best) if best else "nobody" if entered else "nobody can enter"
     if best and (score := profile.score(best[0], challenge).estimate) < HALF:
         take = f"nobody is good; the best score is {rounded(score)}, of {best[0]}"
     sentence = f"{ladder.strength[:1].upper()}{ladder.strength[1:]}: {'; '.join(parts)}."
