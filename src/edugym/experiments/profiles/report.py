@@ -130,6 +130,11 @@ def of_score(score: Interval) -> str:
     return f"{rounded(score.estimate)} [{rounded(score.low)},\N{NO-BREAK SPACE}{rounded(score.high)}]"
 
 
+def with_margin(score: Interval) -> str:
+    """A score with the half of its interval, such as 0.37 ± 0.05, which no line break parts."""
+    return f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}".replace(" ", "\N{NO-BREAK SPACE}")
+
+
 def rounded(number: float) -> str:
     """A number with two digits, where 0 has no sign."""
     return f"{round(number, 2) + 0.0:.2f}"
