@@ -14,7 +14,7 @@ from textwrap import fill
 from edugym import Profile
 from edugym.adapters.registration import in_course_order
 from edugym.experiments.profiles.pictures import written
-from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, rounded, said
+from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, said, with_margin
 from edugym.experiments.profiles.scores import HALF
 from edugym_course import agent_profiles
 
@@ -106,7 +106,7 @@ def score(profile: Profile, agent: str, challenge: str) -> str:
     found = profile.score(agent, challenge)
     if not found.n:
         return absent(profile, agent, challenge)
-    text = f"{rounded(found.estimate)} ± {rounded(found.high - found.estimate)}"
+    text = with_margin(found)
     return f"**{text}**" if agent in best_agents(profile, challenge) and found.estimate >= HALF else text
 
 

@@ -15,7 +15,7 @@ from repository import REPOSITORY
 
 import edugym
 from edugym import Profile
-from edugym.experiments.profiles.report import best_agents, outcome, rounded
+from edugym.experiments.profiles.report import best_agents, outcome, with_margin
 from edugym_course import agent_profiles
 
 PAGE = """\
@@ -117,11 +117,11 @@ def _fares(name: str) -> Iterator[str]:
             yield f":::{{container}} ladder\n{link}, {about.challenge}: {says}\n:::"
             continue
         words = f"it {outcome(stored, name, challenge).of_one} ({about.strength})."
-        numbers = f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}"
         best = _best(challenge)
         beside = "No agent of the package does better." if name in best else f"The best is {best[0]}."
         picture = ladder(stored, name, challenge, f"{challenge}: {words} {beside}")
-        yield f":::{{container}} ladder\n{link}, {about.challenge}: {numbers}; {words} {beside}\n\n{picture}\n:::"
+        sentence = f"{link}, {about.challenge}: {with_margin(score)}; {words} {beside}"
+        yield f":::{{container}} ladder\n{sentence}\n\n{picture}\n:::"
 
 
 @cache

@@ -45,7 +45,7 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
     profile = Profile(
         pandas.DataFrame(rows), (LADDER,), ("good", "blank", "new"), {"blank": {"Boulder": "it is afraid"}}
     )
-    page = loaded().page(profile, {"blank": ["Boulder"]})
+    page = loaded().page(profile, {"blank": ["Boulder"]}).replace("\N{NO-BREAK SPACE}", " ")
     score, broken, take = cells
     for line in (f"| good | {score} |", f"| good | {broken} |", f"| {take} |", "| blank | – |", "| new | ? |"):
         assert line in page

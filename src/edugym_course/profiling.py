@@ -58,7 +58,7 @@ def profile_and_report(agents: list[str], tuned: list[str], output: Path, how: d
 
 def _profiles(agents: dict[str, Any], tuned: list[str], how: dict[str, Any]) -> Profile:
     """The profile of agents as they are given and, beside it, that with settings of their choice."""
-    grids = arguments.grids(agents, tuned) if tuned else {}  # first: what is wrong is said at once
+    grids = arguments.grids(agents, tuned) if tuned else {}  # first: what is misspelt is said at once
     found = profile(agents, **how)
     return with_untuned(found, tuned_profile(grids, **how)) if grids else found
 

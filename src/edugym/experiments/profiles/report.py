@@ -99,7 +99,8 @@ def said(profile: Profile, challenge: str) -> Said:
         for words, agents in outcomes.items()
     ]
     best = best_agents(profile, challenge)
-    take = listed(best) if best else "nobody"
+    entered = any(profile.score(agent, challenge).n for agent in profile.agents)
+    take = listed(best) if best else "nobody" if entered else "nobody can enter"
     if best and (score := profile.score(best[0], challenge).estimate) < HALF:
         take = f"nobody is good; the best score is {rounded(score)}, of {best[0]}"
     sentence = f"{ladder.strength[:1].upper()}{ladder.strength[1:]}: {'; '.join(parts)}."
@@ -127,6 +128,11 @@ def of_score(score: Interval) -> str:
     if not math.isfinite(score.low):
         return rounded(score.estimate)
     return f"{rounded(score.estimate)} [{rounded(score.low)},\N{NO-BREAK SPACE}{rounded(score.high)}]"
+
+
+def with_margin(score: Interval) -> str:
+    """A score with the half of its interval, such as 0.37 ± 0.05, which no line break parts."""
+    return f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}".replace(" ", "\N{NO-BREAK SPACE}")
 
 
 def rounded(number: float) -> str:
