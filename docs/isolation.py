@@ -23,12 +23,10 @@ from edugym import (
     DiscreteActions,
     Discretised,
     FrameStack,
-    GaussianActorCritic,
     Hashed,
     Interval,
     Profile,
     QLearning,
-    TileCoding,
     mean_interval,
 )
 from edugym.experiments.figures.style import dress, to_bytes
@@ -38,7 +36,7 @@ from edugym.experiments.profiles.report import rounded
 from edugym.rendering.palette import INK
 from edugym.system.files import write_whole
 from edugym_course import agent_profiles
-from edugym_course.agent_profiles import REPETITIONS
+from edugym_course.agent_profiles import REPETITIONS, WRIST, on_tiles
 
 PAGE, DATA = Path(__file__).parent / "isolation.md", Path(__file__).parent / "isolation.json"
 UNFINISHED = DATA.with_suffix(".unfinished")
@@ -48,8 +46,6 @@ NO_CHANGE = 0.1
 """A remedy changes little where the whole interval of its gain lies within this much of 0."""
 DIGITS = 4
 CAPACITY = 200_000
-WRIST = (1, 1, 9, 9, 1, 1, 2)
-"""Cells over the wrist of Trashbot's arm and what it holds, as in docs/agents.py: seven numbers have too many."""
 
 
 def table(mdp: Any) -> Any:
@@ -65,11 +61,6 @@ def binned(mdp: Any) -> Any:
 def remembered(mdp: Any) -> Any:
     """The last four observations, for a table of what occurs."""
     return Hashed.create(FrameStack.create(mdp, 4), CAPACITY)
-
-
-def on_tiles(environment: Any) -> GaussianActorCritic:
-    """An actor-critic with real-valued actions, with the cells of the table."""
-    return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))
 
 
 class Remedy(NamedTuple):

@@ -34,6 +34,8 @@ from typing import Any
 
 import jupytext
 import nbformat
+import times
+from asides import with_asides
 from nbclient import NotebookClient
 from nbclient.exceptions import CellControlSignal, DeadKernelError
 from nbformat import NotebookNode
@@ -110,7 +112,7 @@ def read_lesson(source: Path) -> NotebookNode:
 
     Returns:
         What the editions share: a notebook with marks and solutions, ids set by position, a second cell that installs
-        the package, and a last one that asks for feedback.
+        the package, a last one that asks for feedback, folded asides, and the times that all of it takes.
 
     Raises:
         LessonError: Names every rule that the lesson breaks, and where.
@@ -118,11 +120,12 @@ def read_lesson(source: Path) -> NotebookNode:
     lesson: NotebookNode = jupytext.reads(source.read_text(encoding="utf-8"), fmt="py:percent")
     lesson.metadata = METADATA
     lesson.cells.insert(1, new_code_cell(INSTALL, metadata=INSTALL_METADATA))
-    lesson.cells.append(new_markdown_cell(CLOSING.format(name=source.stem)))
+    lesson.cells = [*with_asides(lesson.cells), new_markdown_cell(CLOSING.format(name=source.stem))]
     for position, cell in enumerate(lesson.cells):
         cell.id = f"cell-{position:03d}"
     if found := problems(lesson.cells):
         raise LessonError("\n".join(f"{source.name}: {problem}" for problem in found))
+    times.announce(lesson.cells)
     return lesson
 
 

@@ -8,7 +8,9 @@ import ast
 import re
 from collections.abc import Iterator, Sequence
 
+from asides import aside_problems
 from nbformat import NotebookNode
+from times import TIME, length_problems
 
 from edugym_course.teaching.marks import MARKED
 from edugym_course.teaching.marks import is_check as is_check
@@ -20,7 +22,7 @@ from edugym_course.teaching.marks import without_solutions as without_solutions
 
 # The headings of a lesson, in order: how each begins, what its text must contain, and whether code belongs to it.
 SHAPE: list[tuple[str, tuple[str, ...], bool]] = [
-    ("# ", ("**The challenge.**", "**You will be able to**", "**Time.**", "**Before you start.**"), False),
+    ("# ", ("**The challenge.**", "**You will be able to**", TIME, "**Before you start.**"), False),
     ("## Meet the environment", (), True),
     ("## The idea", ("$",), True),
     ("## The experiment", (), True),
@@ -44,7 +46,7 @@ def problems(cells: Sequence[NotebookNode]) -> list[str]:
     """Everything that is wrong with a lesson; rules about several cells are looked at once each cell is in order."""
     found = [problem for cell in cells for problem in cell_problems(cell)]
     if not found:
-        for rule in (section_problems, exercise_problems, project_problems, prediction_problems, widget_problems):
+        for rule in RULES:
             found.extend(rule(cells))
     return found
 
@@ -151,3 +153,14 @@ def widget_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:
             shown = ast.unparse(call.args[0]) if call.args else "a decorated function"
             if shown not in plain:
                 yield f"{where(cell)}: the widget calls {shown}; give it a named function, and call that once outside"
+
+
+RULES = (
+    section_problems,
+    exercise_problems,
+    project_problems,
+    prediction_problems,
+    widget_problems,
+    aside_problems,
+    length_problems,
+)

@@ -1,19 +1,22 @@
-"""A page for each agent, from its docstring, its code, the lessons that use it, and what it was measured to return."""
+"""A page for each agent, from its docstring, its code, the lessons that use it, and its stored profile."""
 
 import ast
 import inspect
-import json
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 from docstrings import described, markdown, source, summary
+from ladders import ladder
 from lesson_pages import Lesson
-from repository import REPOSITORY, ROOT
+from repository import REPOSITORY
 
 import edugym
-from edugym.adapters.registration import in_course_order
+from edugym import Profile
+from edugym.experiments.profiles.report import best_agents, outcome, with_margin
+from edugym_course import agent_profiles
 
 PAGE = """\
 # {name}
@@ -28,14 +31,18 @@ The whole file: [`{path}`]({repository}/blob/main/{path}).
 
 {details}
 
-## Where it works
+## What it is good at
 
-This is what {name} returned after 100,000 training steps at its defaults, in the environments that it fits.
+For every environment there is a ladder of tasks, from easy to hopeless. A score of 1 means that {name}, at its
+defaults, learns to play a task as well as can be, 0 that it plays no better than at random. The number behind the name
+of an environment is the mean over its ladder, with a 95 % interval. Grey lines are the other agents.
 [All agents side by side](index.md) says how this was measured.
 
-| environment | return | best possible |
-|---|---|---|
-{works}
+::::{{container}} ladders
+
+{profile}
+
+::::
 
 ## In the lessons
 
@@ -48,8 +55,7 @@ This is what {name} returned after 100,000 training steps at its defaults, in th
 SHOWN = ("learn", "act")
 """The methods that are the algorithm."""
 
-MEASURED = json.loads((ROOT / "docs" / "agents.json").read_text(encoding="utf-8"))
-AGENTS: dict[str, Any] = {name: getattr(edugym, name) for name in MEASURED["cells"]}
+AGENTS: dict[str, Any] = {name: getattr(edugym, name) for name in agent_profiles.agents()}
 
 
 def place(kind: Any) -> str:
@@ -74,7 +80,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         code=f"```python\n{code}\n```",
         path=path,
         repository=REPOSITORY,
-        works="\n".join(_works(name)),
+        profile="\n\n".join(_fares(name)),
         lessons="\n".join(_used(name, lessons))
         or "No lesson uses it. Try it in one of them, in place of another agent.",
         reference=described(name, kind, docstring=summary(kind)),
@@ -99,13 +105,37 @@ def helpers(kind: Any) -> Iterator[str]:
                 yield source(found)
 
 
-def _works(name: str) -> Iterator[str]:
-    for entry in in_course_order():
-        if entry.name in MEASURED["cells"][name]:
-            best = MEASURED["bounds"][entry.name].get("best")
-            returned = MEASURED["cells"][name][entry.name]["return"]
-            link = f"[{entry.name}](../environments/{entry.name.lower()}.md)"
-            yield f"| {link} | {returned:.3g} | {'' if best is None else f'{best:.3g}'} |"
+def _fares(name: str) -> Iterator[str]:
+    """How an agent fares in each environment: a sentence and a picture, or why it cannot enter."""
+    stored = _stored()
+    for challenge in stored.challenges:
+        link = f"**[{challenge}](../environments/{challenge.lower()}.md)**"
+        about, score = stored.ladder(challenge), stored.score(name, challenge)
+        if score.n == 0:
+            why = stored.blank[name].get(challenge)
+            says = f"it cannot enter: {why}." if why else "it is not measured."
+            yield f":::{{container}} ladder\n{link}, {about.challenge}: {says}\n:::"
+            continue
+        words = f"it {outcome(stored, name, challenge).of_one} ({about.strength})."
+        best = _best(challenge)
+        beside = "No agent of the package does better." if name in best else f"The best is {best[0]}."
+        picture = ladder(stored, name, challenge, f"{challenge}: {words} {beside}")
+        sentence = f"{link}, {about.challenge}: {with_margin(score)}; {words} {beside}"
+        yield f":::{{container}} ladder\n{sentence}\n\n{picture}\n:::"
+
+
+@cache
+def _stored() -> Profile:
+    """The stored profiles; the website needs them."""
+    found = agent_profiles.load()
+    assert found is not None
+    return found
+
+
+@cache
+def _best(challenge: str) -> list[str]:
+    """The agents to take for a challenge."""
+    return best_agents(_stored(), challenge)
 
 
 def _used(name: str, lessons: list[Lesson]) -> Iterator[str]:

@@ -14,10 +14,11 @@ from collections.abc import Iterator
 from importlib.metadata import distribution
 from pathlib import Path
 
+import codemirror
 import draws
+import npm
 
 HERE = Path(__file__).parent
-PACKAGES = HERE / "build" / "npm"
 PYODIDE, NUMPY = "pyodide@0.27.7", "@emscripten-forge/numpy@2.0.1-py312h4e66579-0"
 """This Pyodide is the last one whose Python has a NumPy on npm."""
 FILES = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
@@ -48,45 +49,28 @@ BACKTRACE = bytes.fromhex(
 
 
 def build(folder: Path) -> dict[str, int] | None:
-    """Write the files into a folder.
+    """Write the files into a folder, and those of the field in which a reader edits into `codemirror` beside it.
 
     Returns:
         The sizes of those that the browser fetches, in bytes; None if npm does not answer.
     """
     try:
-        pyodide, numpy = _fetched(PYODIDE), _fetched(NUMPY)
+        pyodide, numpy = npm.fetched(PYODIDE), npm.fetched(NUMPY)
+        codemirror.build(folder.with_name("codemirror"))
     except (OSError, subprocess.SubprocessError):
-        shutil.rmtree(folder, ignore_errors=True)
+        for one in (folder, folder.with_name("codemirror")):
+            shutil.rmtree(one, ignore_errors=True)
         return None
     folder.mkdir(parents=True, exist_ok=True)
     with tarfile.open(pyodide) as archive:
         for name in FILES:
-            (folder / name).write_bytes(_read(archive, f"package/{name}"))
+            (folder / name).write_bytes(npm.content(archive, f"package/{name}"))
     with zipfile.ZipFile(folder / "packages.zip", "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packages:
         for name, content in {**dict(_numpy(numpy)), **dict(_installed()), **dict(_own())}.items():
             packages.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
     (folder / "draws.wasm").write_bytes(draws.module())
     (folder / "draws.json").write_text(json.dumps(draws.tables()))
     return {file.name: file.stat().st_size for file in sorted(folder.iterdir())}
-
-
-def _fetched(package: str) -> Path:
-    """The archive of a package of npm, which is fetched once."""
-    PACKAGES.mkdir(parents=True, exist_ok=True)
-    wanted = PACKAGES / f"{package.strip('@').replace('/', '-').replace('@', '-')}.tgz"
-    if not wanted.exists():
-        npm = ["npm", "pack", "--json", "--pack-destination", str(PACKAGES), package]
-        told = subprocess.run(npm, capture_output=True, check=True, timeout=300, text=True).stdout
-        made = PACKAGES / json.loads(told)[0]["filename"].replace("@", "").replace("/", "-")
-        made.replace(wanted)
-    return wanted
-
-
-def _read(archive: tarfile.TarFile, name: str) -> bytes:
-    file = archive.extractfile(name)
-    if file is None:
-        raise OSError(f"{name} is not in the archive")
-    return file.read()
 
 
 def _numpy(package: Path) -> Iterator[tuple[str, bytes]]:
@@ -97,7 +81,7 @@ def _numpy(package: Path) -> Iterator[tuple[str, bytes]]:
             for member in inner:
                 path = member.name.removeprefix("./")
                 if member.isfile() and path.startswith(SITE) and not UNUSED.search(path):
-                    yield path.removeprefix(SITE), _read(inner, member.name)
+                    yield path.removeprefix(SITE), npm.content(inner, member.name)
 
 
 def _installed() -> Iterator[tuple[str, bytes]]:

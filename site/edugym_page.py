@@ -5,18 +5,28 @@
 
 import ast
 import linecache
+import math
+import time
 import traceback
 import warnings
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 import edugym
+from edugym.checks.contract import contract_of, tables_of
 from edugym.compiled.javascript import program as javascript
 from edugym.compiled.javascript.libraries import LIBM
+from edugym.mdp.task import table_size
 
 FILE = "<ipython-page>"
 """Like a cell of a notebook: messages name its lines without it."""
+PAUSE = 0.1
+"""Seconds between two pictures."""
+SHARE = 10
+"""At least so many times as long as a picture takes, no other is made."""
+Show = Callable[[Any, Any], Any]
 NAMES = {"edugym": edugym, "np": np, "NamedTuple": NamedTuple, "__name__": "__main__"}
 
 
@@ -55,7 +65,54 @@ class Browser:
         return int(rng.bit_generator.ctypes.state_address)
 
 
-def run(source: str, task: str, n_steps: int, seed: int, episodes: int) -> dict[str, Any]:
+class Watch:
+    """Shows what an agent knows while `train` asks it, between two short calls, whether to stop. It never says so.
+
+    Args:
+        mdp: the task.
+        agent: the agent.
+        n_steps: how many steps it will be trained for.
+        show: is given flat arrays: the visits of all rows of the table, and the action values, none if it has no such
+            table.
+
+    Attributes:
+        agent: the agent; its visits are counted where it has a table.
+    """
+
+    def __init__(self, mdp: Any, agent: Any, n_steps: int, show: Show) -> None:
+        """See the class."""
+        contract = contract_of(agent)
+        self._agent, self._show, self._next = contract.agent, show, -math.inf
+        self.agent = edugym.record_visits(agent, mdp, n_steps, n_intervals=1) if contract.tabular else agent
+        self._shape = table_size(mdp) if contract.tabular else None
+
+    def is_set(self) -> bool:
+        """Show it, some times a second."""
+        began = time.perf_counter()
+        if began > self._next:
+            self.show()
+            now = time.perf_counter()
+            self._next = now + max(PAUSE, SHARE * (now - began))
+        return False
+
+    def set(self) -> None:
+        """The page stops a run by ending the worker."""
+
+    def show(self) -> None:
+        """Show visits and values as they are now."""
+        if self._shape is not None:
+            self._show(np.array(self.agent.visits[0], np.float64), self._values())
+
+    def _values(self) -> Any:
+        """The action values by its fields' names; Go-Explore's are those of the goal that is its best state so far."""
+        tables = tables_of(self._agent)
+        Q = tables.get("Q", next(iter(tables.values()), np.zeros(0)))
+        if Q.ndim == 3 and hasattr(self._agent, "best_state"):
+            Q = Q[self._agent.best_state[0]]
+        return np.array(Q if Q.shape == self._shape else np.zeros(0), np.float64).ravel()
+
+
+def run(source: str, task: str, n_steps: int, seed: int, episodes: int, show: Show) -> dict[str, Any]:
     """Train the agent of a reader's program.
 
     Args:
@@ -64,6 +121,7 @@ def run(source: str, task: str, n_steps: int, seed: int, episodes: int) -> dict[
         n_steps: how many steps to train.
         seed: of the run.
         episodes: the evaluation episodes of each point of the curve.
+        show: is told what the agent knows, again and again, see `Watch`.
 
     Returns:
         The learning `curve`, the `seconds` that it took, and what was `said`; or an `error` and its `line`.
@@ -78,20 +136,39 @@ def run(source: str, task: str, n_steps: int, seed: int, episodes: int) -> dict[
             exec(compile(source, FILE, "exec"), space)
             if "agent" not in space:
                 return {"error": "The code must make an agent, as in its last line: agent = ...", "line": None}
-            done = edugym.train(space["mdp"], space["agent"], n_steps, seed=seed, evaluation_episodes=episodes)
-        except Exception as error:
+            mdp = space["mdp"]
+            watch = Watch(mdp, with_64_bits(space["agent"]), n_steps, show)
+            done = edugym.train(mdp, watch.agent, n_steps, seed=seed, evaluation_episodes=episodes, stop=watch)
+            watch.show()
+        except (Exception, SystemExit, KeyboardInterrupt) as error:
             return {"error": _told(error), "line": _line(error)}
     points = zip(done.steps.tolist(), done.returns.tolist(), strict=True)
     said = [str(one.message) for one in caught if issubclass(one.category, UserWarning)]
     return {"curve": [list(point) for point in points], "seconds": done.seconds, "said": said}
 
 
-def _told(error: Exception) -> str:
+def with_64_bits(value: Any) -> Any:
+    """The agent, with whole numbers of 64 bits in its arrays, as `np.zeros(n, int)` has them outside a browser."""
+    known = dict[int, Any]()
+
+    def changed(part: Any) -> Any:
+        if isinstance(part, np.ndarray) and part.dtype == np.int32:
+            return known.setdefault(id(part), part.astype(np.int64))
+        if isinstance(part, tuple) and hasattr(part, "_fields"):
+            return tuple.__new__(type(part), map(changed, tuple.__iter__(part)))
+        return part
+
+    return changed(value)
+
+
+def _told(error: BaseException) -> str:
     text = error.msg if isinstance(error, SyntaxError) else str(error)
-    return f"{type(error).__name__}: {text}"
+    if isinstance(error, ModuleNotFoundError):
+        text += ". The page has edugym, numpy and the modules of Python itself"
+    return f"{type(error).__name__}: {text}".removesuffix(": ")
 
 
-def _line(error: Exception) -> int | None:
+def _line(error: BaseException) -> int | None:
     """The last line of the reader's code on the way to an error."""
     if isinstance(error, SyntaxError):
         return error.lineno

@@ -19,6 +19,9 @@ NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
 LIVE = "*In JupyterLab these controls are live.*"
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
+FOLD = '<details class="aside"><summary>Show this aside</summary>'
+FOLD_ENDS = "</details><!-- of the aside -->"
+"""It ends otherwise than the folds inside of it, so that `projected_pages` can leave all of it out."""
 IMAGES = {"image/svg+xml": "svg", "image/png": "png"}
 
 
@@ -49,11 +52,19 @@ def lesson(path: Path) -> Lesson:
     executed = json.loads((NOTEBOOKS / "solutions" / path.name).read_text(encoding="utf-8"))["cells"]
     outputs = {cell["id"]: (_source(cell), cell.get("outputs", [])) for cell in executed}
     heading, text, figures = "", list[str](), dict[str, bytes]()
+    folded = False
     for cell in cells:
         source = _source(cell)
+        opens = "jp-MarkdownHeadingCollapsed" in cell["metadata"]
+        if folded and (opens or "aside" not in cell["metadata"].get("tags", [])):
+            text.append(FOLD_ENDS)
+            folded = False
         if cell["cell_type"] == "markdown":
             heading = [heading, *re.findall(r"^#+ (.*)$", source, re.MULTILINE)][-1]
             text.append(with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}"))
+            if opens:
+                text.append(FOLD)
+                folded = True
             continue
         if cell["metadata"].get("jupyter", {}).get("source_hidden"):
             continue

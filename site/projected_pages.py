@@ -6,13 +6,14 @@ All of it is taken from the lesson, by the headings and marks that every lesson 
 import re
 from itertools import pairwise
 
-from lesson_pages import Lesson
+from lesson_pages import FOLD, FOLD_ENDS, Lesson
 
 CHALLENGE = re.compile(r"\*\*The challenge\.\*\* (.*?)\n\n", re.DOTALL)
 PICTURE = re.compile(r"^!\[.*\)(?:\{\.wide\})?$", re.MULTILINE)
 EQUATION = re.compile(r"^### [^\n]*$|^\$\$\n.*?^\$\$$", re.MULTILINE | re.DOTALL)
 QUESTION = re.compile(r'^<fieldset class="prediction">.*</fieldset>$', re.MULTILINE)
 MEASURED = re.compile(r'<details class="measured">.*?</details>', re.DOTALL)
+ASIDE = re.compile(rf"^### [^\n]*\n\n{re.escape(FOLD)}.*?{re.escape(FOLD_ENDS)}$\n*", re.MULTILINE | re.DOTALL)
 PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
 
@@ -27,8 +28,9 @@ def pages(lessons: list[Lesson]) -> dict[str, str]:
 
 
 def page(lesson: Lesson) -> str:
-    """Return what to project of a lesson."""
-    sections = {part.partition(":")[0]: part for part in re.split(r"^## ", lesson.text, flags=re.MULTILINE)}
+    """Return what to project of a lesson; nothing of it comes from an aside."""
+    path = ASIDE.sub("", lesson.text)
+    sections = {part.partition(":")[0]: part for part in re.split(r"^## ", path, flags=re.MULTILINE)}
     task, idea = sections["Meet the environment"], sections["The idea"]
     bet = next(part for part in sections.values() if QUESTION.search(part) and MEASURED.search(part))
     question = _first(QUESTION, bet).replace("Your prediction. ", "", 1)

@@ -296,4 +296,5 @@ SUPERMARKET = Race(
 )
 
 RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET)
-"""One for each environment that has a lesson, in the order of the lessons."""
+"""One for each environment that has a lesson, in the order of the lessons; but none for Switches, whose patterns are
+drawn by `rng.integers`, which kernels do not have."""

@@ -5,7 +5,7 @@
 #
 # **You will be able to** explain ...; write ...; predict ...
 #
-# **Time.** 45 minutes. **Before you start.** You should know ... (Sutton and Barto, 2nd edition, section 6.5). All symbols
+# **Time.** {time} **Before you start.** You should know ... (Sutton and Barto, 2nd edition, section 6.5). All symbols
 # are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 #
 # *This is the template of a lesson; CONTRIBUTING says how to copy it. Replace one part after the other, and this one first.

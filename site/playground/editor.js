@@ -2,6 +2,9 @@
 // the first change; until then nothing of it is. Stop ends the worker, whatever the code does.
 
 import { chart, short } from './chart.js'
+import { Field } from './field.js'
+import { LONGEST, pack, unpack } from './packed.js'
+import { Picture } from './picture.js'
 import { soon } from './soon.js'
 
 const SHORT = `class MyAgent(NamedTuple):
@@ -26,21 +29,23 @@ const SHORT = `class MyAgent(NamedTuple):
 agent = MyAgent(edugym.QLearning.create(mdp).Q)
 `
 const LATE = 100 // points of a curve
+const PAUSE = 500 // milliseconds without a change after which the link has the program
+const FROM_LINK = 'This code comes from the link. Read it before you press Run: it then runs in your browser.'
 
 export class Editor {
-  constructor(find, sizes, seeds) {
-    Object.assign(this, { find, sizes, seeds, number: 0, template: 0, filled: '' })
-    this.draw = this.draw.bind(this)
-    this.source = find('source')
-    this.source.oninput = () => {
-      this.mark(null)
+  // `onCode` is told the program as letters of a link, see `pack`.
+  constructor(find, sizes, seeds, onCode) {
+    Object.assign(this, { find, sizes, seeds, onCode, number: 0, template: 0, filled: '', packed: '' })
+    this.curves = this.curves.bind(this)
+    this.paint = { ours: () => this.knowledge('ours'), theirs: () => this.knowledge('theirs') }
+    this.field = new Field(find('editor'), () => {
       this.python() // begins to load
-    }
-    this.source.onscroll = () => { find('gutter').scrollTop = this.source.scrollTop }
-    this.source.onkeydown = event => this.indent(event)
+      clearTimeout(this.packing)
+      this.packing = setTimeout(() => this.pack(), PAUSE)
+    })
     find('template').onchange = () => {
       if (this.edited() && !confirm('Replace your code?')) find('template').selectedIndex = this.template
-      else this.fill()
+      else this.fill().then(() => { this.clear(); this.pack() })
     }
     find('rival').onchange = () => this.clear()
     find('run-code').onclick = () => this.run()
@@ -49,7 +54,8 @@ export class Editor {
     this.first = `With your first change or run, your browser loads Python: ${Math.round(megabytes)} MB.`
   }
 
-  // Show a task: `state` is the page's, `task` its data at this strength, `given` what `program` of the page needs.
+  // Show a task: `state` is the page's, `task` its data at this strength, and `code` writes the lines that make the task
+  // and an agent.
   async open(race, task, state, code) {
     const other = this.race !== race
     Object.assign(this, { race, task, state, code })
@@ -59,76 +65,97 @@ export class Editor {
       this.find('rival').innerHTML = names
       if (!this.edited()) await this.fill()
     }
+    await this.take(state.source)
     this.clear()
   }
 
+  // Show the program of a link. It waits for Run.
+  async take(packed) {
+    if (packed === this.packed) return
+    if (this.edited() && !confirm('Replace your code by that of the link?')) return this.onCode(this.packed)
+    const text = await unpack(packed)
+    this.packed = packed
+    this.found = text === undefined ? 'The code in this link is damaged.' : FROM_LINK
+    if (text !== undefined) this.field.text = text
+  }
+
+  // Tell the page the program as letters of a link: none where it is a template, or too long.
+  async pack() {
+    clearTimeout(this.packing)
+    const packed = this.edited() ? await pack(this.field.text).catch(() => undefined) : ''
+    this.tooLong = packed === undefined || packed.length > LONGEST
+    this.packed = this.tooLong ? '' : packed
+    this.onCode(this.packed)
+  }
+
   edited() {
-    return this.source.value !== this.filled
+    return this.field.text !== this.filled
   }
 
   async fill() {
     this.template = this.find('template').selectedIndex
     const agent = this.race.agents[this.template - 1]
     const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
-    this.source.value = this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : SHORT
-    this.mark(null)
+    this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : SHORT
+    this.found = undefined
+    this.field.text = this.filled
   }
 
   clear() {
-    if (this.running) this.stop()
+    if (this.running) this.stop('')
     this.ours = this.theirs = []
+    this.looks = {}
+    this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
+    this.print([])
     this.find('code-said').textContent = 'Your code finds the task as mdp. The seed is that of the race.'
-    this.tell(this.worker ? 'Change something, and run it.' : this.first)
-    soon(this.draw)
+    this.tell(this.found ?? (this.worker ? 'Change something, and run it.' : this.first))
+    this.draw()
+  }
+
+  // What the rival sees is the task of both.
+  get lane() {
+    const agent = this.find('rival').selectedIndex, lane = this.task.agents[agent]
+    return { ...this.race.agents[agent], plan: lane, table: this.task.tables[lane.table] }
+  }
+
+  picture(id) {
+    const { race, task, lane } = this, name = id === 'ours' ? 'your agent' : lane.label
+    return new Picture(this.find(id), task.scene, lane.table, task.marks, `${race.name}, as ${name} learns it`)
   }
 
   tell(text) {
     this.find('code-status').textContent = text
   }
 
-  // Number the lines, and mark the one with an error.
-  mark(line) {
-    const count = this.source.value.split('\n').length
-    this.find('gutter').innerHTML = Array.from({ length: count }, (_, k) => k + 1 === line ? `<b>${k + 1}</b>` : k + 1).join('\n')
-    this.find('gutter').scrollTop = this.source.scrollTop
-    this.source.setAttribute('aria-invalid', line !== null)
-  }
-
-  indent(event) {
-    if (event.key !== 'Enter' || event.isComposing) return
-    const before = this.source.value.slice(0, this.source.selectionStart).split('\n').at(-1)
-    const spaces = before.match(/^ */)[0] + (before.trimEnd().endsWith(':') ? '    ' : '')
-    event.preventDefault()
-    document.execCommand('insertText', false, `\n${spaces}`) // unlike others, it can be undone
-  }
-
   python() {
     if (this.worker) return this.worker
     this.worker = new Worker('own.js', { type: 'module' })
     this.worker.onmessage = ({ data }) => this.receive(data)
-    this.worker.onerror = event => this.receive({ kind: 'done', error: event.message || 'Python could not be loaded.', line: null })
+    this.worker.onerror = event => this.receive({ kind: 'done', error: event.message || 'Python could not be loaded.', line: null, broken: true })
     this.worker.postMessage({ kind: 'load', sizes: this.sizes })
     return this.worker
   }
 
   run() {
     if (this.running) return
+    this.found = undefined
     this.clear()
-    this.mark(null)
-    const { steps, seed } = this.state, { race, task } = this, agent = this.find('rival').selectedIndex
+    this.field.mark(null)
+    const { steps, seed } = this.state, { race, lane } = this, { rows, cell } = lane.table
     this.running = true
     this.find('run-code').disabled = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
-    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.source.value, task: this.code.task(race.agents[agent]), steps, seed, episodes: race.episodes })
-    const lane = task.agents[agent], { rows, cell } = task.tables[lane.table]
+    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes, rows })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
       if (data.id !== this.number) return
       this.theirs = data.curves[0]
-      soon(this.draw)
+      this.looks.theirs = data
+      soon(this.curves)
+      soon(this.paint.theirs)
     }
-    this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: race.agents[agent].kernel, plan: lane, look: lane.look, rows, now: cell.length,
+    this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: lane.kernel, plan: lane.plan, look: lane.plan.look, rows, now: cell.length,
       seeds: [this.seeds[seed]], steps, every: Math.max(1, Math.floor(steps / LATE)), settings: {}, at: 0 })
     this.rival.postMessage({ kind: 'rate', rate: Infinity })
   }
@@ -136,13 +163,13 @@ export class Editor {
   stop(text) {
     this.worker?.terminate()
     this.worker = undefined
+    this.rival?.postMessage({ kind: 'rate', rate: 0 })
     this.end()
-    if (text) this.tell(text)
+    this.tell(text)
   }
 
   end() {
     this.running = false
-    this.rival?.postMessage({ kind: 'rate', rate: 0 })
     this.find('run-code').disabled = false
     this.find('stop-code').disabled = true
   }
@@ -154,33 +181,55 @@ export class Editor {
     }
     if (data.kind === 'ready' && !this.running) this.tell('Python is there. Press Run.')
     if (data.kind === 'ready' && this.running) this.tell('Your agent learns …')
+    if (data.kind === 'look') {
+      this.looks.ours = data.look
+      soon(this.paint.ours)
+    }
+    if (data.printed) this.print(data.printed)
     if (data.kind !== 'done') return
-    this.running = false
-    this.find('run-code').disabled = false
-    this.find('stop-code').disabled = true
+    if (data.broken) this.stop('') // Python itself has come to an end: the next run loads it again
+    this.end()
     if (data.error) {
-      this.mark(data.line)
+      this.field.mark(data.line)
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
     this.ours = data.curve
-    this.result = data
-    soon(this.draw)
+    soon(this.curves)
     this.tell(this.verdict(data))
     if (data.said.length) this.find('code-said').textContent = data.said.join(' ')
+  }
+
+  print(lines) {
+    this.find('printed').textContent = lines.join('\n')
+    this.find('printed').hidden = !lines.length
   }
 
   verdict({ curve, seconds }) {
     const { steps } = this.state, pace = steps / seconds
     const mean = line => line.slice(-10).reduce((sum, [, value]) => sum + value, 0) / Math.min(10, line.length)
-    const ours = mean(curve), name = this.race.agents[this.find('rival').selectedIndex].label
+    const ours = mean(curve), name = this.lane.label
     const speed = `${short(Number(pace.toPrecision(2)))} steps a second, with evaluation`
     return `Your agent ends at ${short(ours)}, in ${seconds.toFixed(1)} s: ${speed}. Compare it with ${name} below.`
   }
 
+  // The page has another size.
+  measure() {
+    for (const picture of Object.values(this.pictures)) picture.measure()
+    this.draw()
+  }
+
   draw() {
-    const { task, state, race } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
-    const name = race.agents[this.find('rival').selectedIndex].label
+    for (const part of [this.curves, this.paint.ours, this.paint.theirs]) soon(part)
+  }
+
+  curves() {
+    const { task, state, race, lane } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
     chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum })
-    this.find('code-caption').innerHTML = `Mean return of ${race.episodes} games without exploring. <b class="ours">Your agent</b>, <b class="theirs">${name}</b>`
+    this.find('code-caption').innerHTML = `Mean return of ${race.episodes} games without exploring. <b class="ours">Your agent</b>, <b class="theirs">${lane.label}</b>`
+    this.find('rival-name').textContent = lane.label
+  }
+
+  knowledge(id) {
+    if (this.looks[id]) this.pictures[id].know(this.looks[id], this.state.show, this.state.policy)
   }
 }

@@ -1,6 +1,7 @@
 // An agent that learns, as `edugym.train` lets it: the same steps, the same evaluations, the same numbers.
 
 import { Kernel } from './kernel.js'
+import { knowledge } from './knowledge.js'
 
 const BEGIN = -1
 
@@ -44,24 +45,11 @@ export class Learner {
     episodes[0] = 0n
   }
 
-  // What it knows, by the rows of its table: how often it was there, the value of the best action, and this action (-1
-  // where several are equally good).
+  // What it knows (see knowledge.js). Go-Explore has a table for every goal: then the one is shown that leads to the
+  // best state so far.
   knowledge(rows) {
-    const visits = Float64Array.from(this.visits, Number)
-    const values = new Float64Array(rows), greedy = new Int8Array(rows).fill(-1)
-    const { length } = this.values
-    // Go-Explore has a table for every goal: then the one is shown that leads to the best state so far.
-    const actions = this.goal ? length / rows / rows : length / rows
-    const first = this.goal ? Number(this.goal[0]) * rows * actions : 0
-    for (let row = 0; row < rows; row++) {
-      let best = -Infinity
-      for (let action = 0; action < actions; action++) {
-        const value = this.values[first + row * actions + action]
-        if (value > best) { best = value; greedy[row] = action } else if (value === best) greedy[row] = -1
-      }
-      values[row] = best
-    }
-    return { visits, values, greedy }
+    const { values, goal } = this, size = goal ? values.length / rows : values.length, first = goal ? Number(goal[0]) * size : 0
+    return knowledge(Float64Array.from(this.visits, Number), values.subarray(first, first + size), rows)
   }
 
   // The row of the table that it observes, and the numbers that decide the picture; `now` says how many observations

@@ -1,7 +1,10 @@
-// A link that holds everything seen: the task, the agents, the settings, the seed, the bet, and how far the race is.
+// A link that holds everything seen: the task, the agents, the settings, the seed, the bet, how far the race is, and the
+// reader's own program (see packed.js).
+
+import { LONGEST } from './packed.js'
 
 export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: 1, seed: 0, several: 1, steps: null,
-  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, bet: null, at: [0, 0, 0], play: false, code: false, blind: false }
+  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, bet: null, at: [0, 0, 0], play: false, code: false, blind: false, source: '' }
 const MOST = 10_000_000 // steps of a race
 const RANGES = { strength: [0, 99], agents: [0, 99], speed: [0, 9], seed: [0, 99], several: [1, 20], steps: [100, MOST],
   learning_rate: [0.01, 1], discount: [0, 1], epsilon: [0, 1], bet: [0, 2], at: [0, MOST] }
@@ -18,6 +21,7 @@ export function read(hash) {
       if (numbers.length === first.length && !numbers.includes(undefined)) state[name] = numbers
     } else if (typeof first === 'boolean') state[name] = text === 'true'
     else if (name === 'task' || (name === 'show' && CHOICES.includes(text))) state[name] = text
+    else if (name === 'source' && text.length <= LONGEST && /^[\w-]*$/.test(text)) state.source = text
     else if (name in RANGES) state[name] = number(name, text) ?? first
   }
   return state

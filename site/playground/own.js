@@ -2,17 +2,31 @@
 // What the program does runs in Python, checked, and after its first steps as JavaScript where it can be translated.
 
 import { drawing } from './draws.js'
+import { knowledge } from './knowledge.js'
 
+const MOST_LINES = 200 // of what the program prints
+const OFTEN = 200 // milliseconds between two looks at what it has printed
+let printed = [], told = 0
 let loading // a promise, since a second message may come meanwhile
 
 onmessage = async ({ data }) => {
   try {
     const python = await (loading ??= load(data.sizes))
-    if (data.kind === 'run') postMessage({ kind: 'done', ...run(python, data) })
-    else postMessage({ kind: 'ready' })
+    if (data.kind === 'run') {
+      printed = []
+      postMessage({ kind: 'done', ...run(python, data), printed })
+    } else postMessage({ kind: 'ready' })
   } catch (error) {
-    postMessage({ kind: 'done', error: error.message, line: null })
+    postMessage({ kind: 'done', error: error.message, line: null, broken: true })
   }
+}
+
+function print(line) {
+  if (printed.length === MOST_LINES) return
+  printed.push(printed.length === MOST_LINES - 1 ? '… (the rest is not shown)' : line)
+  if (performance.now() - told < OFTEN) return
+  told = performance.now()
+  postMessage({ kind: 'printed', printed })
 }
 
 async function load(sizes) {
@@ -45,6 +59,7 @@ async function load(sizes) {
     import('./python/pyodide.mjs'),
   ])
   const pyodide = await loadPyodide({ indexURL: new URL('python/', import.meta.url).href })
+  pyodide.setStdout({ batched: print })
   WebAssembly.Memory = Memory
   self.fetch = fetched
   postMessage({ kind: 'loading', share: 1 })
@@ -74,8 +89,11 @@ async function begun(pyodide, memory, module, tables) {
   return page
 }
 
-function run(python, { source, task, steps, seed, episodes }) {
-  const told = python.run(source, task, steps, seed, episodes)
+function run(python, { source, task, steps, seed, episodes, rows }) {
+  const show = (visits, Q) => { // a program may also make a task of its own, which has no picture here
+    if (visits.length === rows) postMessage({ kind: 'look', look: knowledge(visits.toJs(), Q.toJs(), rows) })
+  }
+  const told = python.run(source, task, steps, seed, episodes, show)
   const done = told.toJs({ dict_converter: Object.fromEntries })
   told.destroy()
   return done

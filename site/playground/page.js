@@ -15,7 +15,7 @@ const OWN = ['learning_rate', 'discount', 'epsilon'] // settings that all agents
 let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
-const editor = data.editor && new Editor(find, data.editor, data.seeds) // where npm does not answer, the page is built without
+const editor = data.editor && new Editor(find, data.editor, data.seeds, onCode) // where npm does not answer, the page is built without
 find('tab-code').hidden = !editor
 lanes.forEach(lane => find('lanes').append(lane.article))
 
@@ -23,6 +23,7 @@ lanes.forEach(lane => find('lanes').append(lane.article))
 
 find('tasks').innerHTML = data.races.map(({ name, challenge }) => `<a href="#task=${name}" title="${challenge}">${name}</a>`).join('')
 find('several').innerHTML = data.several.map(([n]) => `<option value="${n}">${n}</option>`).join('')
+find('code-show').innerHTML = find('show').innerHTML
 find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join('')
 
 // From the state to the page
@@ -36,11 +37,13 @@ async function open() {
   state.seed = within(state.seed, data.seeds.length)
   if (!data.several.some(([n]) => n === state.several)) state.several = 1
   state.steps ??= race.steps
+  state.source ||= editor?.packed ?? '' // what the reader has written goes along
   for (const link of find('tasks').children) {
     if (link.textContent !== race.name) link.removeAttribute('aria-current')
     else {
       link.setAttribute('aria-current', 'page')
-      link.scrollIntoView({ block: 'nearest', inline: 'center' })
+      const nav = link.parentElement // scrollIntoView would also scroll a page around this one
+      nav.scrollLeft = link.offsetLeft - nav.offsetLeft - (nav.clientWidth - link.offsetWidth) / 2
     }
   }
   document.title = `${race.name} · EduGym playground`
@@ -68,7 +71,7 @@ async function begin() {
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   task = answer
   controls()
-  find('lanes').classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
+  for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
   charted = 0
   const own = OWN.filter(name => state[name] !== null).map(name => [`.${name}`, state[name]])
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
@@ -87,7 +90,7 @@ function legend() {
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
   const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'Purple: where it was most.', values: 'Dark to bright: the return that it expects.', nothing: '' }[state.show]
-  find('legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
+  find('legend').textContent = find('code-legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
 }
 
 function controls() {
@@ -103,6 +106,7 @@ function controls() {
   }
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
   find('code-steps').value = state.steps
+  find('code-show').value = state.show
   find('policy').checked = state.policy
   find('blind').checked = state.blind
   lanes.forEach((lane, k) => lane.bet.setAttribute('aria-pressed', state.bet === k))
@@ -202,15 +206,16 @@ for (const name of OWN) find(name).oninput = event => set(name, name === 'learni
 find('own').onclick = () => { for (const name of OWN) state[name] = null; restart() }
 find('code-steps').onchange = event => set('steps', Number(event.target.value), () => restart().then(refresh))
 for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
-find('show').onchange = event => set('show', event.target.value, redraw)
+find('show').onchange = find('code-show').onchange = event => set('show', event.target.value, redraw)
 find('policy').onchange = event => set('policy', event.target.checked, redraw)
 find('blind').onchange = event => set('blind', event.target.checked, () => { controls(); play.show('') })
 
 function remeasure() {
+  if (!task) return // nothing is there yet
   for (const { picture } of lanes) picture?.measure()
   redraw()
   soon(draw)
-  if (state.code) soon(editor.draw)
+  if (state.code) editor.measure()
 }
 
 function redraw() {
@@ -220,6 +225,7 @@ function redraw() {
     Object.assign(lane.how, { show: state.show, policy: state.policy })
     soon(lane.draw)
   }
+  if (state.code) editor.draw()
 }
 
 // Watch or play
@@ -286,20 +292,29 @@ function program() {
   find('code').textContent = `import edugym\n\n${blocks.join('\n')}`
 }
 
+// The reader has written something: `packed` is the program as letters, '' where it is the page's own, or too long.
+function onCode(packed) {
+  state.source = packed
+  controls()
+}
+
 find('share').onclick = async () => {
   state.at = lanes.map(({ steps }) => steps)
+  await editor?.pack()
   controls()
+  const without = editor?.tooLong ? ' Your code is not in it, since it is too long for a link: send it as a file.' : ''
   try {
     await navigator.clipboard.writeText(location.href)
-    find('shared').textContent = 'Copied.'
+    find('shared').textContent = `Copied.${without}`
   } catch {
-    find('shared').textContent = 'The link is in the address bar.'
+    find('shared').textContent = `The link is in the address bar.${without}`
   }
 }
 find('theme').onclick = () => {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'
   document.documentElement.dataset.theme = localStorage.theme = theme
 }
+addEventListener('storage', setTheme) // the page around this one has changed it
 addEventListener('hashchange', open)
 addEventListener('resize', remeasure)
 await open()

@@ -42,6 +42,28 @@ const reach = () => {
 }
 addEventListener('load', reach)
 addEventListener('resize', reach)
+addEventListener('toggle', reach, true)  // what was folded had no width
+
+// On paper nothing can be opened, so what is folded is printed open.
+let opened = []
+addEventListener('beforeprint', () => {
+  opened = [...document.querySelectorAll('article details:not([open])')]
+  for (const fold of opened) fold.open = true
+})
+addEventListener('afterprint', () => {
+  for (const fold of opened) fold.open = false
+})
+
+// A playground in a page is as high as what it shows, so that nothing scrolls inside.
+for (const frame of document.querySelectorAll('iframe.playground')) {
+  const fit = () => {
+    const inside = frame.contentDocument.body
+    new ResizeObserver(() => { frame.style.height = `${inside.offsetHeight + 2}px` }).observe(inside)
+    inside.ownerDocument.documentElement.style.overflowY = 'hidden'
+  }
+  if (frame.contentDocument?.body?.childElementCount) fit() // it was faster than this script
+  else frame.addEventListener('load', fit)
+}
 
 // The survey. Nothing is sent: the answers are a file, or a link that shows them on this page again.
 const survey = document.getElementById('survey')

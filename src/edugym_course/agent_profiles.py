@@ -1,20 +1,22 @@
-"""The profiles of the package's agents with tables, stored with the package, so that a new agent is seen beside them.
+"""The profiles of the package's agents, stored with the package, so that a new agent is seen beside them.
 
-`edugym profile --all` makes those again whose code has changed.
+`edugym profile --all` makes what is missing, and those parts again whose code has changed.
 """
 
 import ast
 import hashlib
+import inspect
 import json
 import os
 from pathlib import Path
 from typing import Any
 
 import edugym
-from edugym import Profile, profile
+from edugym import GaussianActorCritic, Profile, TileCoding, profile
 from edugym.adapters.registration import ENVIRONMENTS
 from edugym.experiments.fingerprints import versions
-from edugym.experiments.profiles.ladders import LADDERS
+from edugym.experiments.profiles.ladders import LADDERS, Ladder
+from edugym.experiments.profiles.profile import why_not_entered
 from edugym.experiments.profiles.scores import COLUMNS
 from edugym.system.files import write_whole
 from edugym_course.stored import source, what_determines
@@ -24,27 +26,32 @@ PATH = Path(__file__).with_suffix(".csv")
 KEPT = ("agent", "challenge", "strength", "repetition", "score", "steps_to_0.9")
 DIGITS = 4
 REPETITIONS = 10
+WRIST = (1, 1, 9, 9, 1, 1, 2)
+"""Cells over the wrist of Trashbot's arm and what it holds: its seven numbers have too many at the defaults."""
+SETTINGS: dict[str, Any] = {"GaussianActorCritic": WRIST}
+"""What is not at its default, by agent."""
 
 
 def agents() -> dict[str, Any]:
-    """The agents with tables, by name: functions that make one at its defaults."""
+    """The agents of the package, by name: functions that make one at its defaults (except `SETTINGS`)."""
     kinds = {name: getattr(edugym, name) for name in dir(edugym) if hasattr(getattr(edugym, name), "learn")}
-    return {name: kind.create for name, kind in kinds.items() if _has_table(kind)}
+    return {name: kind.create for name, kind in kinds.items()} | {"GaussianActorCritic": on_tiles}
 
 
-def _has_table(kind: Any) -> bool:
-    try:
-        return getattr(kind.create((2, 2)), "tabular", True) is not False
-    except ValueError:
-        return False
+def on_tiles(environment: Any) -> GaussianActorCritic:
+    """An actor-critic with real-valued actions, on tiles over the wrist."""
+    return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))
 
 
-def code_of(agent: str) -> str:
-    """A hash of the code that determines the profile of an agent: its own, that of the tasks, and the ladders."""
-    module = getattr(edugym, agent).__module__
-    tasks = [entry.module for entry in ENVIRONMENTS]
-    modules = [*_with_imports(module), *tasks, "edugym.training.loops", "edugym.experiments.profiles.ladders"]
-    return hashlib.sha256("\n".join(what_determines(source(name)) for name in modules).encode()).hexdigest()[:32]
+def code_of(agent: str, ladder: Ladder) -> str:
+    """A hash of what determines how an agent fares on a ladder: its code, that of the task, and the rungs."""
+    tasks = [entry.module for entry in ENVIRONMENTS if entry.name == ladder.name]
+    modules = [*_with_imports(getattr(edugym, agent).__module__), *tasks, "edugym.training.loops"]
+    code = [inspect.getsource(ladder.make), *(source(module).read_text(encoding="utf-8") for module in modules)]
+    parts = [what_determines(part, shown=("scene", "info")) for part in code]
+    bounds = ladder.bounds and [[round(bound, 6) for bound in ladder.bounds(strength)] for strength in ladder.strengths]
+    rungs = (ladder.strengths, ladder.n_steps, ladder.evaluation_episodes, ladder.one_layout, bounds)
+    return hashlib.sha256("\n".join([*parts, repr((rungs, SETTINGS.get(agent)))]).encode()).hexdigest()[:16]
 
 
 def _with_imports(module: str) -> list[str]:
@@ -58,14 +65,18 @@ def _with_imports(module: str) -> list[str]:
     return sorted(found)
 
 
-def stale() -> list[str]:
-    """The agents whose profile is missing, or was made from other code."""
+def stale() -> dict[str, list[Ladder]]:
+    """The ladders on which an agent was not measured, or with other code; agents without any are left out."""
     made = _about()["code"] if PATH.exists() else {}
-    return [name for name in agents() if made.get(name) != code_of(name)]
+    found = {
+        name: [ladder for ladder in LADDERS if made.get(name, {}).get(ladder.name) != code_of(name, ladder)]
+        for name in agents()
+    }
+    return {name: ladders for name, ladders in found.items() if ladders}
 
 
 def load() -> Profile | None:
-    """The stored profile, without those of agents that are gone; None where none is stored.
+    """The stored profile of all agents of the package; None where nothing is stored.
 
     It has the scores, not the returns.
     """
@@ -74,39 +85,53 @@ def load() -> Profile | None:
     import pandas
 
     runs = pandas.read_csv(PATH)
-    about = _about()
-    there = tuple(name for name in agents() if name in about["code"])
-    runs = runs[runs["agent"].isin(there)].reindex(columns=list(COLUMNS))
-    return Profile(runs, LADDERS, there, {name: about["blank"][name] for name in there})
+    names, blank = tuple(agents()), _about()["blank"]
+    runs = runs[runs["agent"].isin(names)].reindex(columns=list(COLUMNS))
+    return Profile(runs, LADDERS, names, {name: blank.get(name, {}) for name in names})
 
 
-def make_again(names: list[str], checkpoints: str | os.PathLike[str], **how: Any) -> Profile:
-    """Make profiles again, and store each as soon as it is done.
+def made_with() -> str:
+    """The versions with which the stored profile was made."""
+    return str(_about()["versions"])
+
+
+def make_again(parts: dict[str, list[Ladder]], checkpoints: str | os.PathLike[str], **how: Any) -> Profile:
+    """Make parts of profiles again, and store those of an agent as soon as they are done.
 
     Args:
-        names: of agents.
+        parts: for each agent, ladders.
         checkpoints: the folder for what is done, if it is interrupted.
         how: more arguments of `edugym.profile`.
     """
-    for name in names:
-        _store(name, profile({name: agents()[name]}, repetitions=REPETITIONS, checkpoints=checkpoints, **how))
-    found = load()
-    assert found is not None
-    return found
+    for name, ladders in parts.items():
+        agent = {name: agents()[name]}
+        blank = why_not_entered(agent, ladders)[name]
+        entered = [ladder for ladder in ladders if ladder.name not in blank]
+        runs: list[Any] = []
+        if entered:
+            found = profile(agent, challenges=entered, repetitions=REPETITIONS, checkpoints=checkpoints, **how)
+            runs = found.runs[list(KEPT)].round({"score": DIGITS}).to_dict("records")
+        _store(name, runs, {ladder.name: code_of(name, ladder) for ladder in ladders}, blank)
+    stored = load()
+    assert stored is not None
+    return stored
 
 
-def _store(name: str, new: Profile) -> None:
-    """Put the profile of one agent in the place of its old one."""
+def _store(name: str, runs: list[Any], code: dict[str, str], blank: dict[str, str]) -> None:
+    """Put what is new of an agent in the place of the old."""
     import pandas
 
-    rows = new.runs[list(KEPT)].round({"score": DIGITS})
+    rows = pandas.DataFrame(runs, columns=list(KEPT))
     about: dict[str, Any] = {"versions": "", "code": {}, "blank": {}}
     if PATH.exists():
         old = pandas.read_csv(PATH)
-        rows = pandas.concat([old[old["agent"] != name], rows]).sort_values("agent", kind="stable")
+        old = old[(old["agent"] != name) | ~old["challenge"].isin([*code])]
+        rows = pandas.concat([part for part in (old, rows) if len(part)]).sort_values("agent", kind="stable")
         about = _about()
     about["versions"] = versions()
-    about["code"][name], about["blank"][name] = code_of(name), new.blank[name]
+    about["code"][name] = about["code"].get(name, {}) | code
+    before = about["blank"].get(name, {})
+    about["blank"][name] = {challenge: why for challenge, why in before.items() if challenge not in code} | blank
     write_whole(PATH, rows.to_csv(index=False, lineterminator="\n", float_format="%.5g").encode())
     write_whole(PATH.with_suffix(".json"), (json.dumps(about, indent=1, sort_keys=True) + "\n").encode())
 

@@ -4,6 +4,7 @@ import ast
 import inspect
 import re
 from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -32,14 +33,18 @@ def parameters(texts: list[str]) -> dict[str, Any]:
     Raises:
         ValueError: one is not written so, or is given twice.
     """
-    read: dict[str, Any] = {}
+    return {name: value(text) for name, text in _pairs(texts).items()}
+
+
+def _pairs(texts: list[str]) -> dict[str, str]:
+    read: dict[str, str] = {}
     for text in texts:
         name, equals, written = text.partition("=")
         if not equals or not name.isidentifier():
             raise ValueError(f"a parameter is written name=value, but not {text!r}")
         if name in read:
             raise ValueError(f"parameter {name} must be set once, but is set twice")
-        read[name] = value(written)
+        read[name] = written
     return read
 
 
@@ -69,6 +74,63 @@ def agents(texts: list[str]) -> dict[str, Any]:
         made = _of_file(base) if ":" in base else _of_package(base)
         read[label] = (made, partial(_wrapped, [_wrapper(written) for written in wrappers])) if wrappers else made
     return read
+
+
+def grids(agents: dict[str, Any], texts: list[str]) -> dict[str, dict[str, Any]]:
+    """What agents may choose from, as `edugym.tuned_profile` takes it: themselves, and themselves with settings.
+
+    Args:
+        agents: as `agents` reads them.
+        texts: settings with their values, such as "learning_rate=0.05,0.5". An agent takes all combinations of those
+            that it has; who has none of them is left out.
+
+    Raises:
+        ValueError: one is not written so, or no agent has such a setting.
+    """
+    read = {name: _values(name, text) for name, text in _pairs(texts).items()}
+    made: dict[str, dict[str, Any]] = {}
+    missing = {*read}
+    for label, agent in agents.items():
+        make, *wrap = agent if type(agent) is tuple else (agent,)  # an agent may be a NamedTuple
+        own = [name for name in read if _has_setting(make, name)]
+        if not own:
+            continue
+        missing -= {*own}
+        made[label] = {"as given": agent}
+        for texts_of in product(*(read[name] for name in own)):
+            chosen = partial(make, **{name: read[name][text] for name, text in zip(own, texts_of, strict=True)})
+            setting = ", ".join(f"{name}={text}" for name, text in zip(own, texts_of, strict=True))
+            made[label][setting] = (chosen, *wrap) if wrap else chosen
+    if missing:
+        raise ValueError(f"a setting to tune must be one of an agent, but {', '.join(agents)} has no {min(missing)}")
+    return made
+
+
+def _values(name: str, text: str) -> dict[str, Any]:
+    """Values with commas between them, by how they are written: Python's, or a strategy such as EpsilonGreedy(0.1)."""
+    try:
+        parts: Any = ast.parse(f"[{text}]", mode="eval").body
+        read = {ast.unparse(part): _setting(part) for part in parts.elts}
+    except (AttributeError, SyntaxError, TypeError, ValueError):  # no list, or a strategy without what it needs
+        read = {}
+    if not read:
+        raise ValueError(f"{name} must be values such as 0.05,0.5 or EpsilonGreedy(0.2), but is {text!r}")
+    return read
+
+
+def _setting(part: Any) -> Any:
+    kind: Any = getattr(edugym, ast.unparse(part.func), None) if isinstance(part, ast.Call) else None
+    return kind(*map(ast.literal_eval, part.args)) if hasattr(kind, "choose") else ast.literal_eval(part)
+
+
+def _has_setting(make: Any, name: str) -> bool:
+    """Whether what makes an agent takes a setting of this name."""
+    if name in getattr(getattr(make, "__self__", None), "_fields", ()):  # of the class whose `create` it is
+        return True
+    try:
+        return name in [*inspect.signature(make).parameters][1:]  # after the environment
+    except (TypeError, ValueError):
+        return False  # a policy, which nothing makes
 
 
 def _of_package(name: str) -> Any:

@@ -109,6 +109,14 @@ def profile(
     challenge: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="An environment; can be repeated. By default all.")
     ] = None,
+    tuned: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUES",
+            help="Show each agent also with settings that it chooses itself, such as --tuned learning_rate=0.05,0.5;"
+            " can be repeated, for all combinations.",
+        ),
+    ] = None,
     repetitions: Annotated[int, typer.Option(min=2, help="Runs on each rung of a ladder.")] = 10,
     seed: Annotated[int, typer.Option(min=0, help="The seed of all random numbers.")] = 0,
     jobs: Annotated[int, typer.Option(min=-1, max=MOST_JOBS, help="Runs at a time; -1 means one for each core.")] = -1,
@@ -121,15 +129,19 @@ def profile(
     It climbs a ladder of tasks for every environment, from easy to hopeless, and scores every rung from 0 (random play)
     to 1 (the best play). OUTPUT/report.html is the report; report.md, runs.csv and the pictures lie beside it. What is
     done is kept in OUTPUT/unfinished: after Ctrl-C the same command goes on from there. The agents of the package have
-    profiles that are stored with it; the report shows their scores in grey.
+    profiles that are stored with it; the report shows their scores in grey. With --tuned, each agent also chooses, for
+    every challenge, among its settings as given and those listed, by runs with other seeds and layouts than those that
+    are scored; that takes 3 more runs of each setting on each rung.
     """
     from edugym_course import profiling
 
     if bool(agents) == everyone:
         raise typer.BadParameter("give agents, or --all", param_hint="AGENT")
+    if everyone and tuned:
+        raise typer.BadParameter("stored profiles are not tuned: give agents", param_hint="--tuned")
     chosen = {} if everyone else {"challenges": challenge, "repetitions": repetitions, "seed": seed}
     try:
-        said = profiling.profile_and_report(agents or [], output, {"jobs": jobs, **chosen})
+        said = profiling.profile_and_report(agents or [], tuned or [], output, {"jobs": jobs, **chosen})
     except KeyboardInterrupt:
         typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)
         raise typer.Exit(INTERRUPTED) from None

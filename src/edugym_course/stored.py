@@ -52,7 +52,8 @@ class Stored(NamedTuple):
         Imports, docstrings, comments, pictures (`scene`) and functions that judge the results do not count; those
         are the functions whose names end in `_claims`.
         """
-        trees = (what_determines(source(name)) for name in (f"{LESSONS}.{self.module}", *self.determined_by))
+        names = (f"{LESSONS}.{self.module}", *self.determined_by)
+        trees = (what_determines(source(name).read_text(encoding="utf-8")) for name in names)
         return hashlib.sha256("\n".join(trees).encode()).hexdigest()[:32]
 
     def is_current(self) -> bool:
@@ -77,15 +78,15 @@ def source(module: str) -> Path:
     return Path(spec.origin)
 
 
-def what_determines(path: Path) -> str:
-    """The code of a file without imports, docstrings, pictures, and what judges the results."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+def what_determines(code: str, shown: tuple[str, ...] = ("scene",)) -> str:
+    """Code without imports, docstrings, what judges the results, and methods that only show: by default pictures."""
+    tree = ast.parse(code)
     tree.body = [statement for statement in tree.body if not _only_judges(statement)]
     for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
             described = ast.get_docstring(node) is not None
             # Without the docstring, which is the first statement, if there is one (True counts as 1).
-            node.body = [part for part in node.body[described:] if getattr(part, "name", "") != "scene"]
+            node.body = [part for part in node.body[described:] if getattr(part, "name", "") not in shown]
     return ast.dump(tree)
 
 

@@ -218,6 +218,32 @@ def test_the_packages_agents(environment: str, kind: Any, node: Node, monkeypatc
     assert runs[0] == runs[1]
 
 
+def added_up(n: int, values: Any) -> float:
+    """Read and write single numbers of an array with one axis by `flat`, as wrappers do for arrays of any size."""
+    total = 0.0
+    for k in range(n):
+        values.flat[k % 3] += 0.5 * k
+        values.flat[-2] = values.flat[0] - total
+        total += values.flat[2]
+    return total
+
+
+def copied(n: int, values: Any) -> float:
+    """Write into what is a copy in NumPy."""
+    values.flat[:n][0] = 1.0
+    return 0.0
+
+
+def test_flat(node: Node) -> None:
+    """It stands for single numbers of one axis; a part of it is a copy, and refused."""
+    here, there = np.ones(3), np.ones(3)
+    assert added_up(9, here) == javascript.translated(added_up, (there,), node)(9, there)
+    assert here.tobytes() == there.tobytes()
+    for loop, values in ((added_up, np.ones((3, 3))), (copied, np.ones(3))):
+        with pytest.raises(javascript.Untranslatable, match=r"it uses \.flat"):
+            javascript.translated(loop, (values,), node)
+
+
 def test_a_slip_after_many_steps(node: Node, monkeypatch: pytest.MonkeyPatch) -> None:
     """It stops at the student's line, with the tables as they were in that step."""
     monkeypatch.setattr(javascript, "engine", node)

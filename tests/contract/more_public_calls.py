@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 
 import edugym
+from edugym import deep
 from edugym.experiments import figures
 from edugym.experiments.results import statistics, tables
 from edugym_course import grading, notebook
-from tests.contract.public_calls import ANY, NUMBER, WHOLE, Case, known
+from tests.contract.public_calls import ANY, NOT_NEGATIVE, NUMBER, WHOLE, Case, known
 
 
 def drawn(kind: Any, takes: dict[str, str], /, **given: Any) -> Case:
@@ -51,6 +52,20 @@ CALLS: dict[str, Callable[[], Case]] = {
     "statistics.share_interval": lambda: Case(statistics.share_interval, {"values": [0, 1]}, {"values": "[] array"}),
     "statistics.by_point": lambda: Case(statistics.by_point, {"values": np.zeros((2, 3))}),
     "tables.joined": lambda: Case(tables.joined, {"parts": [known().results]}),
+    "deep.PPO.create": lambda: Case(
+        deep.PPO.create, {"environment": known().walk}, {"clip": "2.5 1e30", "entropy_bonus": NOT_NEGATIVE}),
+    "deep.PPO.train": lambda: Case(
+        deep.PPO.create(known().walk, num_envs=2, length=2, epochs=1, minibatches=1).train,
+        {"n_steps": 4, "evaluation_episodes": 1}, {"evaluate_every": "1e30 1e400", "seed": "0"}),
+    "deep.stable_baselines3_env": lambda: Case(
+        lambda environment, num_envs: deep.stable_baselines3_env(environment, num_envs),
+        {"environment": known().walk, "num_envs": 2}, {"num_envs": "None"}),
+    "deep.stable_baselines3_run": lambda: Case(
+        lambda environment, algorithm, n_steps, **others: deep.stable_baselines3_run(
+            environment, algorithm, n_steps, **others),
+        {"environment": known().walk, "algorithm": "A2C", "n_steps": 10, "num_envs": 2, "policy": "MlpPolicy",
+         "parameters": {}, "evaluate_every": 10, "evaluation_episodes": 1, "seed": 0},
+        {"num_envs": "None", "policy": "None", "parameters": "None", "evaluate_every": "None 1e30 1e400", "seed": "0"}),
     "notebook.frames": lambda: Case(
         lambda *, actor, environment, seed, max_steps, frames_per_second: notebook.frames(
             environment, actor, seed=seed, max_steps=max_steps, frames_per_second=frames_per_second),

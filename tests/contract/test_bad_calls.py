@@ -30,6 +30,7 @@ ROOMS = {
     "figures": "edugym.experiments.figures",
     "statistics": "edugym.experiments.results.statistics",
     "tables": "edugym.experiments.results.tables",
+    "deep": "edugym.deep",
     "notebook": "edugym_course.notebook",
     "grading": "edugym_course.grading",
 }
@@ -39,8 +40,8 @@ CALLED_BY_LOOPS = ("edugym.agents.", "edugym.mdp.")
 what the gates have looked at."""
 MADE_BY_LIBRARY = {"FiniteModel", "Interval", "Outcome", "Profile", "Results", "Run", "Sample", "Score", "Values"}
 """Classes of which functions return values, and nobody else makes any."""
-NOT_CHECKED = {"statistics.in_short", "tables.with_types"}
-"""Functions for the package itself."""
+NOT_CHECKED = {"statistics.in_short", "tables.with_types", "deep.PPO.gradient", "deep.PPO.learn", "deep.PPO.play"}
+"""Functions for the package itself, and the parts of `PPO.train`."""
 SECONDS, BYTES = 60, 4 * 2**30
 """What one call may take, on a loaded machine, and how much more memory than before."""
 
@@ -88,7 +89,8 @@ def keys_of(key: str, value: Any) -> Iterator[str]:
     for name in dir(value):
         method = getattr(value, name, None)
         ours = callable(method) and (getattr(method, "__module__", None) or "").startswith("edugym")
-        if ours and name[0] != "_" and name != "create" and not value.__module__.startswith(CALLED_BY_LOOPS):
+        own = name[0] != "_" and name != "create" and f"{key}.{name}" not in NOT_CHECKED
+        if ours and own and not value.__module__.startswith(CALLED_BY_LOOPS):
             taken = inspect.signature(getattr(value, name)).parameters.values()
             if any(one.name not in ("self", "place") and one.kind is not one.VAR_KEYWORD for one in taken):
                 yield f"{key}.{name}"

@@ -12,12 +12,13 @@ from gymnasium.spaces import Discrete
 from matplotlib import pyplot
 
 import edugym
-from edugym import Ladder, make_mdp
+from edugym import Ladder, Profile, make_mdp, repeat
 from edugym.experiments.profiles import profile as profiles
 from edugym.experiments.profiles import report
 from edugym.experiments.profiles.ladders import LADDERS
-from edugym.experiments.profiles.pictures import OTHERS, Dots
+from edugym.experiments.profiles.pictures import OTHERS, Dots, Rungs
 from edugym_course import agent_profiles, arguments, profiling
+from edugym_course.stored import what_determines
 from tests.course.test_commands import run
 
 
@@ -136,6 +137,45 @@ def test_an_agent_is_given_once() -> None:
         arguments.agents(["QLearning", "QLearning"])
 
 
+TUNED = "\n\ndef made(environment, speed=1):\n    return Table(environment)\n"
+
+
+def test_settings_to_choose_from(mine: Path) -> None:
+    """All combinations of those that an agent has, besides itself; its wrappers stay, and who has none is left out."""
+    (mine / "mine.py").write_text(MINE + TUNED)
+    agents = arguments.agents(["QLearning", "DynaQ + FrameStack(2)", "mine.py:made", "mine.py:model"])
+    grids = arguments.grids(agents, ["exploration=EpsilonGreedy(0.2)", "planning_steps=0,5", "speed=2"])
+    greedy = "exploration=EpsilonGreedy(0.2)"
+    assert {label: [*grid] for label, grid in grids.items()} == {
+        "QLearning": ["as given", greedy],
+        "DynaQ + FrameStack(2)": ["as given", f"{greedy}, planning_steps=0", f"{greedy}, planning_steps=5"],
+        "made": ["as given", "speed=2"],
+    }
+    assert grids["QLearning"]["as given"] is agents["QLearning"]
+    assert grids["QLearning"][greedy]((2, 2)).exploration == edugym.EpsilonGreedy(0.2)
+    make, wrap = grids["DynaQ + FrameStack(2)"][f"{greedy}, planning_steps=5"]
+    assert make((2, 2)).planning.n == 5
+    assert wrap is agents["DynaQ + FrameStack(2)"][1]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("speed=2", "QLearning, SARSA has no speed"),
+        ("learning_rate", "name=value, but not 'learning_rate'"),
+        ("learning_rate=", "learning_rate must be values such as .*, but is ''"),
+        ("learning_rate=x", "but is 'x'"),
+        ("exploration=Greedy(1)", "exploration must be values"),
+        ("learning_rate=0.1] + [2", "learning_rate must be values"),
+    ],
+)
+def test_what_is_no_setting_to_choose_from(text: str, says: str) -> None:
+    """It says what is allowed."""
+    agents = arguments.agents(["QLearning", "SARSA"])
+    with pytest.raises(ValueError, match=says):
+        arguments.grids(agents, [text])
+
+
 def wall(height: float, layout_seed: int) -> Any:
     """A low wall."""
     return make_mdp("Boulder", height=int(height), layout_seed=layout_seed)
@@ -192,10 +232,27 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert "default-src 'none'" in text
     assert "prefers-color-scheme: dark" in text
     written = Path("out/report.md").read_text(encoding="utf-8")
+    assert "nobody can enter" in written
     for says in ("QLearning, Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
         assert says in written
         assert says in text
     assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 2 * 2 * 2
+
+
+def test_the_report_shows_tuned_agents_beside_themselves(mine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With what there was to choose, and what the choice cost."""
+    monkeypatch.setattr(profiles, "LADDERS", (LOW,))
+    tuned = ("--tuned", "learning_rate=1e-9,0.5", "--repetitions", "2")
+    done = run("profile", "QLearning", "mine.py:Table", *tuned, "--output", "out")
+    assert done.exit_code == 0, done.output
+    written = Path("out/report.md").read_text(encoding="utf-8")
+    assert "| QLearning | Table | tuned QLearning |" in written
+    # Three settings, three times, on two rungs of 200 steps each.
+    assert (
+        "QLearning had the choice of: as given; learning_rate=1e-09; learning_rate=0.5. It tried them for 3,600"
+        in written
+    )
+    assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 3 * 2 * 2
 
 
 def test_a_command_that_is_wrong(tmp_path: Path) -> None:
@@ -205,32 +262,51 @@ def test_a_command_that_is_wrong(tmp_path: Path) -> None:
         (("QLearning", "--challenge", "Chess"), "Chess"),
         ((), "give agents, or --all"),
         (("QLearning", "--all"), "give agents, or --all"),
+        (("--all", "--tuned", "learning_rate=0.1"), "stored profiles are not tuned"),
+        (("QLearning", "--tuned", "learning_rate=7"), "learning_rate must be greater than 0 and at most 1"),
     ):
         done = run("profile", *given, "--output", str(tmp_path / "out"))
         assert done.exit_code == 2
         assert says in done.output
 
 
-def test_ctrl_c_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The folder stays for the same command."""
+@pytest.mark.parametrize("at", ["profile", "tuned_profile"])
+def test_ctrl_c_keeps_what_is_done(at: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The folder stays for the same command, which takes from it what was done."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    monkeypatch.setattr(profiles, "LADDERS", (LOW,))
+    original, line = getattr(profiling, at), ("QLearning", "--tuned", "learning_rate=0.5", "--repetitions", "2")
 
-    def interrupted(*_: Any, **how: Any) -> Any:
-        how["checkpoints"].mkdir(parents=True)
+    def interrupted(*given: Any, **how: Any) -> Any:
+        original(*given, **how)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(profiling, "profile", interrupted)
-    done = run("profile", "QLearning", "--output", str(tmp_path / "out"))
+    monkeypatch.setattr(profiling, at, interrupted)
+    done = run("profile", *line, "--output", str(tmp_path / "out"))
     assert done.exit_code == 130
     assert "the same command goes on" in done.output
-    assert (tmp_path / "out" / "unfinished").exists()
+    assert any((tmp_path / "out" / "unfinished").iterdir())
+    monkeypatch.setattr(profiling, at, original)
+    again: list[Any] = []
+
+    def counted(task: Any, agents: Any, *given: Any, **how: Any) -> Any:
+        again.append(agents)
+        return repeat(task, agents, *given, **how)
+
+    monkeypatch.setattr(profiles, "repeat", counted)
+    assert run("profile", *line, "--output", str(tmp_path / "out")).exit_code == 0
+    assert [name for agents in again for name in agents if name == "QLearning"] == []
+    assert bool(again) == (at == "profile")  # then it goes on with the choice
 
 
 def test_dots_name_the_agents_beside_them_only_where_there_are_some() -> None:
     """The legend has an entry for each agent, and one for all of those beside."""
     found = edugym.profile({"Q": edugym.QLearning.create}, challenges=[LOW], repetitions=2)
     for beside, labels in ((None, ["Q"]), (found, [OTHERS, "Q"])):
-        assert sorted(Dots(found, beside).draw().get_legend_handles_labels()[1]) == sorted(labels)
+        for drawn in (Dots(found, beside), Rungs(found, "Boulder", beside)):
+            assert sorted(drawn.draw().get_legend_handles_labels()[1]) == sorted(labels)
+    others = Profile(found.runs, (LOW._replace(strengths=(2,)),), ("Q",))
+    assert Rungs(found, "Boulder", others).draw().get_legend_handles_labels()[1] == ["Q"]
     pyplot.close("all")
 
 
@@ -253,28 +329,53 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
     agents = {name: getattr(edugym, name).create for name in ("QLearning", "SARSA")}
     monkeypatch.setattr(agent_profiles, "agents", lambda: agents)
     assert agent_profiles.load() is None
-    assert agent_profiles.stale() == ["QLearning", "SARSA"]
+    assert agent_profiles.stale() == {"QLearning": [LOW], "SARSA": [LOW]}
     done = run("profile", "--all", "--output", str(tmp_path / "out"))
     assert done.exit_code == 0, done.output
     assert "Made again: QLearning, SARSA." in done.output
-    assert agent_profiles.stale() == []
+    assert agent_profiles.stale() == {}
     stored = agent_profiles.load()
     assert stored is not None
     fresh = edugym.profile({"QLearning": edugym.QLearning.create}, challenges=[LOW])
     assert stored.scores("QLearning", "Boulder") == pytest.approx(fresh.scores("QLearning", "Boulder"), abs=1e-3)
     assert stored.steps("QLearning", "Boulder") == fresh.steps("QLearning", "Boulder")
-    monkeypatch.setattr(agent_profiles, "code_of", lambda name: "new" if name == "SARSA" else code_of(name))
-    assert agent_profiles.stale() == ["SARSA"]
+    monkeypatch.setattr(
+        agent_profiles, "code_of", lambda name, ladder: name if name == "SARSA" else code_of(name, ladder)
+    )
+    assert agent_profiles.stale() == {"SARSA": [LOW]}
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
     assert "No stored profile was made from the present code of SARSA" in done.output
     assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
 
 
+def test_only_what_has_changed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A new ladder alone; who cannot enter is blank, what was there stays, and a new agent has nothing yet."""
+    monkeypatch.setattr(agent_profiles, "PATH", tmp_path / "stored.csv")
+    monkeypatch.setattr(agent_profiles, "agents", lambda: {"QLearning": edugym.QLearning.create})
+    arm = ARM._replace(strengths=(0.9,), n_steps=10)
+    shorter = LOW._replace(n_steps=100)
+    for ladders, changed in (((LOW,), LOW), ((LOW, arm), arm), ((shorter, arm), shorter)):
+        monkeypatch.setattr(agent_profiles, "LADDERS", ladders)
+        assert agent_profiles.stale() == {"QLearning": [changed]}
+        found = agent_profiles.make_again(agent_profiles.stale(), tmp_path / "unfinished")
+        assert agent_profiles.stale() == {}
+        assert found.score("QLearning", "Boulder").n == agent_profiles.REPETITIONS
+        assert list(found.blank["QLearning"]) == [ladder.name for ladder in ladders[1:]]
+    monkeypatch.setattr(agent_profiles, "agents", lambda: {"SARSA": edugym.SARSA.create})
+    later = agent_profiles.load()
+    assert later is not None
+    assert later.agents == ("SARSA",)
+    assert later.score("SARSA", "Boulder").n == 0
+
+
 code_of = agent_profiles.code_of
 
 
-def test_the_code_of_an_agent_is_its_own_and_that_of_the_tasks() -> None:
-    """Those of two agents differ."""
-    assert code_of("QLearning") != code_of("SARSA")
-    assert len(agent_profiles.agents()) > 10
-    assert not {"DQN", "GaussianActorCritic"} & agent_profiles.agents().keys()
+def test_the_code_of_an_agent_is_its_own_and_that_of_the_task() -> None:
+    """Those of two agents, of two tasks and of two sets of rungs differ; what a task only shows does not count."""
+    hashes = [code_of(agent, ladder) for agent in ("QLearning", "SARSA") for ladder in (*LADDERS, LOW)]
+    assert len({*hashes}) == 2 * (len(LADDERS) + 1)
+    assert len(agent_profiles.agents()) > 20
+    code = "class Task:\n    def step(self):\n        return {}\n    def info(self):\n        return {}\n"
+    shown = [what_determines(code.format(step, info), shown=("info",)) for step, info in ((1, 1), (1, 2), (2, 1))]
+    assert shown[0] == shown[1] != shown[2]

@@ -22,8 +22,9 @@ each_race = pytest.mark.parametrize("race", RACES, ids=lambda race: race.environ
 
 
 def test_every_environment_of_a_lesson_has_a_race() -> None:
-    """In the order of the lessons."""
-    assert [race.environment for race in RACES] == [entry.name for entry in in_course_order() if entry.lesson]
+    """In the order of the lessons; no kernel draws whole numbers as Switches does."""
+    names = [entry.name for entry in in_course_order() if entry.lesson]
+    assert [*(race.environment for race in RACES), "Switches"] == names
 
 
 @each_race

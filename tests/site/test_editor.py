@@ -3,10 +3,13 @@
 import re
 import tarfile
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+import codemirror
 import editor
 import edugym_page
+import npm
+import numpy as np
 import playground
 import pytest
 from races import RACES, Race
@@ -25,7 +28,7 @@ def made(race: Race, seen: str) -> str:
 
 def run(source: str, task: str = BOULDER_OF_4, steps: int = 300) -> dict[str, Any]:
     """What comes of a program."""
-    return edugym_page.run(source, task, steps, 0, 1)
+    return edugym_page.run(source, task, steps, 0, 1, lambda *_: None)
 
 
 def test_the_short_agent_learns() -> None:
@@ -54,6 +57,8 @@ def test_all_agents_run_from_their_files(races: list[Race]) -> None:
 
 MISTAKES = {
     "agent = 3 +": (1, "SyntaxError"),
+    "exit()": (1, "SystemExit"),
+    "import pandas_": (1, "The page has edugym, numpy"),
     "x = 1": (None, "agent = ..."),
     "agent = 3": (None, "agent must be an object with the methods act and learn"),
     SHORT.replace("target - ", "target - sef."): (17, "NameError"),
@@ -70,6 +75,61 @@ def test_mistakes_are_told_with_their_line(source: str) -> None:
     assert found["line"] == line
 
 
+class Parts(NamedTuple):
+    """An agent, or a part of one."""
+
+    array: Any
+    rest: Any
+
+
+def test_whole_numbers_have_64_bits() -> None:
+    """In arrays of the agent and of its parts; an array in two places stays one; all else stays as it is."""
+    counts, values = np.zeros(3, np.int32), np.zeros(3)
+    given = edugym_page.with_64_bits(Parts(counts, Parts(values, counts)))
+    assert type(given) is Parts
+    assert given.array.dtype == np.int64
+    assert given.rest.array is values
+    assert given.rest.rest is given.array
+
+
+NO_TABLE = SHORT.replace("self.Q", "self.own").replace("Q: np.ndarray", "own: np.ndarray")
+GO_EXPLORE = "agent = edugym.GoExplore.create(mdp)"
+OTHER_TABLE = SHORT.replace(".create(mdp)", ".create((9, 2))")
+VECTORS = """
+class Still:
+    tabular = False
+    def act(self, state, rng): return 0
+    def learn(self, reward): pass
+agent = Still()
+"""
+
+
+@pytest.mark.parametrize(
+    ("source", "size"),
+    [(SHORT, 10), (GO_EXPLORE, 10), (NO_TABLE, 0), (OTHER_TABLE, 0)],
+    ids=["Q", "goals", "no table", "another size"],
+)
+def test_what_the_agent_knows_is_shown(source: str, size: int) -> None:
+    """At the beginning, at the end, and between: every step counts; action values where it has a table of them."""
+    shown: list[Any] = []
+    found = edugym_page.run(source, BOULDER_OF_4, 3_000, 0, 1, lambda *given: shown.append(given))
+    assert "curve" in found
+    assert len(shown) >= 2
+    counts = [visits.sum() for visits, _ in shown]
+    assert counts[0] == 0
+    assert counts == sorted(counts)
+    assert shown[-1][0][:4].sum() == 3_000
+    assert {Q.size for _, Q in shown} == {size}
+    assert (shown[-1][1].max(initial=0.0) > 0) == (size > 0)
+
+
+def test_of_an_agent_without_a_table_nothing_is_shown() -> None:
+    """It runs as elsewhere."""
+    shown: list[Any] = []
+    assert "curve" in edugym_page.run(VECTORS, BOULDER_OF_4, 300, 0, 1, lambda *given: shown.append(given))
+    assert not shown
+
+
 def test_what_is_interpreted_says_why() -> None:
     """With the line, in a sentence."""
     found = run(SHORT.replace("        target =", "        notes = {}\n        target ="), steps=6_000)
@@ -77,9 +137,20 @@ def test_what_is_interpreted_says_why() -> None:
     assert "it makes a dict (line 16)" in said
 
 
+def test_the_modules_of_the_field_find_each_other() -> None:
+    """By the names of files; the page asks for files that are there."""
+    written = "import { a } from '@lezer/common';\nexport { b } from \"style-mod\"; // from 'module'"
+    assert codemirror.linked(written).count('from "./') == 2
+    assert 'from "./lezer-common.js"' in codemirror.linked(written)
+    field = (playground.PAGE / "field.js").read_text(encoding="utf-8")
+    asked = re.findall(r"'([\w-]+)'", re.findall(r"MODULES = \[(.*?)\]", field)[0])
+    assert asked
+    assert {f"{name}.js" for name in asked} <= {codemirror.file_of(name) for name in codemirror.VERSIONS}
+
+
 def test_without_npm_there_is_no_editor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The page is built all the same."""
-    monkeypatch.setattr(editor, "PACKAGES", tmp_path / "npm")
+    monkeypatch.setattr(npm, "PACKAGES", tmp_path / "npm")
     monkeypatch.setenv("PATH", "")
     assert editor.build(tmp_path / "python") is None
     assert not (tmp_path / "python").exists()
@@ -87,8 +158,8 @@ def test_without_npm_there_is_no_editor(tmp_path: Path, monkeypatch: pytest.Monk
 
 def test_what_is_fetched_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """An archive that is there is not fetched again."""
-    monkeypatch.setattr(editor, "PACKAGES", tmp_path)
+    monkeypatch.setattr(npm, "PACKAGES", tmp_path)
     monkeypatch.setenv("PATH", "")
     kept = tmp_path / "a-b-1.0.tgz"
     tarfile.open(kept, "w").close()
-    assert editor._fetched("@a/b@1.0") == kept
+    assert npm.fetched("@a/b@1.0") == kept

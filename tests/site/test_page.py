@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import os
+import random
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -125,6 +126,8 @@ def _photograph(reader: Reader, name: str) -> None:
     height = reader("document.documentElement.scrollHeight")
     screen = {"width": int(name.split("-")[1]), "height": height, "deviceScaleFactor": 1, "mobile": False}
     reader.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    frame = "requestAnimationFrame"  # a resized page draws its pictures again in some of the next ones
+    reader.driver.execute_async_script(f"{frame}(() => {frame}(() => setTimeout(arguments[0], 300)))")
     reader.driver.save_screenshot(str(folder / f"{name}.png"))
 
 
@@ -193,10 +196,22 @@ def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
     reader.check()
 
 
+FIELD = "document.querySelector('#editor').field"
+
+
 def change(reader: Reader, old: str, new: str) -> None:
-    """Change a reader's program, as typing does."""
-    changed = "(e => { e.value = e.value.replace(arguments[0], arguments[1]); e.dispatchEvent(new Event('input')) })"
-    reader(f"{changed}(document.querySelector('#source'))", old, new)
+    """Change a reader's program, as typing does: at first in a plain field, then in CodeMirror."""
+    reader(
+        """(field => {
+            const from = field.text.indexOf(arguments[0]), to = from + arguments[0].length, insert = arguments[1]
+            if (field.view) return field.view.dispatch({ changes: { from, to, insert } })
+            field.area.setRangeText(insert, from, to)
+            field.area.dispatchEvent(new Event('input'))
+        })"""
+        + f"({FIELD})",
+        old,
+        new,
+    )
 
 
 def ran(reader: Reader) -> str:
@@ -212,7 +227,7 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     reader = Reader(browser, f"{address}#task=Boulder&code=true&steps=100000", size)
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
-    until(lambda: reader("document.querySelector('#source').value"), "the program")
+    until(lambda: reader(f"{FIELD}.text"), "the program")
     assert "loads Python" in reader.text("#code-status")
     change(reader, "a few lines", "some lines")
     until(lambda: "Press Run" in reader.text("#code-status"), "Python", 300)
@@ -220,11 +235,12 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     assert "Your agent ends at 1," in said
     assert "interpreted" not in reader.text("#code-said")
     until(lambda: reader("document.querySelectorAll('#code-chart polyline[points*=\",\"]').length") == 2, "two curves")
+    assert reader("document.querySelector('#ours canvas').dataset.cells") == "11"
     if SCREENSHOTS:
         _photograph(reader, f"code-{size[0]}")
     change(reader, "target - self", "target - sef")
     assert ran(reader).startswith("Line 17. NameError")
-    assert reader.text("#gutter b") == "17"
+    assert reader.text(".cm-gutterElement.wrong") == "17"
     change(reader, "target - sef", "target - self")
     change(reader, "        target =", "        notes = {}\n        target =")
     ran(reader)
@@ -233,8 +249,73 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     reader.click("#run-code")
     reader.click("#stop-code")
     assert "Stopped" in reader.text("#code-status")
-    change(reader, "        while True: pass\n", "")
+    change(reader, "        while True: pass\n", "        print(state)\n")
+    ran(reader)
+    assert reader.text("#printed").startswith("0\n")
+    assert reader.text("#printed").endswith("not shown)")
+    change(reader, "        print(state)\n", "")
     assert "Your agent ends at 1," in ran(reader)
+    reader.check()
+
+
+def test_a_link_holds_the_code(address: str, browser: Any) -> None:
+    """Another reader sees it, is told where it is from, and nothing runs before Run; what is damaged is said."""
+    reader = Reader(browser, f"{address}#task=Study&code=true&steps=10000")
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+    until(lambda: reader(f"{FIELD}.text"), "the program")
+    assert "source" not in reader("location.hash")
+    change(reader, "0.99 *", "0.5 *")
+    reader.click("#share")
+    until(lambda: reader.text("#shared"), "the link")
+    link = reader("location.href")
+    other = Reader(browser, link)
+    until(lambda: "0.5 *" in other(f"{FIELD}.text"), "the code of the link")
+    assert "comes from the link" in other.text("#code-status")
+    assert not other("performance.getEntriesByType('resource').some(entry => /python|own/.test(entry.name))")
+    other("location.hash = '#task=Golf'")
+    until(lambda: "source=" in other("location.hash"), "the code in the link of another task")
+    assert "Golf" in browser.title
+    assert "Your agent ends at" in ran(Reader(browser, link))
+    damaged = Reader(browser, link.replace("source=", "source=AAAA"))
+    until(lambda: "damaged" in damaged.text("#code-status"), "what is wrong")
+    change(damaged, "0.99 *", f"0.99 * {random.Random(0).randbytes(9_000).hex()}")
+    damaged.click("#share")
+    until(lambda: "too long" in damaged.text("#shared"), "what is wrong")
+    assert "source" not in damaged("location.hash")
+    damaged.check()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("size", [WIDE, PHONE], ids=["wide", "phone"])
+def test_a_reader_writes_with_keys(size: tuple[int, int], theme: str, address: str, browser: Any, axe: str) -> None:
+    """The rich field comes with the first change, keeps what was typed, can be left by keyboard, and has no fault."""
+    from selenium.webdriver import ActionChains, Keys
+
+    def press(*keys: str) -> None:
+        ActionChains(browser).send_keys(*keys).perform()
+
+    reader = Reader(browser, f"{address}#task=Boulder&code=true", size, theme)
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+    until(lambda: reader(f"{FIELD}.text"), "the program")
+    loaded = "performance.getEntriesByType('resource').some(entry => /codemirror/.test(entry.name))"
+    assert not reader(loaded)
+    reader("(e => { e.focus(); e.setSelectionRange(0, 0) })(document.querySelector('#source'))")
+    press("#", Keys.ENTER)
+    until(lambda: reader("document.activeElement.className") == "cm-content", "CodeMirror")
+    press("x", Keys.ENTER, Keys.TAB, "y")
+    assert reader(f"{FIELD}.text").startswith("#\nx\n    yclass MyAgent")
+    for _ in range(9):
+        ActionChains(browser).key_down(Keys.CONTROL).send_keys("z").key_up(Keys.CONTROL).perform()
+    assert reader(f"{FIELD}.text").startswith("class MyAgent")
+    browser.execute_script(axe)
+    found = browser.execute_async_script("axe.run().then(arguments[0])")
+    assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+    press(Keys.TAB)
+    assert reader("document.activeElement.className") == "cm-content"
+    press(Keys.ESCAPE, Keys.TAB)
+    assert reader("document.activeElement.className") != "cm-content"
     reader.check()
 
 
@@ -244,9 +325,9 @@ def test_a_reader_runs_the_packages_agents(race: Any, address: str, browser: Any
     reader = Reader(browser, f"{address}#task={race.environment}&code=true&steps=10000")
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
-    until(lambda: reader("document.querySelector('#source').value"), "the program")
+    until(lambda: reader(f"{FIELD}.text"), "the program")
     reader("(e => { e.selectedIndex = 1; e.onchange() })(document.querySelector('#template'))")
-    until(lambda: "create(mdp" in reader("document.querySelector('#source').value"), "the agent's file")
+    until(lambda: "create(mdp" in reader(f"{FIELD}.text"), "the agent's file")
     said = ran(reader)
     assert "Your agent ends at" in said
     assert "something else than Python" not in reader.text("#code-said")

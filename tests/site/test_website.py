@@ -4,7 +4,6 @@ import importlib.util
 import json
 import re
 import shutil
-import subprocess
 import warnings
 from collections.abc import Iterator
 from html.parser import HTMLParser
@@ -145,22 +144,6 @@ def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: st
         assert browser.execute_script(sticks_out) <= 0
 
 
-@pytest.fixture(scope="module")
-def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The accessibility checker of Deque, from npm."""
-    folder = tmp_path_factory.mktemp("axe")
-    try:
-        fetched = subprocess.run(
-            ["npm", "pack", "--silent", "axe-core@4"], cwd=folder, capture_output=True, text=True, timeout=120
-        )
-    except (FileNotFoundError, subprocess.TimeoutExpired):
-        pytest.skip("npm is not there")
-    if fetched.returncode != 0:
-        pytest.skip("axe-core cannot be reached")
-    shutil.unpack_archive(folder / fetched.stdout.strip(), folder, "gztar")
-    return (folder / "package" / "axe.min.js").read_text(encoding="utf-8")
-
-
 @needs_browser
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_can_be_read_by_everybody(browser: Any, address: str, axe: str, page: str) -> None:
@@ -171,6 +154,31 @@ def test_a_page_can_be_read_by_everybody(browser: Any, address: str, axe: str, p
             browser.execute_script(axe)
             found = browser.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
             assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+
+
+@needs_browser
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("page", ["index", "playground"])
+def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: str, page: str, width: int) -> None:
+    """It is as high as what it shows, before a race and after it; it moves no page around it, and has no fault."""
+    opened(browser, address, page, width)
+    if browser.execute_script("return fetch('playground/data/playground.json').then(answer => !answer.ok)"):
+        pytest.skip("there is no playground: make site")
+    assert browser.execute_script("return document.querySelectorAll('iframe').length") == 1
+    browser.execute_script("document.querySelector('iframe').loading = 'eager'")
+    browser.switch_to.frame(browser.find_element("tag name", "iframe"))
+    ready = "return document.documentElement.dataset.ready"
+    until(lambda: browser.execute_script(ready), "the first race")
+    hidden = "return document.documentElement.scrollHeight - document.documentElement.clientHeight"
+    until(lambda: browser.execute_script(hidden) == 0, "its height")
+    browser.execute_script("speed.value = 9; speed.dispatchEvent(new Event('input')); run.click()")
+    until(lambda: browser.execute_script("return run.textContent === 'Run'"), "the end of the race")
+    until(lambda: browser.execute_script(hidden) == 0, "its height")
+    browser.execute_script(axe)
+    found = browser.execute_async_script("axe.run().then(arguments[0])")
+    assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+    browser.switch_to.default_content()
+    assert browser.execute_script("return scrollY") == 0
 
 
 @needs_browser

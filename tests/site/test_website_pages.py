@@ -3,6 +3,7 @@
 import json
 import re
 from typing import Any
+from xml.etree import ElementTree
 
 import agent_pages
 import docstrings
@@ -15,6 +16,7 @@ import survey
 from repository import ROOT
 
 import edugym
+from edugym_course import agent_profiles
 
 
 @pytest.fixture(scope="module")
@@ -133,6 +135,25 @@ def test_lessons_ask_before_they_show(lessons: list[lesson_pages.Lesson]) -> Non
         assert all(len(alternative) > 10 for alternative, _ in pictures)
 
 
+def test_asides_are_folded_and_are_not_projected(lessons: list[lesson_pages.Lesson]) -> None:
+    """A fold opens below the heading of each aside and holds no other heading; what is projected has none of it."""
+    aside = re.compile(
+        rf"^### Aside, [^\n]*\n\n{re.escape(lesson_pages.FOLD)}\n(.*?)\n{re.escape(lesson_pages.FOLD_ENDS)}$",
+        re.M | re.S,
+    )
+    folded = {lesson.name: aside.findall(lesson.text) for lesson in lessons}
+    assert {lesson.name: lesson.text.count("\n### Aside") for lesson in lessons} == {
+        name: len(found) for name, found in folded.items()
+    }
+    assert sum(map(len, folded.values())) > 0
+    assert not [name for name, found in folded.items() if re.search(r"^#{2,6} ", "".join(found), re.MULTILINE)]
+    projected = projected_pages.pages(lessons)
+    for name, found in folded.items():
+        questions = [question for inside in found for question in re.findall(r"<legend>.*?</legend>", inside)]
+        assert not [question for question in questions if question in projected[f"project/{name}"]]
+        assert "Aside" not in projected[f"project/{name}"]
+
+
 def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[lesson_pages.Lesson]) -> None:
     """No formula has a command that the converter leaves as it is, nor a sign that the font lacks."""
     pytest.importorskip("latex2mathml")
@@ -163,11 +184,23 @@ def test_the_survey_has_the_statements_of_the_lessons(lessons: list[lesson_pages
     assert "action=" not in form
 
 
-def test_an_agents_page_has_equation_code_lessons_and_returns(lessons: list[lesson_pages.Lesson]) -> None:
-    """The page shows what runs, with what it calls."""
+def test_an_agents_page_has_equation_code_lessons_and_profile(lessons: list[lesson_pages.Lesson]) -> None:
+    """The page shows what runs, with what it calls; and its ladders, or why there is none."""
     page = agent_pages.page("QLearning", edugym.QLearning, lessons)
-    for part in ("max_a Q(S', a)", "def learn(", "def one_step_target(", "lessons/01_exploration.md", "| [Boulder]"):
+    for part in ("max_a Q(S', a)", "def learn(", "def one_step_target(", "lessons/01_exploration.md"):
         assert part in page
+    profile = agent_profiles.load()
+    assert profile is not None
+    for challenge in profile.challenges:
+        sentence = page.split(f"**[{challenge}](")[1].partition(":::")[0]
+        assert ("<svg" in sentence) == (profile.score("QLearning", challenge).n > 0)
+    assert "a table needs the actions 0, 1" in page
+    for picture in re.findall(r"<svg.*</svg>", page):
+        seen = ElementTree.fromstring(picture)
+        own, *others = (line.attrib for line in reversed(seen.findall("polyline")))
+        assert len(own["points"].split()) == len(seen.findall("circle"))
+        assert len(others) > 10
+        assert {line["class"] for line in others} == {"other"}
 
 
 def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[lesson_pages.Lesson]) -> None:

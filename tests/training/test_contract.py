@@ -100,3 +100,12 @@ def test_which_actions_pass(
             names = f"{method} {type(agent).__name__} {allowed} state"
             error = named(names, lambda: train(task, agent, 300, evaluate_every=9))  # noqa: B023
             assert ("missing" in str(error)) == (agent.wrong is None)
+
+
+def test_an_action_of_32_bits_gets_64(monkeypatch: pytest.MonkeyPatch) -> None:
+    """NumPy counts with 32 bits in a browser; what a state takes of an action is compiled only with 64."""
+    interpret(monkeypatch)
+    task, agent = Staying(), Acting()
+    task.action_space, agent.wrong = spaces.Discrete(2), np.int32(1)
+    train(task, agent, 2)
+    assert repr(task.done) == repr(np.int64(1))

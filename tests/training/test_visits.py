@@ -1,6 +1,6 @@
 """Recorded visits: every step once, where and when it was; and recording changes nothing else."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -16,8 +16,46 @@ def sarsa(shape: Any) -> Any:
     return StudentsSarsa(np.zeros((7, 2)))
 
 
+class Decaying(NamedTuple):
+    """Explores less and less, counting as it acts, also where it is evaluated: it has no `greedy`."""
+
+    Q: Any
+    acted: Any
+
+    def act(self, state: Any, rng: Any) -> Any:
+        """Explore at first."""
+        self.acted[0] += 1
+        if rng.random() < 10 / (10 + self.acted[0]):
+            return rng.integers(2)
+        return rng.choice(np.flatnonzero(self.Q[state] == self.Q[state].max()))
+
+    def learn(self, state: Any, action: Any, reward: Any, next_state: Any, terminated: Any) -> None:
+        """As Q-learning does."""
+        target = reward if terminated else reward + 0.9 * self.Q[next_state].max()
+        self.Q[state, action] += 0.1 * (target - self.Q[state, action])
+
+
+class Idle(NamedTuple):
+    """Acts at random, and forgets what it has computed."""
+
+    Q: Any
+
+    def act(self, state: Any, rng: Any) -> Any:
+        """Either action."""
+        return rng.integers(2)
+
+    def learn(self, state: Any, action: Any, reward: Any) -> Any:
+        """Change nothing."""
+        return self.Q[state, action] + 0.1 * reward
+
+
+def decaying(shape: Any) -> Any:
+    """One that counts how often it has acted."""
+    return Decaying(np.zeros((7, 2)), np.zeros(1, np.int64))
+
+
 @pytest.mark.parametrize("n_steps", [1_000, pytest.param(20_000, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("make", [QLearning.create, GoExplore.create, sarsa])
+@pytest.mark.parametrize("make", [QLearning.create, GoExplore.create, sarsa, decaying])
 def test_recording_changes_nothing(make: Any, n_steps: int) -> None:
     """The same curve and the same tables, bit for bit: interpreted and compiled, on- and off-policy."""
     agent, watched = make(WALL), make(WALL)
@@ -28,6 +66,12 @@ def test_recording_changes_nothing(make: Any, n_steps: int) -> None:
     np.testing.assert_array_equal(recorded.training_returns, alone.training_returns)
     assert (watched.Q == agent.Q).all()
     assert recorder.visits[:, :6].sum() == n_steps
+
+
+def test_warnings_are_about_the_agent() -> None:
+    """As without a recorder around it."""
+    with pytest.warns(UserWarning, match="learn of Idle has changed nothing in Q"):
+        train(WALL, record_visits(Idle(np.zeros((7, 2))), WALL, 1_000), 1_000, seed=5)
 
 
 @pytest.mark.parametrize("make", [QLearning.create, sarsa])

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 
-from edugym.checks.contract import Contract, tables_of
+from edugym.checks.contract import Contract, recorded, tables_of
 from edugym.checks.interfaces import class_name
 from edugym.checks.mdps import innermost
 from edugym.checks.values import kept, same
@@ -30,7 +30,8 @@ class BeforeTraining(NamedTuple):
 
 def before_training(contract: Contract) -> BeforeTraining | None:
     """What is kept of an agent before training; nothing of the package's own."""
-    return None if contract.is_own else BeforeTraining(shared_by_class(contract.agent), blank_tables(contract.agent))
+    agent = recorded(contract.agent)
+    return None if contract.is_own else BeforeTraining(shared_by_class(agent), blank_tables(agent))
 
 
 def warnings_after(task: Any, agent: Any, limit: int | None, run: Any, before: BeforeTraining | None) -> list[str]:
@@ -43,7 +44,7 @@ def warnings_after(task: Any, agent: Any, limit: int | None, run: Any, before: B
         run: what training has produced: a `Run`.
         before: what `before_training` kept of the agent.
     """
-    found = [] if limit else _endless(task, run)
+    agent, found = recorded(agent), [] if limit else _endless(task, run)
     if before is not None:
         found += _not_a_number(agent) + _changed_for_all(agent, before.shared) + _nothing_learned(agent, before, run)
     return found

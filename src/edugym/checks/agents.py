@@ -137,7 +137,7 @@ class CheckedAgent:
             row = isinstance(action, int | np.integer) and not isinstance(action, bool)
             sizes = self._sizes() if row else ""
             raise ValueError(wrong_action(f"{method} of {self._name}", self._space, action, state) + sizes)
-        return action
+        return np.int64(action) if isinstance(action, np.int32) else action  # NumPy's own in a browser, of 32 bits
 
     def _with_sizes(self, call: Callable[[], Any]) -> Any:
         """Return the result of a call; explain an index that is too large by the sizes of tables."""

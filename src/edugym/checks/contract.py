@@ -73,7 +73,12 @@ def contract_of(agent: Any) -> Contract:
     own = is_own(agent)
     require_agent(agent, own=own)
     takes, tabular = _taken(agent), getattr(agent, "tabular", True) is not False
-    return Contract(coerced(agent), takes, own, hasattr(agent, "greedy"), tabular, takes_vectors(agent))
+    return Contract(coerced(agent), takes, own, hasattr(recorded(agent), "greedy"), tabular, takes_vectors(agent))
+
+
+def recorded(agent: Any) -> Any:
+    """The agent itself, where something around it records what it does (see `edugym.record_visits`)."""
+    return getattr(agent, "recorded", agent)
 
 
 def takes_vectors(agent: Any) -> bool:

@@ -4,7 +4,7 @@ import inspect
 import math
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -102,6 +102,15 @@ def a_path(name: str, value: Any) -> Path:
     if not isinstance(value, str | os.PathLike) or not os.fspath(value):
         raise ValueError(f"{name} must be a path, such as 'file', but is {in_short(value)}")
     return Path(value)
+
+
+def a_dictionary(name: str, value: Any) -> dict[str, Any]:
+    """Refuse a `value` that is not a dictionary from names to values; None stands for an empty one."""
+    if value is None:
+        return {}
+    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
+        raise ValueError(f"{name} must be a dictionary from names to values, but is {in_short(value)}")
+    return dict(value)
 
 
 def several(name: str, values: Any, kind: type[Kind], allowed: str) -> list[Kind]:

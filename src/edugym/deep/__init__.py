@@ -13,6 +13,8 @@ from edugym.adapters.registration import make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.checks.parameters import in_short
 
+__all__ = ["PPO", "stable_baselines3_env", "stable_baselines3_run"]
+
 if TYPE_CHECKING:
     from edugym.deep.baselines import stable_baselines3_run as stable_baselines3_run
     from edugym.deep.ppo import PPO as PPO

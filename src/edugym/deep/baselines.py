@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 import stable_baselines3
 from stable_baselines3.common.callbacks import BaseCallback
+from stable_baselines3.common.policies import BasePolicy
 
-from edugym.checks.parameters import one_of, whole_number
+from edugym.checks.parameters import a_dictionary, in_short, number_of_steps, one_of, whole_number
 from edugym.deep import stable_baselines3_env
 from edugym.deep.curves import Curve, Policy, one_thread
 from edugym.training.run import Run
@@ -34,17 +35,17 @@ def stable_baselines3_run(
         stable_baselines3_run("Catch", "PPO", 20_000, num_envs=64, n_steps=32, batch_size=512, learning_rate=2e-3)
 
     Args:
-        environment: the name or id of one of our environments, or an `MDPEnv`.
+        environment: the name or id of one of our environments, an `MDPEnv`, or an MDP.
         algorithm: "DQN", "PPO", "A2C", or "RecurrentPPO", which remembers what it has seen.
         n_steps: how many steps to take in all copies together; algorithms that play whole rounds complete the last one.
             (A setting `n_steps` of the algorithm, the length of such a round, can be given by its name.)
         num_envs: how many copies play, 1 or more.
-        policy: by default "MlpPolicy", or "MlpLstmPolicy" for "RecurrentPPO".
+        policy: the name or the class of a policy; by default "MlpPolicy", or "MlpLstmPolicy" for "RecurrentPPO".
         parameters: those of an environment that is given by name.
         evaluate_every: steps between two points of the curve, 1 or more; by default a tenth of `n_steps`.
         evaluation_episodes: how many episodes each point averages, played by the likeliest actions.
-        seed: the same seed gives the same run. Stable-Baselines3 seeds the global random streams of Python, NumPy and
-            torch with it.
+        seed: from 0 to 2³² - 1; the same seed gives the same run. Stable-Baselines3 seeds the global random streams of
+            Python, NumPy and torch with it.
         **settings: those of the algorithm.
 
     Returns:
@@ -55,18 +56,25 @@ def stable_baselines3_run(
         gymnasium.error.DependencyNotInstalled: sb3-contrib is missing.
     """
     one_of("algorithm", algorithm, ALGORITHMS)
-    whole_number("n_steps", n_steps, 1)
-    whole_number("seed", seed, 0)
+    number_of_steps("n_steps", n_steps)
+    whole_number("seed", seed, 0, 2**32 - 1)
+    parameters = a_dictionary("parameters", parameters)
     recurrent = algorithm == "RecurrentPPO"
+    if policy is None:
+        policy = "MlpLstmPolicy" if recurrent else "MlpPolicy"
+    known = sorted(_class(algorithm).policy_aliases)
+    if not (isinstance(policy, str) and policy in known) and not (
+        isinstance(policy, type) and issubclass(policy, BasePolicy)
+    ):
+        raise ValueError(
+            f"policy must be one of {', '.join(known)}, or a class of Stable-Baselines3's policies, but is"
+            f" {in_short(policy)}"
+        )
     with one_thread():
-        envs = stable_baselines3_env(environment, num_envs, **(parameters or {}))
-        model = _class(algorithm)(
-            policy or ("MlpLstmPolicy" if recurrent else "MlpPolicy"), envs, seed=seed, device="cpu", **settings
-        )
+        envs = stable_baselines3_env(environment, num_envs, **parameters)
+        model = _class(algorithm)(policy, envs, seed=seed, device="cpu", **settings)
         every = max(1, n_steps // 10) if evaluate_every is None else evaluate_every
-        curve = Curve(
-            environment, parameters or {}, lambda: _policy(model, recurrent), every, evaluation_episodes, seed
-        )
+        curve = Curve(environment, parameters, lambda: _policy(model, recurrent), every, evaluation_episodes, seed)
         curve.measure(0)
         model.learn(n_steps, callback=_Watch(curve))
         return curve.run(model, model.num_timesteps, seed)

@@ -11,11 +11,11 @@ import numpy as np
 import torch
 from gymnasium.vector import AutoresetMode, VectorEnv
 
-from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.gymnasium_env import environment_of
 from edugym.adapters.registration import ENVIRONMENTS, make_environment
-from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.adapters.vector_env import MOST_COPIES, MDPVectorEnv
 from edugym.checks.interfaces import MDP_ONLY
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import in_short, whole_number
 from edugym.mdp.task import full_id, task_of
 from edugym.training.run import Run
 from edugym.training.trainers import EVALUATION_LIMIT
@@ -28,12 +28,14 @@ def copies(environment: Any, n: int, parameters: Mapping[str, Any]) -> Any:
     """Copies of an environment, reset in the step in which an episode ends.
 
     Args:
-        environment: the name of an environment of this package, an id that Gymnasium knows, or an `MDPEnv`.
+        environment: the name of an environment of this package, an id that Gymnasium knows, an environment of one's
+            own such as `MDPEnv(Walk(7))`, or its MDP.
         n: how many, 1 or more.
         parameters: those of an environment that is given by name.
 
     Raises:
-        ValueError: there is no such environment, or it has no such parameter.
+        ValueError: there is no such environment, it has no such parameter, or it is not given by name and there are
+            parameters.
     """
     if isinstance(environment, str):
         name = full_id(environment)
@@ -43,10 +45,10 @@ def copies(environment: Any, n: int, parameters: Mapping[str, Any]) -> Any:
                 name, n, "sync", vector_kwargs=options, **dict(parameters)
             )
             return made
-        environment = make_environment(environment, **parameters)
-    if not isinstance(environment, MDPEnv):
-        raise ValueError(f"environment must be a name, an id or an MDPEnv, but is {environment!r}")
-    return MDPVectorEnv(environment, n, "SameStep")
+        return MDPVectorEnv(make_environment(environment, **parameters), n, "SameStep")
+    if parameters:
+        raise ValueError(f"parameters are for an environment given by its name, but are {in_short(parameters)}")
+    return MDPVectorEnv(environment_of(environment), n, "SameStep")
 
 
 class Curve:
@@ -71,7 +73,7 @@ class Curve:
         seed: int,
     ) -> None:
         """See the class."""
-        self._env = copies(environment, whole_number("evaluation_episodes", n_episodes, 1), parameters)
+        self._env = copies(environment, whole_number("evaluation_episodes", n_episodes, 1, MOST_COPIES), parameters)
         self._policy, self._every = policy, whole_number("evaluate_every", every, 1)
         self._rng = np.random.default_rng(seed)
         self._began = time.perf_counter()

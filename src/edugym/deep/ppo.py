@@ -14,7 +14,7 @@ from torch.random import fork_rng
 
 from edugym.agents.settings import Discount, LearningRate, Probability, Range, new, shows_settings
 from edugym.agents.vectors import input_scale
-from edugym.checks.parameters import whole_number
+from edugym.checks.parameters import a_dictionary, number_of_steps, whole_number
 from edugym.deep.curves import Curve, copies, one_thread
 from edugym.mdp.tabular import table_lows, table_sizes
 from edugym.mdp.task import vector_length
@@ -32,7 +32,7 @@ class PPO(NamedTuple):
         Â_t = δ_t + γλ Â_t+1,  δ_t = R_t+1 + γ V(S_t+1) - V(S_t),  G_t = Â_t + V(S_t)
 
     Attributes:
-        environment: the name of an environment of this package, an id that Gymnasium knows, or an `MDPEnv`.
+        environment: the name of an environment of this package, an id that Gymnasium knows, an `MDPEnv` or an MDP.
         parameters: those of an environment that is given by name.
         num_envs: how many copies play, 1 or more.
         length: steps that each copy plays between two updates, 1 or more.
@@ -80,7 +80,7 @@ class PPO(NamedTuple):
             n_steps: how many steps, `num_envs` times `length` or more.
             evaluate_every: steps between two points of the curve, 1 or more; by default a tenth of `n_steps`.
             evaluation_episodes: how many episodes each point averages, played by the likeliest actions.
-            seed: the same seed gives the same run; torch's own random stream is afterwards as it was before.
+            seed: from 0 to 2⁶³ - 1; the same seed gives the same run. It leaves torch's own random stream as it was.
 
         Returns:
             As `edugym.train`; its `agent` is the `ActorCritic`.
@@ -88,8 +88,9 @@ class PPO(NamedTuple):
         Raises:
             ValueError: a parameter is not as above.
         """
+        number_of_steps("n_steps", n_steps)
         updates = whole_number("n_steps", n_steps, self.num_envs * self.length) // (self.num_envs * self.length)
-        whole_number("seed", seed, 0)
+        whole_number("seed", seed, 0, 2**63 - 1)
         with one_thread(), fork_rng(devices=[]), torch.inference_mode():  # the gradient is written out below
             torch.manual_seed(seed)
             env = copies(self.environment, self.num_envs, self.parameters)
@@ -175,8 +176,9 @@ class PPO(NamedTuple):
         Raises:
             ValueError: a setting is not as the class says, or there is no such environment.
         """
-        copies(environment, 1, parameters or {})
-        made = new(cls, None, {"environment": environment, "parameters": dict(parameters or {}), **settings})
+        parameters = a_dictionary("parameters", parameters)
+        copies(environment, 1, parameters)
+        made = new(cls, None, {"environment": environment, "parameters": parameters, **settings})
         whole_number("minibatches", made.minibatches, 1, made.num_envs * made.length // 2)
         return made
 

@@ -1,4 +1,4 @@
-"""Switches: many goals, each with a rare reward."""
+"""Switches: many goals, each with a rare reward (lesson 11)."""
 
 from functools import partial
 from typing import Any, NamedTuple

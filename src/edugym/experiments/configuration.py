@@ -11,8 +11,9 @@ import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
 from edugym.adapters.registration import specification
+from edugym.checks.contract import recorded
 from edugym.checks.interfaces import MADE, a_class
-from edugym.checks.parameters import in_short
+from edugym.checks.parameters import a_dictionary
 from edugym.checks.values import deep_copy
 from edugym.mdp.task import task_of
 
@@ -81,10 +82,9 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Exper
     Raises:
         ValueError: there is no such environment, it has no such parameter, or it is made already and takes none.
     """
-    if parameters is not None and not isinstance(parameters, Mapping):
-        raise ValueError(f"parameters must be a dictionary from names to values, but is {in_short(parameters)}")
+    parameters = a_dictionary("parameters", parameters)
     if isinstance(environment, str):
-        return _registered(environment, dict(parameters or {}))
+        return _registered(environment, parameters)
     if parameters:
         raise ValueError(
             f"parameters can be given with the name of an environment only, but environment is {environment!r}"
@@ -171,7 +171,7 @@ def described(value: Any, name: str) -> dict[str, Setting]:
     Of other objects, the public attributes that are numbers, texts or booleans are described. A `VisitRecorder` is
     described as the agent in it.
     """
-    value = getattr(value, "recorded", value)
+    value = recorded(value)
     seen: set[int] = set()
 
     def walk(part: Any, path: str) -> dict[str, Setting]:

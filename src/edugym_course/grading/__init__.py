@@ -28,7 +28,7 @@ To check something else than a number, take
 |---|---|---|
 | a number | `values.compare`; `mistakes.compare_all` for one that is called several times | the number that it gives |
 | an agent's `learn` | `updates.Update`, or `one_step.Q_LEARNING` | the same rule with other arguments |
-| an agent's `act` | `choices.check_choices` | other probabilities |
+| an agent's `act` | `choices.check_choices`, or `check_all_choices` for several cases | other probabilities |
 | what `repeat` returned | `results.check_results` | another setting |
 | something of your own | `mistakes.mistake_that_fits` names the mistake | a rule that explains all cases |
 | a program from a blank file | `replay.Rule`, and `curves.Race` against ours | an agent of ours that makes it |

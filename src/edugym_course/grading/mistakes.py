@@ -1,6 +1,6 @@
 """Which of the usual mistakes explains what an answer gives, in all cases of a check."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from edugym_course.grading.errors import nobody_asks_why
@@ -8,6 +8,7 @@ from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
 
 Mistake = TypeVar("Mistake")
 
+LOOKS_LIKE = "in this case it looks like this: "
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
@@ -22,7 +23,8 @@ def mistake_that_fits(
     Args:
         mistakes: the mistakes, by the sentence that tells of each.
         everywhere: whether a mistake gives what the answer gives in all cases.
-        here: whether it does so in the case that is told; None names no such mistake.
+        here: whether it does so in the case that is told, and not only there by chance (see `explains_most`); None
+            names no such mistake.
         otherwise: what to say if none fits.
     """
     if nobody_asks_why():
@@ -32,8 +34,18 @@ def mistake_that_fits(
             return sentence
     for sentence, mistake in mistakes.items():
         if here is not None and here(mistake):
-            return f"in this case it looks like this: {sentence}"
+            return f"{LOOKS_LIKE}{sentence}"
     return otherwise
+
+
+def explains_most(wrong: Iterable[bool]) -> bool:
+    """Whether a mistake explains the first case that is wrong, which is told, and most of the others.
+
+    Args:
+        wrong: whether it gives what the answer gives, for each case in which the answer is wrong.
+    """
+    fits = [*wrong]
+    return fits[0] and 2 * sum(fits) > len(fits)
 
 
 class NumberCase(NamedTuple):
@@ -53,12 +65,21 @@ class NumberCase(NamedTuple):
 
 
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
-    """Check several numbers. If there are mistakes that explain all of them, no others are named.
+    """Check several numbers. If there are mistakes that explain all of them, no others are named; else those of a case.
+
+    Otherwise the mistake that fits the first wrong number is named as what it looks like, unless one of the right
+    numbers before it shows that the answer does not make this mistake.
 
     Raises:
         WrongAnswer: one is not right.
     """
     everywhere = [why for why in cases[0].mistakes if all(same(case.found, case.mistakes[why]) for case in cases)]
+    possible = {*cases[0].mistakes}
     for what, found, expected, mistakes in cases:
-        wrong = {why: mistakes[why] for why in everywhere or mistakes if not same(mistakes[why], expected)}
+        wrong = {
+            why if everywhere else f"{LOOKS_LIKE}{why}": mistakes[why]
+            for why in everywhere or mistakes
+            if why in possible and not same(mistakes[why], expected)
+        }
         compare(what, found, expected, wrong, otherwise=otherwise)
+        possible -= {why for why in mistakes if not everywhere and not same(mistakes[why], expected)}

@@ -40,12 +40,15 @@ def one_step_update(
     Q, entry = tables["Q"], (now.state, now.action)
     if now.terminated and ends == "skipped":
         return
+    if now.terminated and ends == "twice":
+        Q[entry] += learning_rate * (now.reward + extra - Q[entry])
     old = Q[entry]
     if step == "shrunk first":
         Q[entry] *= 1 - learning_rate
     future = {
         "terminated": not now.terminated,
         "never": True,
+        "twice": True,
         "truncated": not (now.terminated or now.truncated),
         "inverted": now.terminated,
     }.get(ends, not now.terminated)
@@ -62,11 +65,14 @@ def one_step_update(
     }[target]
     if now.terminated and ends == "nothing":
         aim = 0.0
+    less = old
+    if ends.startswith("brackets"):
+        aim, less = _without_brackets(ends, now, aim, old)
     if step == "next row":
         entry = (now.next_state, now.action)
         old = Q[entry]
     Q[entry] = {
-        "difference": old + learning_rate * (aim - old),
+        "difference": old + learning_rate * (aim - less),
         "next row": old + learning_rate * (aim - old),
         "shrunk first": (1 - learning_rate) * old + learning_rate * aim,
         "no old": old + learning_rate * aim,
@@ -75,7 +81,19 @@ def one_step_update(
         "minus": old - learning_rate * (aim - old),
         "weights": learning_rate * old + (1 - learning_rate) * aim,
         "rate on old": old + aim - learning_rate * old,
+        "rate on reward": aim + (learning_rate - 1) * (reward + extra),
+        "old discounted": old + learning_rate * (aim - discount * old),
     }[step]
+
+
+def _without_brackets(ends: str, now: Transition, aim: float, old: float) -> tuple[float, float]:
+    """Return the target, and what is subtracted from it, where `a if terminated else b - Q` has no brackets."""
+    subtracts_at_the_end = ends in ("brackets: -Q at the end", "brackets: only -Q at the end")
+    if ends == "brackets: R at the end" and not now.terminated:
+        aim -= now.reward
+    if ends == "brackets: only -Q at the end" and now.terminated:
+        aim = 0.0
+    return aim, old if now.terminated == subtracts_at_the_end else 0.0
 
 
 def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], float]) -> float:
@@ -169,6 +187,15 @@ Q_LEARNING = Update(
             "ends": "nothing"
         },
         "at the end of an episode nothing is learned, and that is where the reward is": {"ends": "skipped"},
+        "at the end of an episode it learns twice: is an `else` missing?": {"ends": "twice"},
+        "− Q(S, A) is missing at the end of an episode: `a if terminated else b - Q` subtracts it from b only, so put"
+        " brackets around `a if terminated else b`": {"ends": "brackets: -Q before the end"},
+        "− Q(S, A) is missing but at the end of an episode: `a if not terminated else b - Q` subtracts it from b only,"
+        " so put brackets around `a if not terminated else b`": {"ends": "brackets: -Q at the end"},
+        "Python reads `R + a if terminated else b - Q` as `(R + a) if terminated else (b - Q)`: put brackets around"
+        " `a if terminated else b`": {"ends": "brackets: R at the end"},
+        "Python reads `R + a if not terminated else b - Q` as `(R + a) if not terminated else (b - Q)`: put brackets"
+        " around `a if not terminated else b`": {"ends": "brackets: only -Q at the end"},
         "the reward is missing": {"target": "no reward"},
         "the reward is discounted; γ belongs to the value of the next state only": {"target": "discounted"},
         "the value of the next state is not discounted: multiply it by γ": {"target": "undiscounted"},
@@ -181,6 +208,8 @@ Q_LEARNING = Update(
         "the old value is lost: α times the target is not Q(S, A) + α [target − Q(S, A)]": {"step": "only"},
         "the sign is wrong: it moves away from the target": {"step": "minus"},
         "α belongs to the whole bracket, not to Q(S, A) alone": {"step": "rate on old"},
+        "α stands before the reward alone: put the whole bracket into parentheses": {"step": "rate on reward"},
+        "Q(S, A) is discounted as well: γ belongs to the value of the next state only": {"step": "old discounted"},
         "α and 1 − α have changed places": {"step": "weights"},
         "Q(S, A) changes before the maximum is taken: compute the whole target from the old Q": {
             "step": "shrunk first"

@@ -34,6 +34,8 @@ def check_results(
     given(what, answer)
     if not isinstance(answer, Results):
         hint = ": call it" if callable(answer) else ""
+        if isinstance(answer, list | tuple | dict):
+            hint = ": one call takes all methods, in one dictionary"
         raise WrongAnswer(
             f"{what} should be what `repeat(...)` returns, but is of the type {type(answer).__name__}{hint}"
         )

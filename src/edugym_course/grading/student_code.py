@@ -6,6 +6,8 @@ import traceback
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from types import FrameType
+from typing import Any
 
 import numpy as np
 
@@ -15,18 +17,20 @@ from edugym_course.grading.time_limit import LIMIT, time_limit
 
 PACKAGES = tuple(map(str, own_folders()))
 
-FIELD = "write `self.` before a field"
+FIELD = "write `self.` before a field or a method"
 HINTS = (
     ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
     ("truth value of an array", "compare single entries, not whole rows"),
     (
         r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
-        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late)' is not defined",
+        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late|states|actions|rewards)' is not defined",
         FIELD,
     ),
+    (r"name '(alpha|beta|gamma|alfa|lr)' is not defined", "the exercise has another name for it"),
+    (r"name 'inf(inity)?' is not defined", "infinity is math.inf"),
     ("cannot access local variable", "it gets a value on some paths only"),
-    ("'NoneType'", "something is None there: is a `return` missing?"),
+    ("'NoneType'", "something is None there: is a `return` missing, or does what is called return nothing?"),
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
     (
@@ -36,18 +40,35 @@ HINTS = (
     ),
     ("could not be broadcast", "two arrays of different sizes meet there"),
     ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
+    (
+        r"(float|int)\d*' object is not (iterable|reversible|subscriptable)|index to scalar",
+        "that is a single number, and a row, a list or range(...) is needed there",
+    ),
+    (
+        r"(float|int|list|array)\d*' object is not callable",
+        "that is no function: leave the parentheses out, or take an entry with [ ]",
+    ),
+    ("cannot be empty", "nothing is left to choose from: for which values does that happen?"),
     ("too many indices", "the array has fewer axes than there are indices"),
     (
         "out of bounds|index out of range",
         "indices go from 0 to the size less 1: is the range, or the order of the indices, right?",
     ),
     ("math domain error|expected a positive input", "a logarithm needs a number above 0: leave zeros out"),
-    ("inhomogeneous", "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?"),
-    ("only integer", "an index is a whole number"),
+    (
+        "inhomogeneous|policy must be a whole number",
+        "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?",
+    ),
+    ("only integer|indices must be of integer", "an index is a whole number"),
     (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
     (r"missing \d+ required", "it has more parameters than the call gives it values"),
     ("positional argument", "its parameters are not those of the exercise"),
     ("unexpected keyword argument", "its parameters are not those of the exercise"),
+    ("'module' object is not callable", "a module has this name too: write `self.` before a method"),
+    (
+        "ndarray' object has no attribute '(append|extend|insert|pop|remove)'",
+        "an array keeps its size: write into an entry of it",
+    ),
     ("'list' object has no attribute", "that is a list: np.array(...) makes an array of it"),
     ("has no attribute", "is the name spelt as in the exercise?"),
 )
@@ -86,7 +107,9 @@ def _sentence(what: str, error: Exception) -> str:
     if isinstance(error, KeyError):
         message = f"there is no key {message}"
     hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]
-    if hints and hints[0] == FIELD and not _in_method(error):
+    if isinstance(error, NameError) and error.name and hasattr(_self_of(error), error.name):
+        hints = [FIELD]
+    elif hints and hints[0] == FIELD and not _in_method(error):
         hints = ["is it a parameter, under another name?"]
     because = f" ({hints[0]})" if hints else ""
     kind = type(error).__name__
@@ -111,8 +134,19 @@ def _student_line(error: Exception) -> str:
 
 def _in_method(error: Exception) -> bool:
     """Return whether the error comes from a method of a student's."""
-    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__) if not _is_ours(frame.f_code.co_filename)]
+    frames = _student_frames(error)
     return bool(frames) and "self" in frames[-1].f_code.co_varnames
+
+
+def _self_of(error: Exception) -> Any:
+    """Return the object whose method the error comes from; None if it is no method of a student's."""
+    frames = _student_frames(error)
+    return frames[-1].f_locals.get("self") if frames else None
+
+
+def _student_frames(error: Exception) -> list[FrameType]:
+    """Return the calls of the student's own code on the way to the error."""
+    return [frame for frame, _ in traceback.walk_tb(error.__traceback__) if not _is_ours(frame.f_code.co_filename)]
 
 
 def _last_file(error: Exception) -> str:

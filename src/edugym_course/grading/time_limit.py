@@ -4,11 +4,13 @@ The limit is one of processor time: code that sleeps or waits is not caught.
 """
 
 import _thread
+import signal
 import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 from edugym_course.grading.errors import TooSlow
 
@@ -55,6 +57,11 @@ class _Watch:
         with self._lock:
             code.over = True
 
+    def interrupt(self, *_: Any) -> None:
+        """Handle the signal of an interrupt as Python does, but only if code is late."""
+        if any(one.interrupted and not one.over for one in self._timed):
+            raise KeyboardInterrupt
+
     def _run(self) -> None:
         while True:
             time.sleep(INTERVAL)
@@ -88,6 +95,9 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
         yield
         return
     code = _TimedCode(time.process_time() + limit)
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN  # as in what a shell script runs in the background
+    if ignored:
+        signal.signal(signal.SIGINT, _watch.interrupt)
     try:
         _watch.add(code)
         try:
@@ -98,5 +108,8 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
         code.over = True  # the interrupt may have come in `end`
         if not code.interrupted:
             raise
+    finally:
+        if ignored:
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
     if code.interrupted:
         raise TooSlow(f"{what} has not ended after {limit:g} seconds: is there a `while` whose condition stays true?")

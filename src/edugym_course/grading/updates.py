@@ -12,7 +12,8 @@ differ from the rule's, these explanations are tried in turn, and the first that
 6. wrong numbers, 0 among them;
 7. a count that does not grow by one.
 
-If none does, it is said which mistake fits the first case that differs, or that too many entries change.
+If none does, it is said which mistake fits the first case that differs and most of the others, or that too many
+entries change.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -24,7 +25,7 @@ import numpy as np
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.mistakes import UNUSUAL
+from edugym_course.grading.mistakes import LOOKS_LIKE, UNUSUAL
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import TOLERANCE, all_same, differing, digits, in_brackets
 
@@ -69,6 +70,8 @@ class Difference(NamedTuple):
     entry: tuple[int, ...]
 
 
+SHARES = frozenset({"learning_rate", "value_learning_rate", "discount", "target_epsilon"})
+"""Settings that lie between 0 and 1, the wrong ones of students as well."""
 NEWTON_STEPS = 8  # Gauss-Newton iterations; enough, since rules are products of few numbers
 
 Outcomes = list[list[Tables]]
@@ -165,14 +168,17 @@ class Update:
         if counted := _miscounted(cases, right, found, difference):
             return counted
         student, expected = (outcomes[difference.case][difference.step] for outcomes in (found, right))
-        for sentence, change in singles.items():  # none fits everywhere: one that fits here
-            outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
-            if all_same(outcome[difference.table], student[difference.table]):
-                return f"in this case it looks like this: {sentence}"
+        for sentence, change in singles.items():  # none fits everywhere: one that fits most of what differs
+            if self._fits_most(cases, right, found, {**settings, **change}, difference):
+                return f"{LOOKS_LIKE}{sentence}"
         before = _before(cases, found, difference)
-        changed = len(differing(before, student[difference.table]))
-        if changed > len(differing(before, expected[difference.table])):
-            return f"{changed} entries of `{difference.table}` change, and only one should"
+        changed, right_ones = (differing(before, after[difference.table]).tolist() for after in (student, expected))
+        if len(changed) > len(right_ones):
+            return f"{len(changed)} entries of `{difference.table}` change, and only one should"
+        if len(changed) == len(right_ones) == 1 and changed != right_ones:
+            moved, entry = (", ".join(map(str, one[0])) for one in (changed, right_ones))
+            name = difference.table
+            return f"another entry changes than should, {name}[{moved}] and not {name}[{entry}]"
         return UNUSUAL
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
@@ -180,6 +186,20 @@ class Update:
         return all(
             all(map(_agree, self._outcome(case, settings), tables)) for case, tables in zip(cases, found, strict=True)
         )
+
+    def _fits_most(
+        self, cases: list[Case], right: Outcomes, found: Outcomes, settings: Settings, first: Difference
+    ) -> bool:
+        """Whether the rule with these settings does what the answer does in most of the cases in which it is wrong.
+
+        In a single case simple numbers may agree by chance, so that is not enough.
+        """
+        fits = {
+            number: list(map(_agree, self._outcome(cases[number], settings), found[number]))
+            for number, steps in enumerate(found)
+            if not all(map(_agree, right[number], steps))
+        }
+        return fits[first.case][first.step] and 2 * sum(map(all, fits.values())) > len(fits)
 
     def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> dict[str, float]:
         """Return the numbers that are wrong (a learning rate, a discount) if those explain it all; else none.
@@ -205,6 +225,8 @@ class Update:
                 break
         numbers = np.where(np.abs(numbers - numbers.round(6)) < 1e-8, numbers.round(6), numbers)
         fitted = dict(zip(self.numbers, map(float, numbers), strict=True))
+        if any(not 0 <= value <= 1 for name, value in fitted.items() if name in SHARES):
+            return {}  # nobody writes a discount of 2.8: the fit is an accident
         wrong = {name: value for name, value in fitted.items() if value != settings[name]}
         return wrong if self._fits(cases, found, {**settings, **fitted}) else {}
 

@@ -12,6 +12,8 @@ from edugym_course.grading.errors import Unsolved, WrongAnswer
 
 TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
+CARET = "`^` is no power in Python, that is `**`"
+"""What to say of a number in which one stands for the other."""
 UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
@@ -46,8 +48,10 @@ def number(what: str, value: Any) -> float:
     if isinstance(value, str):
         raise WrongAnswer(f"{what} should be a number, but is the text {value!r}: leave the quotes out")
     if isinstance(value, tuple | list | dict | set) or getattr(value, "ndim", False):
-        shape = f" of shape {value.shape}" if hasattr(value, "shape") else ""
-        raise WrongAnswer(f"{what} should be one number, but is a {type(value).__name__}{shape}: take an entry of it")
+        kind, of_them = type(value).__name__, "take an entry of it"
+        if hasattr(value, "shape"):
+            kind, of_them = f"{kind} of shape {value.shape}", f"{of_them}, or is it their sum that is needed?"
+        raise WrongAnswer(f"{what} should be one number, but is a {kind}: {of_them}")
     if callable(value):
         raise WrongAnswer(f"{what} should be a number, but is a function: call it, with parentheses")
     if hasattr(value, "item") and not isinstance(value, np.generic):
@@ -96,6 +100,8 @@ def compare(
     if abs(found - expected) <= (allowance(expected) if tolerance is None else tolerance):
         return found
     near = {sentence: abs(found - wrong) for sentence, wrong in mistakes.items() if _looks_like(found, wrong, expected)}
+    if tolerance is None and says is None and _rounded(found, expected):
+        otherwise = "is it rounded? Give the number as it is, without round(), int() or //"
     why = min(near, key=lambda sentence: near[sentence]) if near else otherwise
     told = says(found) if says else f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(f"{told}: {why}")
@@ -143,6 +149,12 @@ def _looks_like(found: float, wrong: float, expected: float) -> bool:
     """Whether a number is what a mistake gives, also when the student has rounded it to a few digits."""
     close = 2e-3 * abs(wrong) + 1e-12
     return abs(found - wrong) <= close and abs(found - wrong) < abs(found - expected)
+
+
+def _rounded(found: float, expected: float) -> bool:
+    """Whether a number is the right one, rounded to a few digits after the decimal point."""
+    rounded = [math.trunc(expected), *(round(expected, places) for places in range(4))]
+    return abs(found - expected) < 0.03 * abs(expected) and any(same(found, one) for one in rounded)
 
 
 def digits(value: float, other: float) -> str:

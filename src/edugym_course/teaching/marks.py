@@ -35,6 +35,11 @@ def is_project(cell: Any) -> bool:
     return is_code(cell) and "project" in cell.metadata.get("tags", [])
 
 
+def is_aside(cell: Any) -> bool:
+    """Whether a cell belongs to an aside, which is folded and which nothing else needs."""
+    return "aside" in cell.metadata.get("tags", [])
+
+
 def without_marks(source: str) -> str:
     """Takes the lines that are marks or placeholders out of a source, and leaves what they mark."""
     return "\n".join(

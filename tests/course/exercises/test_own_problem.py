@@ -7,6 +7,7 @@ import pytest
 
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.own_problem import exercises
+from edugym_course.lessons.own_problem.exercises import chimes
 from tests.course.grading.test_checking import noted_limits
 from tests.course.lessons.made_up import Circle
 
@@ -14,7 +15,7 @@ from tests.course.lessons.made_up import Circle
 def test_problems_that_are_none() -> None:
     """A class, one with too few states or actions, and one that the package refuses; the sentence is the same."""
     with pytest.raises(WrongAnswer, match=r"^my_problem must be a value, but is the class Mine: make one"):
-        exercises.exercise_4(type("Mine", (exercises.UsedToChimes,), {"__slots__": ()}), 0)
+        exercises.exercise_4(type("Mine", (chimes.UsedToChimes,), {"__slots__": ()}), 0)
     for states, actions in ((3, 2), (4, 1)):
         with pytest.raises(WrongAnswer, match=f"four states or more, but has {actions} and {states}$"):
             exercises.exercise_4(Stairs(states=states, actions=actions), 0)
@@ -48,7 +49,7 @@ def test_the_smallest_problem(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_where_a_step_can_lead_is_told() -> None:
     """A ring in light sleep wakes her always; in deep sleep with probability 0.9, and else she is dozing."""
-    asleep = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 2, 1), 2), "")
-    dozing = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 1, 1), 2), "")
-    assert exercises._told(asleep) == "(4, 0, 1) (p = 0.9) or (4, 1, 1) (p = 0.1)"
-    assert exercises._told(dozing) == "(4, 0, 1) (p = 1)"
+    asleep = chimes._ways(partial(chimes.UsedToChimes().transition, (3, 2, 1), 2), "")
+    dozing = chimes._ways(partial(chimes.UsedToChimes().transition, (3, 1, 1), 2), "")
+    assert chimes._told(asleep) == "(4, 0, 1) (p = 0.9) or (4, 1, 1) (p = 0.1)"
+    assert chimes._told(dozing) == "(4, 0, 1) (p = 1)"

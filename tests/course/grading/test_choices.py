@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import nullcontext
+from functools import partial
 from itertools import cycle
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 
 from edugym_course.grading import Unsolved, WrongAnswer
-from edugym_course.grading.choices import check_choices
+from edugym_course.grading.choices import ChoiceCase, check_all_choices, check_choices
 
 HALF = [0.0, 0.5, 0.5]
 MISTAKES = {"at random": [1 / 3] * 3, "the first of equals": [0.0, 1.0, 0.0], "with ε": [0.1, 0.45, 0.45]}
@@ -28,8 +29,11 @@ def chosen(choose: Callable[[np.random.Generator], Any], tables: dict[str, Any] 
         (lambda rng: 0 if rng.random() < 0.1 else 1 + int(rng.random() * 2), "with ε$"),
         (lambda rng: 2, "none of the usual mistakes$"),
         (lambda rng: None, "a `return` missing"),
-        (lambda rng: 1.0, "a whole number, but gives 1.0$"),
-        (lambda rng: True, "a whole number, but gives True$"),
+        (
+            lambda rng: 1.0,
+            r": an action is the \*index\* of a value \(if it is the index, int\(...\) makes it whole\)$",
+        ),
+        (lambda rng: True, r"gives True: np.flatnonzero\(...\) gives the indices at which a comparison"),
         (lambda rng: np.array([1]), "gives an array: return one of its entries, drawn with rng.choice$"),
         (lambda rng: 3, "from 0 to 2, but gives 3$"),
         (lambda rng: -1, "from 0 to 2, but gives -1$"),
@@ -66,6 +70,34 @@ def test_the_mistake_that_fits_best_is_told(mistakes: dict[str, list[float]], wh
     """Also one that may choose what never came; the distances are 0.04, 0, and 0.024."""
     with pytest.raises(WrongAnswer, match=f"{why}$"):
         check_choices("act(0, rng)", lambda rng: 1, HALF, mistakes, tables={}, where="where all is well")
+
+
+def one_of(some: list[int], rng: np.random.Generator) -> Any:
+    """Choose one of some actions."""
+    return rng.choice(some)
+
+
+@pytest.mark.parametrize(
+    ("choices", "why"),
+    [
+        ([[0], [0]], ": the first$"),
+        ([[0], [1]], ": in this case it looks like this: the first$"),
+        ([[2], [0]], "action 2 in 50% of calls, but it chooses action 2, which is none of the usual mistakes$"),
+        ([[1, 2], [0]], ", should choose action 1, but it chooses action 0: the wrong one$"),
+    ],
+)
+def test_other_cases_contradict_a_mistake(choices: list[list[int]], why: str) -> None:
+    """A mistake that does not fit all cases is what it looks like; one that a right case contradicts is not named."""
+    asked = [
+        ([0.0, 0.5, 0.5], {"the first": [1.0, 0.0, 0.0], "the wrong one": [0.0, 0.5, 0.5]}),
+        ([0.0, 1.0, 0.0], {"the first": [1.0, 0.0, 0.0], "the wrong one": [1.0, 0.0, 0.0]}),
+    ]
+    cases = [
+        ChoiceCase(partial(one_of, some), expected, mistakes, {}, "here")
+        for some, (expected, mistakes) in zip(choices, asked, strict=True)
+    ]
+    with pytest.raises(WrongAnswer, match=why):
+        check_all_choices("act(0, rng)", cases)
 
 
 def test_placeholder_and_changed_tables() -> None:

@@ -24,7 +24,7 @@ from tests.course.lessons.answers import read_exercises
 
 WITHOUT = {
     **dict.fromkeys(["02_on_off_policy", "03_depth", "04_dimensionality", "05_memory", "06_signal"], 3),
-    **dict.fromkeys(["07_continuous_actions", "08_stochasticity"], 3),
+    **dict.fromkeys(["07_continuous_actions", "08_stochasticity", "11_goals"], 3),
     "10_own_problem": 4,
 }
 """The lessons, and how many exercises of each, that have no numbers of a student's own."""

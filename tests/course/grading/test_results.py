@@ -43,6 +43,7 @@ def test_experiments() -> None:
         (results(same), "mine should have different methods, but 'slow' and 'again' are the same agent"),
         (results({"slow": METHODS["slow"]}), "mine should have the method 'fast', but has only slow: keep the labels"),
         (checked, r"mine should be what `repeat\(...\)` returns, but is of the type function: call it"),
+        ([results(METHODS)], r"mine should be .+ of the type list: one call takes all methods, in one dictionary"),
     ):
         with pytest.raises(WrongAnswer, match=f"^{says}$"):
             checked(answer)

@@ -84,13 +84,25 @@ ERRORS = [
     ("return np.zeros(2)[2]", "indices go from 0 to the size less 1"),
     ("return [1, 2][2]", "indices go from 0 to the size less 1"),
     ("return math.log(0)", "a logarithm needs a number above 0"),
+    ("return alpha * 2", "the exercise has another name for it"),
+    ("return rewards[0]", "write `self.` before a field"),
+    ("return inf", "infinity is math.inf"),
+    ("return max(np.zeros(2)[0])", "that is a single number, and a row, a list or range(...) is needed there"),
+    ("return reversed(2)", "that is a single number, and a row"),
+    ("return np.zeros(2)[0][1]", "that is a single number, and a row"),
+    ("return np.zeros(2)(0)", "that is no function: leave the parentheses out"),
+    ("y = 1.5; return y()", "that is no function: leave the parentheses out"),
+    ("return np.random.default_rng(0).choice([])", "nothing is left to choose from"),
     ("return np.array([[1], [1, 2]])", "an array of numbers is needed there"),
     ("return np.zeros(2)[1.0]", "an index is a whole number"),
+    ("return np.zeros(2)[np.ones(2)]", "an index is a whole number"),
     ("return create()", "`create` takes the environment first"),
     ("return g(1)", "it has more parameters than the call gives it values"),
     ("return g(1, 2, 3)", "its parameters are not those of the exercise"),
     ("return g(1, z=2)", "its parameters are not those of the exercise"),
     ("return [True].all()", "that is a list: np.array(...) makes an array of it"),
+    ("return np.zeros(2).append(1)", "an array keeps its size: write into an entry of it"),
+    ("return math(2)", "a module has this name too: write `self.` before a method"),
     ("return np.zeros(2).maximum()", "is the name spelt as in the exercise?"),
 ]
 """Lines that raise an error, and what is said of it."""
@@ -108,6 +120,13 @@ def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
 
     said = run(f"def f(self=None):\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
     assert f"({hint}" in said
+
+
+def test_a_name_that_self_has() -> None:
+    """Any field and any method of the student's own class is known as such."""
+    for line in ("return b + 1", "return count(1)"):
+        said = run(f"def m(self):\n    {line}\n\ndef f():\n    return m(Pair(1, 2))", Pair=Pair)
+        assert said.endswith("is not defined (write `self.` before a field or a method)")
 
 
 def test_no_self_in_a_plain_function() -> None:

@@ -1,5 +1,6 @@
 """A student's code that never ends is ended, with one sentence."""
 
+import signal
 import threading
 import time
 from collections.abc import Callable
@@ -28,15 +29,24 @@ def catches_everything() -> None:
             continue
 
 
+@pytest.mark.parametrize("ignored", [False, True])
 @pytest.mark.parametrize("code", [waits_for_ever, catches_everything])
-def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None]) -> None:
-    """Also within code that has no limit."""
-    with (
-        pytest.raises(WrongAnswer, match=r"act\(3\) has not ended after 0.1 seconds: is there a `while`"),
-        student_code("your code", limit=1_000),
-        student_code("act(3)", limit=0.1),
-    ):
-        code()
+def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None], ignored: bool) -> None:
+    """Also within code that has no limit, and in what a shell runs in the background, which Ctrl-C does not reach."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if ignored else signal.getsignal(signal.SIGINT)
+    try:
+        with (
+            pytest.raises(WrongAnswer, match=r"act\(3\) has not ended after 0.1 seconds: is there a `while`"),
+            student_code("your code", limit=1_000),
+            student_code("act(3)", limit=0.1),
+        ):
+            code()
+        assert signal.getsignal(signal.SIGINT) == (signal.SIG_IGN if ignored else before)
+        if ignored:
+            with time_limit("act(3)"):
+                signal.raise_signal(signal.SIGINT)
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_the_limit_of_all_goes_on_where_the_limit_of_a_part_is_over() -> None:

@@ -68,6 +68,37 @@ def test_two_mistakes_at_once_and_wrong_numbers() -> None:
     assert "a learning rate of 0.3333" in said
 
 
+def test_what_fits_by_accident_is_not_named() -> None:
+    """No discount is above 1; a mistake that fits one case and not most of them is none."""
+    said = said_of(by_rule(Q_LEARNING, {**RIGHT, "discount": 2.8}))
+    assert said.endswith("that is none of the usual mistakes, so compare your code with the equation, term by term")
+    first = Q_LEARNING.cases(SIZE, 0)[0].transitions[0]
+
+    def now_and_then(mistake: str, otherwise: str) -> Callable[..., None]:
+        """A `learn` with one mistake in the step of the first case, and with another one in all others."""
+
+        def learn(
+            self: Any, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool
+        ) -> None:
+            now = Transition(state, action, reward, next_state, first.next_action, terminated, truncated)
+            backup = mistake if now == first else otherwise
+            Q_LEARNING.rule(self._asdict(), now, **RIGHT, backup=backup)
+
+        return learn
+
+    assert "looks like this" not in said_of(now_and_then("mean", "min"))
+    assert "looks like this" not in said_of(now_and_then("min", "mean"))
+    ends = [case.transitions[0].next_state for case in Q_LEARNING.cases(SIZE, 0)[1::6]]
+    spared = next(state for state in ends if state != ends[0])
+
+    def at_ends(self: Any, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Goes on at every end but one."""
+        now = Transition(state, action, reward, next_state, 0, terminated, truncated=False)
+        Q_LEARNING.rule(self._asdict(), now, **RIGHT, ends="terminated" if next_state == spared else "never")
+
+    assert "looks like this: a terminal state has no future" in said_of(at_ends)
+
+
 def test_no_change_and_bad_parameters() -> None:
     """A parameter of another name is not passed; a table has a wrong shape or type, or is missing."""
     assert "(5, 3), but has (3, 5)" in said_of(lambda self, state: None, np.zeros((3, 5)))

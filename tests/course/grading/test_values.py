@@ -1,6 +1,7 @@
 """Numbers of every kind, and the mistakes that they come from."""
 
 import math
+import re
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -72,16 +73,31 @@ def test_a_mistake_is_recognised() -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "doubled"), [(1.0019, True), (1.0021, False), (0.9981, True), (0.9979, False), (1.0, True)]
+    ("value", "doubled"), [(1.0019, True), (1.0021, False), (0.9981, True), (0.9979, False), (1.00001, True)]
 )
 def test_how_far_a_mistake_may_be_rounded(value: float, doubled: bool) -> None:
     """By two thousandths of it; what is nearer to the right number is no mistake at all."""
     with pytest.raises(WrongAnswer, match="it is doubled$" if doubled else "none of the usual mistakes"):
         compare("x", value, 0.5, {"it is doubled": 1.0})
-    with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
+    with pytest.raises(WrongAnswer, match=r"^(?!.*it is nearly right)"):
         compare("x", value, value - 1e-6, {"it is nearly right": value + 1e-5})
     with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
-        compare("x", 1.0, 1.0 - 2**-10, {"it is as far away": 1.0 + 2**-10})
+        compare("x", 1.03125, 1.03125 - 2**-10, {"it is as far away": 1.03125 + 2**-10})
+
+
+@pytest.mark.parametrize(
+    ("found", "right", "rounded"),
+    [(5.1, 5.125, True), (5, 5.125, True), (40, 40.9, True), (41, 40.9, True), (5.2, 5.125, False), (0, 0.3, False)],
+)
+def test_the_right_number_rounded(found: float, right: float, rounded: bool) -> None:
+    """It is asked for where it is near; a mistake that fits is told first, and a tolerance leaves it out."""
+    why = "is it rounded?" if rounded else "none of the usual mistakes"
+    with pytest.raises(WrongAnswer, match=re.escape(why)):
+        compare("x", found, right, {})
+    with pytest.raises(WrongAnswer, match=r"it is another$"):
+        compare("x", found, right, {"it is another": found})
+    with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
+        compare("x", found, right, {}, tolerance=1e-6)
 
 
 def test_as_many_digits_as_tell_two_numbers_apart() -> None:

@@ -12,9 +12,11 @@ from typing import Any
 
 import build
 import pytest
+from asides import is_opening
 
 from edugym_course.lab.lessons import student_lessons
-from tests.course.lab.browser import CHROMIUM, DRIVER, Lab, Page, chromium, running_lab, screenshots, until
+from edugym_course.teaching.marks import is_aside
+from tests.course.lab.browser import CHROMIUM, DRIVER, PANEL, Lab, Page, chromium, running_lab, screenshots, until
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
 TRAINED = "01_exploration"
@@ -68,6 +70,7 @@ def test_the_start_page_leads_to_the_lessons(lab: Lab, driver: Any) -> None:
 def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
     """All cells run, and nothing is wrong but what students have not solved yet; all that moves is moved."""
     page = Page(driver, lab, f"{lesson}.ipynb")
+    try_folds(page, lesson)
     cells = page.run_all()
     assert len(cells) > 20
     for cell in cells:
@@ -80,6 +83,16 @@ def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
     assert sum(try_buttons(page, box) for box in boxes) > 0
     if SCREENSHOTS:
         screenshots(page, Path(SCREENSHOTS), f"{lesson}-{lab.theme}")
+
+
+def try_folds(page: Page, lesson: str) -> None:
+    """See that the cells of asides are hidden and no others, and open them."""
+    cells = build.read_lesson(build.lesson_sources()[lesson]).cells
+    folded = sum(map(is_aside, cells)) - sum(map(is_opening, cells))
+    hidden = f"{PANEL}.content.widgets.filter(cell => cell.isHidden).length"
+    until(lambda: page(hidden) == folded, f"{folded} cells in folds", 30)
+    page.command("notebook:expand-all-headings")
+    until(lambda: page(hidden) == 0, "open folds", 30)
 
 
 def try_sliders(page: Page, box: Any) -> int:

@@ -4,6 +4,7 @@ import ast
 import importlib.metadata
 import importlib.util
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -23,7 +24,7 @@ from tests.course.lessons.answers import read_answers, read_exercises, verdict
 LESSON = '''\
 # %% [markdown]
 # # Doubling
-# **The challenge.** Numbers are small. **You will be able to** double them. **Time.** 1 minute.
+# **The challenge.** Numbers are small. **You will be able to** double them. **Time.** {time}
 # **Before you start.** Nothing.
 # %% [markdown]
 # ## Meet the environment
@@ -45,6 +46,11 @@ def draw(height: int) -> None:
 # ```
 # %%
 print(1 + 1)
+# %% [markdown] tags=["aside"]
+# ### Aside: halves
+# Halves are fun.
+# %%
+half = 1 / 2
 # %% [markdown]
 # ## The experiment
 # %%
@@ -213,7 +219,7 @@ def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -
     [
         ("## The idea", "## An idea", "the headings must begin so"),
         ("# ## Your turn", "# Play.\n# ## Your turn", "opens its cell"),
-        ("**Time.** 1 minute.", "", r"must contain '\*\*Time"),
+        ("**Time.** {time}", "", r"must contain '\*\*Time"),
         ("### Limits", "", "must contain '### Limits'"),
         ("%%\nproduct.measured(2 * 2)", "%% [markdown]\n# 4", "needs next a code cell"),
         ("product.measured(2 * 2)", "print(2 * 2)", "needs next a code cell"),
@@ -229,9 +235,17 @@ def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -
         ('assert factor > 1, f"factor = {factor} does not double"', "# hidden", "a part that students see"),
         ("### BEGIN SOLUTION\nfactor = 2  # secret\n### END SOLUTION", "", "2 to 4 exercises"),
         ("print(1 + 1)", "!pip install numpy", "not valid Python"),
-        ("**Time.** 1 minute.", "**Time.** 1 minute, $\alpha$.", r"invisible, but \['\\x07'\] are"),
+        ("**Time.** {time}", "**Time.** 1 minute, $\alpha$.", r"invisible, but \['\\x07'\] are"),
         ("interact(draw,", "interact(lambda height: height,", "the widget calls lambda height: height"),
         ("# %%\ndraw(3)", "# %%\nprint(3)", "the widget calls draw"),
+        ("### Aside: halves", "### Halves", "'### Halves' is marked as an aside, so it must begin with '### Aside: '"),
+        (' tags=["aside"]', "", "'### Aside: halves' is an aside, so its cell needs the tag 'aside'"),
+        ("# Halves are fun.", "# #### Quarters", "has no other heading in it, but '#### Quarters'"),
+        ("half = 1 / 2", "half = 1\n### BEGIN HIDDEN TESTS\nhalf\n### END HIDDEN TESTS", "a check or a project in it"),
+        ("# %%\ndraw(3)", "# %%\ndraw(half)", "'half' comes from '### Aside: halves', and whoever skips that has none"),
+        ("# %%\ndraw(3)", "# %%\nhalf += 3", "'half' comes from '### Aside: halves'"),
+        ("# %%\ndraw(3)", "# %%\nclass Half:\n    size = half", "'half' comes from '### Aside: halves'"),
+        ("# Overflow.", "# More. " + "word " * 6_000, r"the main path has 6,\d\d\d words, and"),
     ],
 )
 def test_a_lesson_that_breaks_a_rule_is_refused(source: Path, old: str, new: str, message: str) -> None:
@@ -240,6 +254,41 @@ def test_a_lesson_that_breaks_a_rule_is_refused(source: Path, old: str, new: str
     source.write_text(LESSON.replace(old, new, 1), encoding="utf-8")
     with pytest.raises(build.LessonError, match=message):
         build.read_lesson(source)
+
+
+@pytest.mark.parametrize(
+    "code", ["half = 3", "for half in [1]:\n    draw(half)", "draw(*[half for half in [3]])", "(lambda half: half)(3)"]
+)
+def test_a_name_of_an_aside_may_be_given_anew(source: Path, code: str) -> None:
+    """What counts is where the value comes from."""
+    source.write_text(LESSON.replace("# %%\ndraw(3)", f"# %%\n{code}\ndraw(3)"), encoding="utf-8")
+    build.read_lesson(source)
+
+
+def test_an_aside_is_folded_below_its_heading(source: Path) -> None:
+    """The heading is a cell by itself, with the time; its aside ends before the next heading, or another aside."""
+    another = '# %% [markdown] tags=["aside"]\n# ### Aside: thirds\n# %%\nthird = 1 / 3\n'
+    mark = "# %% [markdown]\n# ## The experiment\n"
+    source.write_text(LESSON.replace(mark, another + mark), encoding="utf-8")
+    for notebook in all_editions(source).values():
+        folded = [cell.source for cell in notebook.cells if cell.metadata.get("jp-MarkdownHeadingCollapsed")]
+        assert folded == ["### Aside, 5 minutes: halves", "### Aside, 5 minutes: thirds"]
+        inside = [cell.source for cell in notebook.cells if "aside" in cell.metadata.get("tags", [])]
+        assert inside == [folded[0], "Halves are fun.", "half = 1 / 2", folded[1], "third = 1 / 3"]
+        opening = notebook.cells[0].source
+        assert "**Time.** About 5 minutes, 10 more for the asides, which are folded" in opening
+        assert "and 5 for the exercises. (Reckoned" in opening
+
+
+def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> None:
+    """Main path and exercises together."""
+    plans = (build.ROOT / "docs" / "course-plans.md").read_text(encoding="utf-8")
+    hours = re.findall(r"/notebooks/(\w+)\.ipynb\).*\| (\d):(\d\d) \|$", plans, re.MULTILINE)
+    assert hours
+    for name, hour, minute in hours:
+        opening = build.read_lesson(build.lesson_sources()[name]).cells[0].source
+        path, exercises = re.findall(r"About (\d+) minutes.* (\d+) for the exercises", opening)[0]
+        assert 60 * int(hour) + int(minute) == int(path) + int(exercises), name
 
 
 @pytest.mark.slow
@@ -345,7 +394,7 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
     said = [o.evalue for cell in filter(is_code, student.cells) for o in cell.outputs if o.output_type == "error"]
     assert said == ["not solved yet: replace this line", "factor = 1 does not double"]
     source.write_text(LESSON.replace("# Choose a", "# %%\ndouble(1)\n\n# %% [markdown]\n# Choose a"), encoding="utf-8")
-    with pytest.raises(build.LessonError, match=r"cell-020 \('double\(1\)'\): NotImplementedError"):
+    with pytest.raises(build.LessonError, match=r"cell-023 \('double\(1\)'\): NotImplementedError"):
         build.execute(all_editions(source)["student"], "01_doubling")
 
 

@@ -131,6 +131,27 @@ def test_stored_returns_of_the_best_golf() -> None:
     assert {level: round(optimum(level), 3) for level in GOLF} == {level: bounds.best for level, bounds in GOLF.items()}
 
 
+def test_bounds_of_switches_are_those_of_the_exact_model() -> None:
+    """For few switches, whose model is small."""
+    ladder = LADDERS[NAMES.index("Switches")]
+    assert ladder.bounds is not None
+    for n in ladder.strengths[:-2]:
+        assert ladder.bounds(n) == pytest.approx(exact_bounds(ladder.make(n, layout_seed=0)))
+
+
+def flips(environment: Any) -> Any:
+    """Flip the first switch that is wrong."""
+    return lambda seen: int(np.flatnonzero(np.not_equal(*np.split(np.asarray(seen), 2)))[0])
+
+
+def test_who_flips_what_is_wrong_scores_1() -> None:
+    """On average: how many switches are wrong at the start is chance."""
+    scores = profile({"flips": flips}, challenges=[short("Switches")]).scores("flips", "Switches")
+    interval = mean_interval(scores.mean(axis=0), confidence=0.999)
+    assert interval.low < 1 < interval.high
+    assert interval.high - interval.low < 0.2
+
+
 class Tiny(NamedTuple):
     """A task of few states: the last one ends it, and every step leads to a known state and has a known reward."""
 

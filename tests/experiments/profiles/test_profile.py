@@ -16,7 +16,7 @@ from edugym import Interrupted, Ladder, Profile, QLearning, profile
 from edugym.experiments.configuration import planned_runs
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
-from edugym.experiments.profiles.tuning import other_seed
+from edugym.experiments.profiles.tuning import other_seed, with_untuned
 from edugym.mdp.frame_stack import FrameStack
 from tests.compiled.cells import WALK, cell
 
@@ -187,7 +187,17 @@ def test_agents_choose_their_settings_on_other_seeds_and_layouts() -> None:
     assert tuned.profile.blank["Q"].keys() == {"Trashbot"}
     plain = profile({"Q": grid["fast"]}, challenges=[WALKS], repetitions=3)
     assert tuned.profile.scores("Q", "Walks").tolist() == plain.scores("Q", "Walks").tolist()
-    assert "Q: never, fast; SARSA: default" in tuned.profile.settings
+    # Two settings, on two rungs of 400 steps each, twice; one setting.
+    assert (
+        "Q had the choice of: never; fast. It tried them for 3,200 steps, and took: fast (Walks)"
+        in tuned.profile.settings
+    )
+    assert "SARSA had the choice of: default. It tried them for 1,600 steps" in tuned.profile.settings
+    both = with_untuned(profile({"Q": grid["never"]}, challenges=[WALKS, "Trashbot"], repetitions=3), tuned)
+    assert both.agents == ("Q", "tuned Q", "tuned SARSA")
+    assert both.blank.keys() == {*both.agents}
+    assert both.score("tuned Q", "Walks").estimate == pytest.approx(1.0)
+    assert both.score("Q", "Walks").estimate < 0.9
     for seed in range(3):
         for part in ("seed", "layout_seed"):
             runs, others = (

@@ -149,7 +149,20 @@ class Expressions(Iterations):
     # Parts of arrays, lists and tuples
 
     def _of_Subscript(self, node: ast.Subscript) -> Code:
-        return self.item(node, self.visit(node.value), node.slice)
+        return self.item(node, self.owner(node), node.slice)
+
+    def owner(self, node: ast.Subscript) -> Code:
+        """Writes what a part is taken of. For one number, `flat` of an array with one axis is the array."""
+        value = node.value
+        if (
+            isinstance(value, ast.Attribute)
+            and value.attr == "flat"
+            and not isinstance(node.slice, ast.Slice | ast.Tuple)
+        ):
+            array = self.visit(value.value)
+            if isinstance(array.kind, Array) and array.kind.ndim == 1:
+                return array
+        return self.visit(value)
 
     def item(self, node: ast.AST, owner: Code, index: ast.expr) -> Code:
         """Writes a part of an array, a list or a tuple."""

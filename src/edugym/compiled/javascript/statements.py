@@ -69,7 +69,7 @@ class Writer(Expressions):
                 self.bind(node, one, Code(f"{whole}.a{k}", kind)) for k, (one, kind) in parts
             )
         if isinstance(target, ast.Subscript):
-            owner, held = self.visit(target.value), self.fresh()
+            owner, held = self.owner(target), self.fresh()
             given = self.fresh()
             begin = f"{given}={value.text};{held}={owner.text};"
             return begin + self.put(node, Code(held, owner.kind), target.slice, Code(given, value.kind))
@@ -141,7 +141,7 @@ class Writer(Expressions):
             return self.bind(node, target, self.operation(node, operation, before, self.visit(node.value))), False
         if not isinstance(target, ast.Subscript):
             raise self.refused(node, f"it assigns {ast.unparse(target)}")
-        owner, held = self.visit(target.value), self.fresh()
+        owner, held = self.owner(target), self.fresh()
         begin, indices = f"{held}={owner.text};", self.indices(target.slice)
         kind, names = owner.kind, list[ast.expr]()
         if isinstance(kind, Array) and (len(indices) < kind.ndim or any(isinstance(one, ast.Slice) for one in indices)):

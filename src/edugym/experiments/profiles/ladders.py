@@ -201,6 +201,11 @@ def supermarket(n_steps: float, layout_seed: int) -> Any:
     return make_mdp("Supermarket", max_steps=100)
 
 
+def switches(n_switches: float, layout_seed: int) -> Any:
+    """A panel, with as many steps in an episode as there are switches."""
+    return make_mdp("Switches", n_switches=int(n_switches))
+
+
 def _steps_through(length: float) -> int:
     """The steps of perfect play through the corridors of length 1, 2, ..., up to this one."""
     return int(length) * (int(length) + 1) // 2
@@ -210,6 +215,20 @@ def _corridor_bounds(length: float) -> Bounds:
     """Random play opens the right one of three doors, and goes on, with probability 1/3."""
     steps = _steps_through(length)
     return Bounds(sum(3.0**-step for step in range(1, steps + 1)), float(steps))
+
+
+def _switch_bounds(n_switches: float) -> Bounds:
+    """Random play moves the number of wrong switches up or down by one: a Markov chain of few states."""
+    n = int(n_switches)
+    wrong = np.arange(n + 1)
+    probability = np.array([0.0, *(math.comb(n, d) for d in wrong[1:])]) / (2**n - 1)
+    best, random = -float(probability @ (wrong - 1)), 0.0
+    for _ in range(n):  # the steps of an episode, each of which costs 1 unless it reaches the goal
+        down, up = probability * wrong / n, probability * (n - wrong) / n
+        probability = np.append(down[1:], 0.0) + np.append(0.0, up[:-1])
+        probability[0] = 0.0
+        random -= float(probability.sum())
+    return Bounds(random, best)
 
 
 def _stored(bounds: Mapping[float, Bounds], strength: float) -> Bounds:
@@ -300,6 +319,15 @@ LADDERS: tuple[Ladder, ...] = (
         supermarket,
         n_steps=None,
         one_layout=True,
+    ),
+    _ladder(
+        "Switches",
+        "number of switches",
+        (2, 3, 4, 5, 6, 8),
+        switches,
+        n_steps=20_000,
+        evaluation_episodes=50,
+        bounds=_switch_bounds,
     ),
 )
 """A ladder for every environment of the course, in its order."""

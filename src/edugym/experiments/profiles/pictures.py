@@ -117,10 +117,12 @@ class Rungs(NamedTuple):
     Attributes:
         profile: the profile.
         challenge: one of its challenges.
+        beside: another one, whose agents are drawn in grey if they climbed the same rungs; None for none.
     """
 
     profile: Profile
     challenge: str
+    beside: Profile | None = None
 
     @property
     def title(self) -> str:
@@ -132,6 +134,11 @@ class Rungs(NamedTuple):
         ax = axes_or_new(ax)
         ladder = self.profile.ladder(self.challenge)
         x = np.arange(len(ladder.strengths))
+        if self.beside and self.beside.ladder(self.challenge).strengths == ladder.strengths:
+            others = [self.beside.rungs(agent, self.challenge) for agent in scores_of(self.beside, self.challenge)]
+            for number, rungs in enumerate(others):
+                means = [rung.estimate for rung in rungs]
+                ax.plot(x, means, color=INK, linewidth=0.6, alpha=0.35, label=None if number else OTHERS)
         for index, agent in enumerate(self.profile.agents):
             rungs = self.profile.rungs(agent, self.challenge)
             if any(rung.n == 0 for rung in rungs):
@@ -169,6 +176,6 @@ def written(strength: float) -> str:
 
 def picture(profile: Profile, beside: Profile | None = None) -> Sheet:
     """Radar, dots and ladders in one figure."""
-    ladders = [Rungs(profile, name) for name in profile.challenges]
+    ladders = [Rungs(profile, name, beside) for name in profile.challenges]
     rows = [ladders[first : first + 3] for first in range(0, len(ladders), 3)]
     return Sheet("profile", [[Radar(profile), Dots(profile, beside)], *rows])

@@ -131,7 +131,12 @@ def profile(
     try:
         with SignalGuard() as guard, progress_bar(len(rungs), "rungs", shown=progress) as bar:
             for method in methods:
-                blank[method.label] |= _not_entered(method, ladders)
+                errors = _not_entered(method, ladders)
+                if len(errors) == len(ladders):
+                    error = next(iter(errors.values()))
+                    error.add_note(f"agents[{method.label!r}] can enter none of the challenges")
+                    raise error
+                blank[method.label] |= {name: _reason(error) for name, error in errors.items()}
             for rung in rungs:
                 guard.should_stop()
                 entering = [method for method in methods if rung.ladder.name not in blank[method.label]]
@@ -187,26 +192,30 @@ def _ladders(challenges: Sequence[str | Ladder] | None) -> tuple[Ladder, ...]:
     return tuple(chosen)
 
 
-def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, str]:
-    """The challenges that an agent cannot enter, with the reason.
+def why_not_entered(agents: Mapping[str, Any], ladders: Sequence[Ladder]) -> dict[str, dict[str, str]]:
+    """For each agent, the challenges that it cannot enter, with the reason; arguments as in `profile`."""
+    return {
+        method.label: {name: _reason(error) for name, error in _not_entered(method, ladders).items()}
+        for method in _methods(agents)
+    }
 
-    Raises:
-        Exception: it can enter none.
-    """
-    reasons, errors = {}, []
+
+def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, Exception]:
+    """The challenges that an agent cannot enter, with what is raised there."""
+    errors: dict[str, Exception] = {}
     for ladder in ladders:
         for strength in ladder.strengths:
             try:
                 _try(method, ladder, strength)
             except Exception as error:  # a student's agent may fail in any way where it does not fit
-                kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
-                reasons[ladder.name] = f"{kind}{error}"
-                errors.append(error)
+                errors[ladder.name] = error
                 break
-    if len(reasons) == len(ladders):
-        errors[0].add_note(f"agents[{method.label!r}] can enter none of the challenges")
-        raise errors[0]
-    return reasons
+    return errors
+
+
+def _reason(error: Exception) -> str:
+    """What an error says, with its kind where it is not one of the sentences of this package."""
+    return str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
 
 
 def _try(method: Method, ladder: Ladder, strength: float) -> None:

@@ -99,9 +99,10 @@ def said(profile: Profile, challenge: str) -> Said:
         for words, agents in outcomes.items()
     ]
     best = best_agents(profile, challenge)
-    take = listed(best) if best else "nobody"
-    if best and profile.score(best[0], challenge).estimate < HALF:
-        take = f"nobody is good; at best {take}"
+    entered = any(profile.score(agent, challenge).n for agent in profile.agents)
+    take = listed(best) if best else "nobody" if entered else "nobody can enter"
+    if best and (score := profile.score(best[0], challenge).estimate) < HALF:
+        take = f"nobody is good; the best score is {rounded(score)}, of {best[0]}"
     sentence = f"{ladder.strength[:1].upper()}{ladder.strength[1:]}: {'; '.join(parts)}."
     return Said(challenge, ladder.challenge, take, sentence)
 
@@ -127,6 +128,11 @@ def of_score(score: Interval) -> str:
     if not math.isfinite(score.low):
         return rounded(score.estimate)
     return f"{rounded(score.estimate)} [{rounded(score.low)},\N{NO-BREAK SPACE}{rounded(score.high)}]"
+
+
+def with_margin(score: Interval) -> str:
+    """A score with the half of its interval, such as 0.37 ± 0.05, which no line break parts."""
+    return f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}".replace(" ", "\N{NO-BREAK SPACE}")
 
 
 def rounded(number: float) -> str:
@@ -184,7 +190,8 @@ def method(profile: Profile) -> list[str]:
         "A score of 0 is the mean return of random play, 1 that of the best play; below 0 is worse than random play.",
         f"The score in a challenge is the mean over the rungs. The intervals are 95 % intervals over the"
         f" {repetitions} repetitions. An agent breaks where its mean score first falls below 0.5, interpolated.",
-        f"{profile.settings} The budgets: {named}.",
+        profile.settings,
+        f"The budgets: {named}.",
         f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),
     ]
 
@@ -192,6 +199,12 @@ def method(profile: Profile) -> list[str]:
 INTRODUCTION = (
     "For every challenge there is a ladder of tasks, from easy to hopeless. A score of 1 means that an agent plays each"
     " of them as well as can be, 0 that it plays no better than at random."
+)
+
+
+TAKE = (
+    "Find the challenge that is most like your problem, and take an agent that stands beside it: the one with the"
+    " highest score, or one whose difference from it may be chance."
 )
 
 
@@ -206,7 +219,7 @@ def markdown(profile: Profile, beside: Profile | None = None) -> str:
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
-    lines = ["# What the agents master", "", INTRODUCTION, "", *table(*score_table(profile, beside))]
+    lines = ["# What the agents master", "", INTRODUCTION, "", TAKE, "", *table(*score_table(profile, beside))]
     lines += ["![Radar, scores with intervals, and ladders](profile.svg)", "", "## The challenges", ""]
     for challenge in profile.challenges:
         about = said(profile, challenge)
@@ -239,7 +252,7 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
         parts = [f"<h3>{escape(f'{challenge}: {about.isolates}')}</h3>", f"<p>{escape(about.sentence)}</p>"]
         if rows:
             numbers = f"<details><summary>numbers</summary>{table(heading, rows)}</details>"
-            parts += [_figure(Rungs(profile, challenge), about.sentence), numbers]
+            parts += [figure(Rungs(profile, challenge, beside), about.sentence), numbers]
         challenges.append("<section>" + "\n".join(parts) + "</section>")
     grey = " Grey marks are agents of the package, at their defaults." if beside else ""
     blank = f"<h2>Who cannot enter</h2>\n{items(reasons(profile))}" if reasons(profile) else ""
@@ -258,14 +271,14 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 <h1>What the agents master</h1>
 <p>{escape(INTRODUCTION)}</p>
 <div class="figures">
-{_figure(Radar(profile), "Radar of the scores; the table has the numbers")}
-{_figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
+{figure(Radar(profile), "Radar of the scores; the table has the numbers")}
+{figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
 compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.{grey}</p>
 <h2>Which agent to take</h2>
+<p>{escape(TAKE)} The ladders below say up to which strength of the challenge it is good.</p>
 {table(*score_table(profile, beside))}
-<p class="soft">“Take” names the agent with the highest score, and those whose difference from it may be chance.</p>
 <h2>The challenges</h2>
 <div class="figures ladders">
 {chr(10).join(challenges)}
@@ -278,7 +291,7 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 """
 
 
-def _figure(panel: Panel, says: str) -> str:
+def figure(panel: Panel, says: str) -> str:
     """A panel as SVG within the page, whose ink is that of the page."""
     drawn = to_bytes(Sheet("panel", [[panel]]).draw(), "svg").decode()
     svg = re.sub(r"^.*?(?=<svg)", "", drawn, flags=re.DOTALL)

@@ -8,10 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.checks.parameters import a_path, in_short, whole_number
-from edugym.experiments.profiles.ladders import Ladder
+from edugym.experiments.profiles.ladders import Ladder, steps_of
 from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import MOST_REPETITIONS
+from edugym.system.memory import in_digits
 
 
 class Tuned(NamedTuple):
@@ -91,15 +92,47 @@ def tuned_profile(
         if agents:
             found = profile(agents, challenges=[ladder], repetitions=repetitions, seed=seed, **how)
             parts.append(found.runs)
-    said = (
-        f"Each agent chose its settings for each challenge, by {tuning_repetitions} runs of each with other seeds and"
-    )
-    grid_names = "; ".join(f"{label}: {', '.join(grid)}" for label, grid in grids.items())
-    settings = f"{said} layouts than those that are scored. The choice: {grid_names}."
     import pandas
 
     runs = pandas.concat(parts, ignore_index=True)
+    settings = _said(grids, tuning, tuning_repetitions, chosen)
     return Tuned(Profile(runs, tuning.ladders, tuple(grids), blank, settings), chosen, tuning)
+
+
+def _said(
+    grids: Mapping[str, Mapping[str, Any]], tuning: Profile, repetitions: int, chosen: dict[str, dict[str, str]]
+) -> str:
+    """How the agents chose, among what, what it cost, and what they took."""
+    said = [
+        f"An agent chose for each challenge the settings with the best mean score, by {repetitions} runs of each on"
+        " every rung, with other seeds and layouts than those that are scored."
+    ]
+    for label, grid in grids.items():
+        entered = [ladder for ladder in tuning.ladders if ladder.name in chosen[label]]
+        rungs = sum(steps_of(ladder, strength) for ladder in entered for strength in ladder.strengths)
+        steps = in_digits(repetitions * len(grid) * rungs)
+        taken: dict[str, list[str]] = {}
+        for challenge, setting in chosen[label].items():
+            taken.setdefault(setting, []).append(challenge)
+        fell = "; ".join(f"{setting} ({', '.join(challenges)})" for setting, challenges in taken.items())
+        said.append(f"{label} had the choice of: {'; '.join(grid)}. It tried them for {steps} steps, and took: {fell}.")
+    return " ".join(said)
+
+
+def with_untuned(untuned: Profile, tuned: Tuned) -> Profile:
+    """Both profiles in one, to be seen beside each other; the agents that chose have another label."""
+    import pandas
+
+    labels = {agent: f"tuned {agent}" for agent in tuned.profile.agents}
+    runs = tuned.profile.runs.replace({"agent": labels})
+    blank = {labels[agent]: reasons for agent, reasons in tuned.profile.blank.items()}
+    return Profile(
+        pandas.concat([untuned.runs, runs], ignore_index=True),
+        untuned.ladders,
+        (*untuned.agents, *labels.values()),
+        untuned.blank | blank,
+        f"Agents that are not called tuned have their settings as given; the others chose. {tuned.profile.settings}",
+    )
 
 
 def named(label: str, setting: str) -> str:

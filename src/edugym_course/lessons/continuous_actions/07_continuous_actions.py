@@ -8,7 +8,7 @@
 # and the update of a Gaussian policy from it; check a gradient by finite differences; explain what a baseline does;
 # and name a task in which bins beat a Gaussian policy.
 #
-# **Time.** 90 minutes, and 45 more for the exercises. **Before you start.** You should know what a return, a policy
+# **Time.** {time} **Before you start.** You should know what a return, a policy
 # and a value function are (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), and the TD error (section 6.1). You
 # need the derivative of a logarithm and the normal distribution. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -34,7 +34,7 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 #
 # An arm with two joints, the shoulder and the elbow, stands between a red box and a green container. From its end, the
 # *wrist*, hangs a magnet. The magnet takes the box if it comes down on it. Between the walls of the container, below
-# their rim, it lets the box fall: the closer to the middle the better. (Both happen by themselves; the actions only
+# their rim, it lets the box fall: the closer to the middle the better. (The magnet works by itself; the actions only
 # move the arm.)
 
 # %%
@@ -60,8 +60,8 @@ env.scene()
 # | discount | $\gamma = 0.99$ | used by the agents of this lesson, but PPO has 0.999; returns in the figures are not discounted |
 #
 # The best possible return is 5. An agent that picks up the box, holds it and does nothing more gets $1 - 1 = 0$, and
-# one that never picks it up and hits nothing gets −1. (So does one that picks it up and then hits something.) Remember
-# these numbers: they will come back in every learning curve of the arm.
+# one that never picks it up and hits nothing gets −1. (So does one that picks it up and then hits something.) You will
+# meet these numbers in every learning curve of the arm.
 #
 # These methods are the reward and what an action means. The last one belongs to the arm with $n$ bins: the first bin
 # means −1, the last one 1, and the others lie between them in equal steps.
@@ -205,12 +205,10 @@ source(REINFORCE.learn_from_episode)
 source(follow_log_gradient)
 
 # %% [markdown]
-# The table needs *states* cut up as well. We keep only where the wrist is and whether the box is held. (Two bends of
-# the elbow can give the same wrist; the table cannot tell them apart.) We cut both coordinates of the wrist into 30
-# cells. Two places in the same cell look the same to the agent. The last line below says into how many cells each of
-# the seven numbers of the observation is cut; 1 cell means that the number is left out. (The last number is 0 or 1, in
-# the range from −1 to 1. With 2 cells, 0 and 1 would lie in the same cell, and the agent could not see whether it holds
-# the box. So it has 3.)
+# The table needs *states* cut up as well: both coordinates of the wrist into 30 cells, and whether the box is held.
+# (Two bends of the elbow can give the same wrist; the table cannot tell them apart.) The last line below says into how
+# many cells each of the seven numbers of the observation is cut; 1 cell leaves a number out. (The last number is 0 or
+# 1, but its range goes from −1 to 1. Of two cells the upper one would hold both, so it has three.)
 
 # %%
 source(methods.in_a_table)
@@ -250,8 +248,8 @@ source(release.estimates)
 
 # %% [markdown]
 # Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
-# $\mu$, and one of its slope in $\ln \sigma$ (here with the baseline $b = 1$; any number will do). The means of the
-# estimates should be these slopes. To check that, we compute $J$ itself as a sum over a fine grid of actions, and take
+# $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum over
+# a fine grid of actions, and take
 # *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is the
 # 95 % interval.)
 #
@@ -312,8 +310,10 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # For the early policy the baseline makes hardly any difference; $b = J$ is even a little worse than $b = 0$. $J$ is a
 # good baseline and not always the best one. What a baseline never changes is the mean.
 # </details>
-#
-# So what does it do to *learning*? One hundred policies learn $\mu$ and $\sigma$, one action and one update at a time
+
+# %% [markdown] tags=["aside"]
+# ### Aside: what a baseline does to learning
+# One hundred policies learn $\mu$ and $\sigma$, one action and one update at a time
 # ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
@@ -328,16 +328,19 @@ for alpha in (0.01, 0.03, 0.1):
         print(f"{kind:39}: {left:3} of 100 means leave the container, {end:2} are outside in the end")
 
 # %% [markdown]
-# Look at $\alpha = 0.01$ first. Without a baseline they learn at first. But when $\sigma$ has shrunk to about 0.1, they are
+# Look at $\alpha = 0.01$ first. Without a baseline they begin well. But when $\sigma$ has shrunk to about 0.1, they are
 # thrown out of the container, sooner or later all of them. Many come back and leave again. The scores
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves.
 #
-# That is so for small steps. With $\alpha = 0.03$ all leave at some time, those with a baseline too. But nearly all of
-# these come back, and most of the others do not. With $\alpha = 0.1$ a baseline keeps nobody inside. So a baseline
-# allows larger steps, and not any step.
-#
-# **The picture to remember** is the next one. In its left panel one policy learns. It starts wide and beside the middle.
+# That is so for small steps. With $\alpha = 0.03$ all policies leave at some time, whatever their kind. Of those with a
+# baseline 92 are inside again in the end, and as many of those whose $\sigma$ stays at 0.2 or above; without either it
+# is 12. With $\alpha = 0.1$ a baseline does not help any more: 96 are outside in the end. So it allows larger steps,
+# and not any step.
+
+# %% [markdown]
+# ### The picture to remember
+# In the left panel of the next figure one policy learns, with a baseline. It starts wide and beside the middle.
 # It moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
 # turns from exploring into placing exactly.
 
@@ -365,7 +368,9 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 # wrist, once for an arm with the box and once for one without it. Each grid is a little displaced. A feature is a
 # tile, and it is 1 if the wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their
 # tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid.
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: tile coding in code
 # The code finds the tile of each grid `k`. `shift` displaces the grid, by another share of a tile in each coordinate; so a
 # place near the upper edge may be in one tile more, hence `+ 1`. The number of a tile is put together from its places in
 # all coordinates, as 352 is from its digits: $(3 \cdot 10 + 5) \cdot 10 + 2$.
@@ -374,6 +379,7 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 source(TileCoding.see)
 
 # %% [markdown]
+# ### The actor-critic
 # The chain rule gives the score of a weight: $\frac{\partial \ln \pi}{\partial \theta_{ik}} =
 # \frac{a_k - \mu_k(s)}{\sigma^2}\, x_i(s)$. Instead of waiting for the return, the **actor-critic** judges each step by
 # the TD error, $\delta = R + \gamma V(S') - V(S)$ (the box "One-step Actor-Critic" of section 13.5):
@@ -389,7 +395,7 @@ source(TileCoding.see)
 # - It divides both rates by the number of grids, `at_once`, since so many features are 1 at a time.
 # - It leaves the factor $\gamma^t$ of REINFORCE out, as is usual.
 # - The arm gets a drawn action beyond ±1 as ±1; the agent learns from what it drew.
-# - Its $\sigma$ is fixed. An agent with a learned $\sigma$ comes later.
+# - Its $\sigma$ is fixed. (PPO, in an aside, learns it.)
 
 # %%
 source(GaussianActorCritic.learn)
@@ -405,7 +411,7 @@ source(GaussianActorCritic.learn)
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# The dotted lines are the best possible returns. (The line of 9 bins is next to that of real numbers.)
+# The dotted lines are the best possible returns. (The lines of 9 bins and of real numbers lie nearly on each other.)
 #
 # The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. `repeat` makes each agent
 # 20 times, trains it, and plays a greedy episode every 4 000 steps. (Further down `methods.learn_all` does all this.)
@@ -448,7 +454,8 @@ first.measured(min(soon, key=soon.get))
 #
 # And the continuous agent? It has infinitely many actions, and yet it needs about as many steps as 5 bins. Why is open:
 # it differs in its actions, its features, its algorithm and its settings ($\alpha^\theta$ and the first values). Only
-# the three agents with bins can be compared directly. For a fair comparison with real numbers see PPO below. </details>
+# the three agents with bins can be compared directly. (For a fair comparison with real numbers see the
+# aside on PPO.) </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent. (The films step with the slider or the button.)
@@ -502,19 +509,20 @@ sliders(
 figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 
 # %% [markdown]
-# Both have learned a corridor of good places. The table knows each cell for itself, and knows nothing of a cell where
-# it has never been. Tile coding is smooth: it guesses the value of a place from its neighbours. (Outside of where the
+# Both have learned a corridor of good places. The table knows nothing of a cell where it has never been. Tile coding
+# guesses the value of a place from its neighbours. (Outside of where the
 # arm has been, its values are still 1, as at the start. Those of the table are 0.)
 
 # %% [markdown]
 # ## Predict, then check
 #
 # Answer each question before you run the cell below it. You learn most when you are surprised.
-#
-# ### Only the actions differ: PPO
-# PPO is a policy gradient as above, with two networks in the place of tables. Many copies of the task play for a
-# while with the policy $\pi_{\text{old}}$. Then it takes several gradient steps on what they played. So that the
-# policy does not run away in these steps, an action counts no more once its probability has changed by 20 % in the
+
+# %% [markdown] tags=["aside"]
+# ### Aside: PPO, where only the actions differ
+# PPO is a policy gradient as above, with two networks in the place of tables. Many copies of the task play for a while
+# with the policy $\pi_{\text{old}}$. Then it takes several gradient steps on what they played. So that the policy does
+# not run away in these steps, an action drops out of the gradient once its probability has changed by 20 % in the
 # direction that pays:
 
 # %%
@@ -569,9 +577,8 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # exclude 0. Against real numbers the interval just contains 0. So "fewer actions are learned sooner" is shown for 3
 # bins against more bins here, and for nothing else.
 #
-# With drawn actions the mean return of 3 bins is not below that of the others at the end, although the others could do
-# better. One continuous run and one with 9 bins never learn to deliver, and they pull the means down. Drawing actions
-# may cost exactness too; we did not test this.
+# With drawn actions 3 bins end no lower on average. One continuous run and one with 9 bins never learn to deliver, and
+# they pull the means down. Drawing actions may cost exactness too; we did not test this.
 #
 # In the right panel the runs spread widely. Three of the ten continuous policies end at 0 there: the arm holds the box
 # until time is up. Bins fail there too: the printed lines count even more runs below 1 with 9 bins. Nothing in this
@@ -589,8 +596,8 @@ spread = run.agent.log_std.exp().tolist()
 print(f"σ of the shoulder {spread[0]:.2f}, of the elbow {spread[1]:.2f}; both were {np.exp(-0.5):.2f} at first")
 frames("Trashbot", methods.Drawing(run.agent), max_steps=40)
 
-# %% [markdown]
-# ### A narrower container
+# %% [markdown] tags=["aside"]
+# ### Aside: a narrower container
 # **Predict.** In a container 0.4 wide instead of 0.45 the box has three quarters of the room ($0.4 - 0.25$ instead of
 # $0.45 - 0.25$). The best possible return with 3 bins falls a little, from 4.31 to 4.08, and with real numbers it stays
 # 5. Which of the two agents of the experiment loses more of its return?
@@ -620,12 +627,13 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
 # close to it. But what is possible and what is learned are two things. One reason may be that its drawn actions are
 # never exact ($\sigma$ is fixed), so that near the narrow container they hit a wall more often than they deliver. A
-# collision costs 2. Holding the box costs 1, but only after 150 steps, and discounted it is hardly felt. We did not
-# test this reason.
+# collision costs 2. Holding the box costs 1, but only after 150 steps: discounted, that is 0.2. This reason is
+# untested.
 #
 # Three bins lose little more than what is no longer possible for them.
 # </details>
-#
+
+# %% [markdown]
 # ### "Continuous is always better"
 # Back to one decision, but with *two* containers. A poor one around −1 pays 2 at best. A rich one around 2 pays 4.
 # One hundred Gaussian policies start over the poor container, with $\sigma = 0.5$. One hundred softmax policies
@@ -648,12 +656,11 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** None. They start narrow, and there is a wall in between, so they settle where they are, and place the
-# box exactly: in the wrong container. The bins start everywhere (their learning rate is 0.1). All of them find the rich
-# container. But they cannot reach its middle, so they stop below 4.
+# **Measured.** None. They start narrow: hardly any action reaches the rich container, and those in between hit the
+# wall. So they settle there, and place the box exactly, in the wrong container. The bins start everywhere (their
+# learning rate is 0.1). All of them find the rich container. But they cannot reach its middle, so they stop below 4.
 #
-# So: real numbers give exactness, and bins give a policy that can have several peaks and starts everywhere. "Continuous
-# is always better" is wrong. </details>
+# So real numbers give exactness, and bins a policy that can have several peaks and starts everywhere. </details>
 #
 # Does a wider start help the Gaussian? Does another first $\mu$?
 
@@ -672,8 +679,9 @@ sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 
 # From $\mu = -1$ even $\sigma = 2.5$ brings only 32 of 100 to the rich container. From $\mu = 0$ and $\sigma = 2$, 98
 # of 100 arrive.
 # </details>
-#
-# ### The same on a frozen lake
+
+# %% [markdown] tags=["aside"]
+# ### Aside: what a policy gradient learns from failures, on a frozen lake
 # REINFORCE learns in any Gymnasium environment with whole numbers for observations and actions. FrozenLake is a lake
 # of 4 by 4 fields with four holes. Here it is not slippery. The only reward is 1 at the goal; a hole ends the episode
 # with 0.
@@ -702,9 +710,9 @@ holes.measured("nothing at all" if not beginner.preferences.any() else "to avoid
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Nothing at all. Its return was 0 and its baseline was 0, so $\delta = 0$ at every step. A policy
-# gradient learns from differences between the return and the baseline. Only after its first success can it learn. After
-# 6 000 steps all five runs of each kind reach the goal. Five runs do not show which kind is faster. (Each point averages
-# three evaluations.) </details>
+# gradient learns from differences between the return and the baseline. Only after its first success can it learn. The
+# figure goes on to 6 000 steps. There all five runs reach the goal, with a baseline and without. Five do not show which
+# is faster. (Each point averages three evaluations.) </details>
 
 # %% [markdown]
 # ## Exercises
@@ -981,14 +989,15 @@ check(project_7, my_program)
 # - Bins limit what is possible: with 3 bins the best return is 4.31, and no learning can mend that. More bins are
 #   mostly better at their best, but not always (4 and 5).
 # - On the same table, with the same agent, fewer bins were learned sooner. The continuous agent needed fewer steps
-#   than 9 bins on average. Why is open: its features, its algorithm and its settings differ too. With PPO only 3 bins
-#   were clearly sooner, and only than 5 and 9 bins.
-# - What is possible is not what is learned: in a narrower container the continuous agent lost more of its return than
+#   than 9 bins on average. Why is open: its features, its algorithm and its settings differ too. With PPO (in an aside)
+#   only 3 bins were clearly sooner, and only than 5 and 9 bins.
+# - What is possible is not what is learned: in a narrower container (in an aside) the continuous agent lost more of its
+#   return than
 #   the agent with 3 bins.
 # - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. We
 #   checked it for $\mu$ and for $\ln \sigma$ by finite differences.
 # - A baseline does not change that mean. With small steps it kept narrow Gaussian policies in the container; with
-#   $\alpha = 0.1$ it did not. On Trashbot with bins and on the lake REINFORCE learned without one as well.
+#   $\alpha = 0.1$ it did not (in an aside). On Trashbot with bins and on the lake REINFORCE learned without one as well.
 # - A Gaussian has one peak. Where a better action lies behind worse ones, bins can find it, and a narrow Gaussian
 #   does not.
 #

@@ -8,7 +8,7 @@
 # explain how far one episode carries a reward; say where the variance of a deep target comes from; and write an agent
 # that looks deep without paying for its own exploration.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an
+# **Time.** {time} **Before you start.** You should know the return and what an
 # action value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action
 # selection (section 2.2). All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -32,8 +32,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
 # gives energy, on any day, and two nights of it are needed. Going out takes energy. Days with neither lecture nor exam
-# are *free days*: there only going out does harm. Everything has a small price. In the picture, what brought the
-# student closer to passing is green, what led away from it is red, and what did neither is grey.
+# are *free days*: of what the student does there, only going out makes it harder to pass. Everything has a small price,
+# also on a free day. In the picture, what brought the student closer to passing is green, what led away from it is red,
+# and what did neither is grey.
 
 # %%
 study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
@@ -56,17 +57,17 @@ frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study",
 # *terminates* after the last day, so every episode has ten steps. The lecture days and the prices $r_a$ are the
 # *layout* of the task. They are drawn once, and the agent is not told.
 #
-# These methods are the environment. (`missing` counts what the exam still asks for. `Student` has one more field: whether
-# the exam was passed, for the picture.)
+# These methods are the environment. (`Student` is the state $s$, with one more field for the picture: whether the exam
+# was passed. `missing` counts what the exam still asks for.)
 
 # %%
 source(type(study), "transition", "reward", "passes", "missing", "terminal", "observation")
 
 # %% [markdown]
 # **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. The calendar comes when the
-# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (In the
-# call `energy_needed` is 0. In spite of its name, which is the paper's, the exam asks for *more* energy than that: 1.) How many episodes do you need until you pass? And when
-# you pass for the first time: *which of your six actions earned it?*
+# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (In
+# the call `energy_needed` is 0. The exam asks for *more* energy than this number.) How many episodes do you need until
+# you pass? And when you pass for the first time: *which of your six actions earned it?*
 
 # %%
 play(
@@ -110,7 +111,7 @@ play(
 # | 3 | $R_{t+1} + \gamma R_{t+2} + \gamma^2 R_{t+3} + \gamma^3 Q(S_{t+3}, A_{t+3})$ | 3-step SARSA |
 # | $\infty$ | $R_{t+1} + \gamma R_{t+2} + \dots$ to the end of the episode | Monte Carlo (section 5.4) |
 #
-# To use a learned value in the target is called *bootstrapping*. Monte Carlo does not bootstrap at all.
+# To use a learned value in the target is called *bootstrapping*. Monte Carlo does not.
 #
 # Written down from the definition, the target of step $t$ is a few lines. `rewards` has the rewards of a whole episode:
 # `rewards[t]` is $R_{t+1}$. `values` has the values of the actions taken: `values[t]` is $Q(S_t, A_t)$.
@@ -157,12 +158,14 @@ for _ in range(100):
     learn_from_lists(Q, states, actions, rewards, n=3, alpha=0.1)
 print("after 100 episodes both tables are the same but for rounding:", np.allclose(agent.Q, Q))
 
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: the same without lists
 # The agent of the package learns the same, although its code looks different. It does not wait for the end of the
-# episode and needs no lists that grow. It keeps only the last $n$ steps, in places that are used again and again: hence
-# `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$ rewards are now complete. The first loop makes
-# its target, backwards, and the second one is the update. When the episode ends, all steps that are left learn. (For $n
-# = \infty$ the agent keeps as many rewards as the longest episode has.)
+# episode and needs no lists that grow. It keeps only the last $n$ rewards and actions, and the last $n + 1$ states, in
+# places that are used again and again: hence `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$
+# rewards are now complete. The first loop makes its target, backwards, and the second one is the update. When the
+# episode ends, all steps that are left learn. (For $n = \infty$ the agent keeps as many rewards as the longest episode
+# has.)
 
 # %%
 source(NStepSARSA.learn)
@@ -216,7 +219,7 @@ watch(1, episodes=60)
 watch(math.inf, episodes=60)
 
 # %% [markdown]
-# Monte Carlo passes, and one-step SARSA does not yet. Now both once more, after 4 000 episodes. Look at the free days.
+# Monte Carlo passes, and one-step SARSA does not yet. Both once more, after 4 000 episodes. Look at the free days.
 
 # %%
 watch(1, episodes=4_000)
@@ -307,9 +310,9 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass
-# the exam, and each of those returns about 10 less, which hides small differences in the mean. So let us take this
-# apart: which share of the runs passes in the end? And how much better is one method *on the layouts on which both
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs never pass the exam, and each of those
+# returns about 10 less, which hides small differences in the mean. So let us take this apart: which share of the runs
+# passes in the end? And how much better is one method *on the layouts on which both
 # pass*? These returns are computed without noise.
 
 # %%
@@ -322,7 +325,9 @@ for sigma, results in by_sigma.items():
 # %% [markdown]
 # Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
 # cannot be the only reason. Keep this puzzle in mind until "See inside".
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: does noise make Monte Carlo end worse?
 # **Predict.** The paper says that more noise makes Monte Carlo suffer more. Compare the mean final return of Monte
 # Carlo at $\sigma = 1$ and at $\sigma = 0$, over all layouts and computed without noise.
 
@@ -392,7 +397,7 @@ sliders(
 #
 # - **total_days.** With 20 days instead of 10 $n = 1$ loses most, perhaps because its staircase has more steps. Its
 #   mean return in these 1 000 episodes falls from 2.9 to 0.0, and that of Monte Carlo from 4.3 to 3.7.
-# - **epsilon.** With 0.5 instead of 0.1 that of $n = 1$ falls to 1.2, and that of Monte Carlo rises to 5.4.
+# - **epsilon.** With 0.5 instead of 0.1 the mean return of $n = 1$ falls to 1.2, and that of Monte Carlo rises to 5.4.
 # - **alpha.** With 0.01 Monte Carlo passes in 98 % of the runs, and $n = 1$ in 17 %. With 0.5 it is 85 % and 93 %.
 # - $n = 1$ is the best by far with many actions and a large learning rate: with ten actions and $\alpha = 0.5$ it passes in
 #   71 % of the runs, $n = 3$ in 37 %, and Monte Carlo in 9 %.
@@ -412,11 +417,12 @@ sliders(
 Sheet("bias", [[figures.bias_series()]])
 
 # %% [markdown]
-# - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. (With each further
-#   day there is one more price in it, and still no exam.) Only $n = 10$, Monte Carlo, sees the exam.
+# - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. (It even
+#   becomes a little worse with $n$: each further day adds a price to the target, and still no exam.) Only $n = 10$,
+#   Monte Carlo, sees the exam.
 # - *Late*, once the values are true, bootstrapping adds exactly what it leaves out, so every $n$ has the right mean.
 #
-# So bias separates the methods early only. What is left late is the variance.
+# So what is left late is the variance.
 #
 # ### Variance: where does it come from?
 # A deep target is a sum of many random rewards. The noise of each adds $\sigma^2$ to the variance, so $n$ of them add
@@ -448,16 +454,16 @@ noise.measured(100 * targets.noise_share(0.2))
 # </details>
 
 # %% [markdown]
-# This figure explains the puzzle. "Larger $n$ is only noise" is half of the truth: where rewards are not very noisy, *the
-# agent makes most of that noise itself.* A deep target hands back the agent's own random actions. The last two bars are so
-# high because only these targets contain the action on the day of the exam, where a random one costs 10: with $n = 10$ by
-# its reward, with $n = 9$ by the value $Q(S_9, A_9)$. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures, which
-# are on the days 2, 4 and 5 of this layout: a random action may miss one.)
+# This figure explains the puzzle. Where rewards are not very noisy, *the agent makes most of the noise itself:* a deep
+# target hands back the agent's own random actions. A target with $n$ rewards contains $n + 1$ actions: the last one,
+# $A_n$, is in the value $Q(S_n, A_n)$. So only the last two targets contain the action on the day of the exam, where a
+# random one costs 10, and their bars are so high. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures,
+# which are on the days 2, 4 and 5 of this layout: a random action may miss one.)
 #
 # **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
 # targets, and $x$ the variance of the value itself after many updates. One more update,
-# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If each target is independent of those before, as with
-# Monte Carlo, this means
+# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If the policy stays and each target is independent
+# of those before, as with Monte Carlo, this means
 #
 # $$
 # x = (1 - \alpha)^2 x + \alpha^2 v \quad\Rightarrow\quad x = \frac{\alpha}{2 - \alpha}\, v .
@@ -473,15 +479,15 @@ print("from one action to the next, by their prices:", np.diff(np.sort(-make_mdp
 
 # %% [markdown]
 # The last line compares this with the task: on a free day, two actions differ by a few hundredths. A value that
-# scatters by ± 0.69 cannot tell them apart. So Monte Carlo passes the exam and wastes its free days. Noise of the rewards
-# is not needed for that. (For smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap
-# scatter too.)
+# scatters by ± 0.69 cannot tell them apart. (On later days it scatters hardly less, since nearly all of it comes from
+# the exam.) So Monte Carlo passes the exam and wastes its free days. Noise of the rewards is not needed for that. (For
+# smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap scatter too.)
 #
 # ### The price of depth can be paid by the learning rate
 # The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
 # $\lceil H/n \rceil / \alpha$ episodes.
 #
-# **Predict.** Which $n$ likes the *smallest* learning rate in its first 500 episodes?
+# **Predict.** With which $n$ is the best learning rate for the first 500 episodes the *smallest*?
 
 # %%
 smallest = predict("The smallest best learning rate is that of ...", ["n = 1", "n = 3", "n = 5", "Monte Carlo"])
@@ -507,6 +513,11 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # </details>
 
 # %% [markdown]
+# With a small rate Monte Carlo keeps its early lead. If it may train ten times as long, it comes close to $n = 1$ in the
+# details too (in the aside).
+
+# %% [markdown] tags=["aside"]
+# ### Aside: each depth with its best learning rate
 # Here is the main figure once more, at $\sigma = 0.2$, with the best of these rates for each $n$.
 
 # %%
@@ -537,7 +548,8 @@ for episodes in (4_000, 40_000):
 # scattering. With $\alpha = 0.01$ it pays: Monte Carlo comes close to $n = 1$. (For $n = 1$ longer training brings no gain.
 # Its shortfall grows a little: among the runs that pass there are now some that passed late and are not done yet, we
 # think.)
-#
+
+# %% [markdown]
 # ### Why not look deep with Q-learning?
 # The variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
 # take $n$ rewards and then the largest value, $\max_a Q(S_{t+n}, a)$?
@@ -622,11 +634,16 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 #
 # Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price.
 # So what was tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which
-# untried actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section
-# 2.6). Monte Carlo learns only from returns that it got, and those were all bad.
+# untried actions can be reached keeps a value near 0, so the agent goes there (compare optimistic values in Sutton and
+# Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (An aside below tests
+# this.)
 # </details>
+#
+# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
+# runs apart.
 
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: the explanation, put to a test
 # If this explanation is right, then one-step SARSA depends on untried actions that look good. So we take that away. In
 # the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
 # *bad*.
@@ -661,19 +678,16 @@ wary.measured(more)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It meets the exam about as often, and keeps it more often. So the explanation holds: without untried
-# actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. (Monte Carlo loses
-# much too. What was not tried looked good to it as well, in the states in which it was.)
+# actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. (Monte Carlo
+# loses much too. In a state that it came to, untried actions looked good to it as well.)
 #
 # But it does not explain who is ahead *here*. The two meet the exam about equally often. The difference comes after
 # that: Monte Carlo hands a pass to all days at once. With $n = 1$ it goes back one day at a time, through values that
 # start far too low. That is credit, and not exploration.
 # </details>
 
-# %% [markdown]
-# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
-# runs apart.
-
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: the same agents play Blackjack
 # **Predict.** The same agents learn in any Gymnasium environment with whole numbers for observations and actions.
 # Blackjack is the classic example of Monte Carlo methods (Sutton and Barto, section 5.1). The reward, 1, 0 or −1, comes
 # at the end of the game. How much does $n$ matter there?
@@ -762,7 +776,8 @@ display(figures.race({"quiet": quiet}, repetitions=30))
 #
 # The action $A_t$ is not in the product: we learn *its* value, whoever chose it. Here $\pi$ is greedy, $b$ is ε-greedy,
 # there are $N$ actions, and one of them is the best in each state. Write the function. Its argument `greedy` is a list
-# that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`.
+# that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`. Its
+# first entry is that of $A_t$, which is not in the product.
 #
 # <details><summary>Hint</summary>A random action is the best one with probability 1/N. So an ε-greedy policy takes the
 # best action with probability 1 − ε + ε/N. What is the ratio for an action that the greedy policy never
@@ -887,6 +902,13 @@ for panel in race.rows[0]:
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
 # (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
 #
+# It has a limit. Your rule asks *after* the update, by value, whether an action is the best. With noisy rewards luck decides
+# that too. After a lucky return the action looks best, and the return is handed on. After an unlucky one it does not, and
+# the largest value is handed on instead. So values become too high. At $\sigma = 2$ the agent expected 1.2 more at the
+# start than its policy gets, with $\alpha = 0.3$ even 2.4, and at $\sigma = 0.2$ only 0.06 (means of 80 runs). If it asks
+# whether the action was the best one *when it was taken*, before luck can tell, 1.2 becomes 0.4. This is called
+# *maximisation bias* (Sutton and Barto, section 6.7). Here it did the policies no harm.
+#
 # ### The open challenge: 1 000 episodes with eight actions
 # Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$), so the
 # optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
@@ -984,7 +1006,8 @@ check(project_3, my_program)
 # - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
 # - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards. So Monte
 #   Carlo ends behind among the runs that pass, even without noise.
-# - More noise did not make Monte Carlo end worse, probably since noise also explores. More actions without effect did, but
+# - More noise did not make Monte Carlo end worse (in an aside), probably since noise also explores. More actions without
+#   effect did, but
 #   not by variance: Monte Carlo met the exam less often.
 # - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
 # - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at
@@ -998,13 +1021,6 @@ check(project_3, my_program)
 # averages the blur away, if there is time, and a target that is cut where the agent explored avoids it.
 #
 # ### Limits
-# The rule of exercise 3 asks *after* the update, by value, whether an action is the best. With noisy rewards luck decides
-# that too. After a lucky return the action looks best, and the return is handed on. After an unlucky one it does not, and
-# the largest value is handed on instead. So values become too high. At $\sigma = 2$ the agent expected 1.2 more at the
-# start than its policy gets, with $\alpha = 0.3$ even 2.4, and at $\sigma = 0.2$ only 0.06 (means of 80 runs). If it asks
-# whether the action was the best one *when it was taken*, before luck can tell, 1.2 becomes 0.4. This is called
-# *maximisation bias* (Sutton and Barto, section 6.7). Here it did the policies no harm.
-#
 # The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the
 # environment itself is random, cutting at exploring actions removes the agent's part of the variance only. Where
 # exploring actions are frequent, targets are cut early, and the agent nearly becomes a one-step agent again. With a

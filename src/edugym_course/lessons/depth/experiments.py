@@ -167,7 +167,7 @@ def late_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
                 f"Noise can help: with σ = 1 {method} passes the exam on more layouts than without noise",
                 "share of runs that pass, σ = 1 less σ = 0",
                 paired_difference(passes(by_sigma[1.0], method), passes(by_sigma[0.0], method)),
-                Above(0.05),
+                Above(0.01),
             )
             for method in (ONE_STEP, MONTE_CARLO)
         ),

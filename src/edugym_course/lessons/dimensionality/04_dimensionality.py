@@ -9,7 +9,7 @@
 # update of Q-learning with features instead of a table, and say what can go wrong with it; follow the main lines of
 # DQN, with its gradient computed by hand; and predict what an agent knows about situations that it has never met.
 #
-# **Time.** 75 minutes, 20 more for the three optional sections, and 45 for the exercises. **Before you start.** You
+# **Time.** {time} **Before you start.** You
 # should know Q-learning (Sutton and Barto, 2nd edition, section 6.5), ε-greedy action selection (section 2.2), and what
 # a derivative is. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -67,11 +67,11 @@ observation, _ = env.reset(seed=3)
 print(observation.astype(int))
 
 # %% [markdown]
-# "vectorised" is the state itself, three whole numbers; we call it the *positions*. "grid" is the *board* above, with a
-# 1 at the ball and at the paddle; we call each of its 50 numbers a *pixel*. "rgb" is an *image*: red, green and blue
+# "vectorised" is the state itself, three whole numbers: the *positions*. "grid" is the *board* above, with a 1 at the
+# ball and at the paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue
 # for each of the 50 cells.
 #
-# **Play it yourself, blind.** You see the observation "grid" as ten lines of five numbers. How long did it take you to
+# **Play it yourself, blind.** You see the observation "grid" as ten lines of five numbers. How long does it take you to
 # find out what the ones mean? An agent starts with less: it does not even know that two pixels are neighbours.
 
 # %%
@@ -95,8 +95,8 @@ source(QLearning.learn)
 # %% [markdown]
 # A *dense* table has a row for every observation that could be written down. With 50 pixels that are 0 or 1 there are
 # $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$. A *network*, which we will come to, has a
-# number of weights that grows with the number of pixels, not with the number of boards. (That of this lesson, with 64
-# hidden units, has 3 459.)
+# number of weights that grows with the number of pixels, not with the number of boards. (The network of this lesson has
+# 64 hidden units and 3 459 weights.)
 
 # %%
 positions, grid, image = (sizes.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
@@ -107,10 +107,10 @@ figures.size_sheet()
 
 # %% [markdown]
 # The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
-# line of the network counts weights, all others rows. The two lowest lines lie close together:
-# "boards that occur" are the different boards that can be seen while the ball falls. There are exactly as many as
-# states that can occur, 195: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be
-# reached, and in 25 the ball is already down.)
+# line of the network counts weights, all others rows. The two lowest lines lie close together: "boards that occur" are
+# the different boards that can be seen while the ball falls. There are 195 of them, exactly as many as there are states
+# that can occur: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be reached, and
+# in 25 the ball is already down.)
 #
 # So a table could hold rows for those boards alone. It does not need to know them beforehand: a *hashed* table gives a
 # row to each board when it is seen for the first time.
@@ -134,9 +134,10 @@ figures.size_sheet()
 # $$
 #
 # But $y$ is no constant: it depends on $w$ as well, through the value of $S'$. That part of the derivative is left out.
-# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Mind the order in
-# `learn`: whoever computes a value leaves the features of that state in `features`. The target needs the value of $S'$,
-# so it comes first; then comes that of $S$, and `follow_gradient` finds the features of $S$ there. `at_once` is 1 here.)
+# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Mind the order in `learn`. Each
+# computation of a value leaves the features of its state in `features`. The target needs the value of $S'$, so it comes
+# first. Then comes the value of $S$, and `follow_gradient` finds the features of $S$ there. `at_once`, by which the
+# step is divided, is 1 here.)
 
 # %%
 source(LinearQLearning.learn)
@@ -170,7 +171,7 @@ source(dqn.forward)
 #   Every four steps a *batch* of 32 of them is drawn from the memory at random. So each is learned from many times, and
 #   the ones in a batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, which is
-#   brought up to date every 100 updates. (Why, you will see below.)
+#   brought up to date every 100 updates. (An aside below shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
 #   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This is the value less the target;
 #   above, the error was the target less the value. Here we go *down* the slope of the loss, so the step is the same.)
@@ -184,14 +185,15 @@ source(dqn.forward)
 # $$
 #
 # If $S'$ is terminal, $y = R$. Mind the names in the code: `self.target` is $\theta^-$, the old *weights*, and the
-# variable `target` is $y$. `row` is the place of a transition in the memory. `act` fills `batch` before the step: it alone is
-# given random numbers.
+# variable `target` is $y$. `row` is the place of a transition in the memory. `batch` holds the places that were drawn.
+# `act` draws them, since it is the only method that gets random numbers.
 
 # %%
 source(DQN, "learn", "add_gradient")
 
-# %% [markdown]
-# This is the rest of the agent: how it acts, how it remembers, when an update is due, and how the old weights become new.
+# %% [markdown] tags=["aside"]
+# ### Aside: the rest of the agent
+# These lines say how it acts, how it remembers, when an update is due, and how the old weights become new.
 # The memory is written from its beginning again when it is full, hence `%`. (Weights, like counters, stand in arrays, since the
 # fields of a `NamedTuple` are fixed: `self.steps[0]` is a number.)
 
@@ -202,7 +204,8 @@ source(DQN, "act", "write_values", "remember", "is_due")
 source(dqn.copy)
 
 # %% [markdown]
-# See what comes out of it. This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
+# ### Watch it
+# This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
 # steps with the slider or the button.) It still misses the balls from one of the five columns. From which? Change
 # `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1, 2, 3, 4.
 
@@ -301,7 +304,7 @@ sees.measured(sees.options[sum(int(means[methods.PIXELS] > 0.5) for means in lis
 # %% [markdown]
 # ## Your turn
 #
-# **The table.** Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
+# What decides how fast the table learns? Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
 # $\varepsilon$, $\alpha$ and $\gamma$. Which matters? (10 repetitions of 20 000 steps.)
 
 
@@ -318,11 +321,13 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 # <details><summary>What came out</summary>
 #
 # None of the three matters much; the columns and the levels do. On five columns without noise every setting that we
-# tried came to 1 within 3 000 steps. Only the column of the ball is random, so one look at an outcome is enough,
-# whatever $\alpha$ is. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead
-# of 0.85. </details>
-#
-# **The network.** Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
+# tried came to 1 within 3 000 steps. One reason may be that only the column of the ball is random: an outcome that was
+# seen once stays true, so a large $\alpha$ does no harm. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended
+# somewhat lower, at 0.71 and 0.77 instead of 0.85. </details>
+
+# %% [markdown] tags=["aside"]
+# ### Aside: turn the knobs of the network
+# Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
 # do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean.)
 
 
@@ -367,7 +372,8 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is 0,
 # since the loss does not contain it.
 #
-# (In the next cell the agent computes this gradient, and Adam takes a step with it, in the first layer and then in the
+# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step with
+# it, in the first layer and then in the
 # second one. Its counters, such as `updates`, are arrays with one number, so that machine code can change them.)
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?
@@ -401,7 +407,9 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 # however large the gradient is. Only the direction counts. Later steps follow an average of the gradients, divided by
 # an average of their size.
 # </details>
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: the way backward, and Adam
 # **Backward** goes the chain rule, from the values to the weights (this is `by_hand` in the cell above):
 #
 # - The weight from $h_1$ to $Q(s, 0)$ is multiplied by $h_1 = 0.5$: its derivative is $0.5 \cdot (-0.5) = -0.25$. The
@@ -412,7 +420,8 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 #   have 0.
 #
 # These are the lines that went backward, and those of Adam. The rate in `adam` is the learning rate with a correction
-# for averages that start at 0 (in step 1: 0.0032). The draw from memory comes in exercise 3.
+# for averages that start at 0 (in step 1 it is 0.0032, and the quotient is 3.16). The draw from memory comes in
+# exercise 3.
 
 # %%
 source(dqn.slope_of_loss)
@@ -469,11 +478,11 @@ unseen.measured(len(generalises))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns here, but for one
-# run of ten. That is due to its large steps: with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its sum has no term
-# for ball and paddle together, so it cannot represent the true values. Weights exist that catch every ball, from all five
-# columns: try to find them. But Q-learning looks for correct values, not for a good policy. In 60 runs with each of four
-# learning rates none found such weights.)
+# no better on new columns than a table. (Linear in the pixels does not even learn the training columns here, but for
+# one run of ten. Its large steps are a part of the reason: with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its
+# sum has no term for ball and paddle together, so it cannot represent the true values. Weights exist that catch every
+# ball, from all five columns: try to find them. But Q-learning looks for correct values, not for a good policy. In 60
+# runs with each of four learning rates none found such weights.)
 # </details>
 #
 # ### The picture that explains it
@@ -504,10 +513,17 @@ for row in touched:
     print(" ".join("learned" if cell else "   -   " for cell in row))
 
 # %% [markdown]
-# In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is.
-# You know the rest from the step by hand: a weight from an input that is always 0 never moves. When a ball is there in
+# In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
+# and a weight from an input that is always 0 never moves. When a ball is there in
 # the test, it is multiplied by random weights, as they were drawn at the start.
 #
+# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
+# network on pixels shares much between boards that have most pixels in common, as with noise. A weight of the first
+# layer counts only where its pixel is not 0. A ball in column 1 and a ball in column 2 light different pixels. So no
+# weight that reads the ball is shared. Ball minus paddle shares all that matters, but there a person has done the work.
+
+# %% [markdown] tags=["aside"]
+# ### Aside: where the paddle goes instead
 # What do the agents do with balls from columns 1 and 3? This is where the paddle ends, in each of ten runs. The last
 # agent is DQN on pixels once more, with 0 for all weights of the pixels that are not marked "learned".
 
@@ -526,12 +542,8 @@ for column in tasks.WITHHELD:
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle ends in the middle.
-#
-# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
-# network on pixels shares much between boards that have most pixels in common, as with noise. A weight of the first
-# layer counts only where its pixel is not 0. A ball in column 1 and a ball in column 2 light different pixels. So no
-# weight that reads the ball is shared. Ball minus paddle shares all that matters, but there a person has done the work.
-#
+
+# %% [markdown]
 # ### Can a network share more?
 # A *convolutional* network (CNN) uses the same weights at every place: a *filter*, a small array of weights, slides
 # over the image. Two of them were trained for 30 000 steps on images of balls from columns 0, 2 and 4, by PPO of
@@ -565,11 +577,11 @@ cnns.measured(cnns.options[{(True, True): 0, (True, False): 1, (False, True): 2}
 # **Measured.** The CNN over columns does: in nine of ten runs it catches the balls from both columns, in the tenth from
 # one. The small CNN catches them from both in one run, from one in three, and from none in six. One reason may be that
 # its filters are shared, but the layer after them is not. (The two differ in the size of their filters as well.) Here,
-# too, a person chose the form. So "deep learning generalises" is too simple, and so is "convolutions generalise".
+# too, a person chose the form. So "deep learning generalises" is too simple.
 # </details>
 
-# %% [markdown]
-# ### A weight that grows for ever
+# %% [markdown] tags=["aside"]
+# ### Aside: a weight that grows for ever, and the deadly triad
 # Why does DQN hold its target still? Here is the smallest example of the trouble (section 11.2). Two states have one
 # weight $w$ together: the first has the feature $x = 1$, so its value is $w$; the second has $x = 2$, so its value is
 # $2w$. All rewards are 0, so $w$ should become 0. Suppose that only the step from the first state to the second is
@@ -611,9 +623,10 @@ bound.measured(grows[0] - 0.01)
 # dotted line shows one case: it learns from the step to the end as well, as on-policy learning does.
 #
 # DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
-# $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at
-# most for each copy, not for each update. The dashed line shows that. Van Hasselt et al. (2018) looked for such growth
-# in DQN on many games: values became too large at times, but hardly ever without end.
+# $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but from one copy to the next it
+# grows at most by the factor $2 \gamma$, however many updates lie between them. The dashed line shows that. Van Hasselt
+# et al. (2018) looked for such growth in DQN on many games: values became too large at times, but hardly ever without
+# end.
 
 
 # %%
@@ -624,8 +637,8 @@ def triad(gamma=0.9, alpha=0.1, copy_every=20):
 
 sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.2, 0.05), copy_every=[1, 5, 20, 50])
 
-# %% [markdown]
-# ### Networks from a library, on the grid and on the image (optional)
+# %% [markdown] tags=["aside"]
+# ### Aside: networks from a library, on the grid and on the image
 # Stable-Baselines3 has DQN and PPO; the package has a PPO of its own. Ten runs of each are stored:
 #
 # | method | network | copies of the task | learning rate |
@@ -663,17 +676,17 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so these are two tests apart. The
-# median run first gets there after about 10 000 steps on both, but four runs on the grid fall back, and one on the
-# image. Settings and networks differ as well, so this compares two recipes, not two observations. And the image is not
-# as rich as it sounds: only seven of the 256 levels occur, in no more than 195 images.
+# **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so the difference is two tests. The
+# median run first gets there after about 10 000 steps in both cases. Afterwards four runs on the grid fall back, and
+# one on the image. Settings and networks differ as well, so this compares two recipes, not two observations. And the
+# image is not as rich as it sounds: only seven of the 256 levels occur, in no more than 195 images.
 #
 # The darkened image took as many steps as the plain one. A new brightness at every step, which was the end of the
 # table, does not hold up this network.
 # </details>
 
-# %% [markdown]
-# ### What a larger board costs (optional)
+# %% [markdown] tags=["aside"]
+# ### Aside: what a larger board costs
 # **Predict.** The board grows from 3 columns and 6 rows to 9 columns and 18 rows, so that about 30 times as many boards
 # can occur. How many times as many steps does a table need to a return of 0.99?
 
@@ -702,14 +715,14 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 
-# %% [markdown]
-# ### A car on a hill (optional)
+# %% [markdown] tags=["aside"]
+# ### Aside: a car on a hill
 # MountainCar is an environment of Gymnasium. Its observation is two real numbers, position and speed, so that a table
 # over observations would meet a new row at nearly every step. The car is too weak for the hill, and must swing up. Each
 # step costs 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$
 # and $\varepsilon = 0$, in 3 runs of 20 000 steps. (All values start at 0 and every step costs 1. So what was not tried
-# looks best. For tiles that is exploration enough.) One has position and speed themselves as features, and a constant,
-# the other one 8 tilings of 8 by 8 tiles (as in section 10.1).
+# looks best, and this is probably why tiles need no other exploration.) One has position and speed themselves as
+# features, and a constant, the other one 8 tilings of 8 by 8 tiles (as in section 10.1).
 #
 # **Predict.** After training the weights are held still. Whose greedy policy gets up the hill?
 
@@ -787,9 +800,9 @@ check(exercise_1, table_entries, seed=1, quiet=True)
 #   says whether the episode is over. Change the entries of `self.w` in place.
 #
 # Your agent is then trained with balls from columns 0, 2 and 4, and tested as in "Balls from columns that were never
-# seen". It gets 6 000 steps, the table 40 000. Afterwards change the features, for instance to the column of the ball
-# alone, and see what it still knows. (The check makes up features of its own, in which several are not 0, so use
-# `self.features`.)
+# seen". It trains for 6 000 steps; the table there had 40 000. Afterwards change the features, for instance to the
+# column of the ball alone, and see what it still knows. (The check makes up features of its own, in which several are
+# not 0, so use `self.features`.)
 #
 # <details><summary>Hint</summary>The value is <code>np.sum(x * self.w[:, action])</code>. In <code>learn</code>, first
 # compute the features of <code>state</code>, then the target, then change the weights of the action that was taken. A

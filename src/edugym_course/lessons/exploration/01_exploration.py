@@ -8,7 +8,7 @@
 # reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
 # an explorer of your own.
 #
-# **Time.** 90 minutes, and 70 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2):
 # lesson 0 has them all. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -111,7 +111,8 @@ source(epsilon_greedy_action)
 source(greedy_action)
 
 # %% [markdown]
-# (`replaces(ties, rng)` is true with probability 1/ties. So each of several equal actions is taken equally often. What
+# (`replaces(ties, rng)` is true with probability 1/ties. The second of two equal actions takes the place of the first
+# half of the time, and a third one takes that of either a third of the time. So each is taken equally often. What
 # counts as equal, `tied`, comes up in exercise 2.)
 #
 # Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. Watch it: this
@@ -131,8 +132,8 @@ watch("ε-greedy")
 # %% [markdown]
 # How long does that take? To get from the ground to the top it needs $H$ right choices in a row, each with probability
 # $1/N$, and a wrong choice sends it back to the ground. Let $m_h$ be the mean number of steps from the ground to height
-# $h$, with $m_0 = 0$. To get one higher, the climber first gets to $h$ and then takes one more step. With probability
-# $1 - 1/N$ that step is wrong, and everything starts again:
+# $h$, with $m_0 = 0$. To get to height $h + 1$, the climber first gets to $h$ and then takes one more step. With
+# probability $1 - 1/N$ that step is wrong, and everything starts again:
 #
 # $$
 # m_{h+1} = m_h + 1 + \left(1 - \tfrac{1}{N}\right) m_{h+1}
@@ -226,7 +227,7 @@ watch("Go-Explore")
 # | Go-Explore | 20 random steps from each goal |
 # | evaluation | one episode without exploring, every 200 steps |
 # | repetitions | 100, each on its own wall, the same wall for all methods |
-# | bands | 95 % intervals; not of width 0 where all 100 runs agree, for the next run might not |
+# | bands | 95 % intervals; they have a width even where all 100 runs agree, since the next run might not |
 #
 # Two black lines show what is possible, computed from the exact model of the task: the optimum (dashed), and the
 # return of the best *ε-soft* policy (dotted). An ε-soft policy never stops exploring: it takes a random action with
@@ -310,8 +311,9 @@ sliders(
 # - **height.** The novelty reward solves 20 in all runs and 40 in half of them. At 60 and 80 it gets to about 40.
 # - **n_grips.** At height 60 the novelty agent gets to 40 with two grips, to 27 with three and to 19 with five. Go-Explore
 #   still solves it with three, and in eight of ten runs with five.
-# - **ε.** Only the novelty agent feels it much: on height 20 it fails with 0 and with 1, and solves most walls between. (With
-#   $\varepsilon = 1$ both ε-greedy agents search at random.) Go-Explore does not use ε.
+# - **ε.** Only the novelty agent feels it much: on height 20 it fails with 0 and with 1, and solves the wall in most
+#   runs with the values between. (With $\varepsilon = 1$ it acts at random, as the agent that is called ε-greedy does.)
+#   Go-Explore does not use ε.
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
 # </details>
 
@@ -330,21 +332,22 @@ in_pairs("visits", figures.visit_maps(walls[100], 100))
 # - **Go-Explore** moves its frontier up steadily, to the top.
 #
 # ### Why does novelty stall? The way back
-# To see something new, the agent must first get back to its frontier, *while it keeps taking random actions*. A *slip* is
-# a random action that is not the one the agent believes best. With two grips it happens with probability
-# $\varepsilon/2 = 0.05$ at every step. A *climb* is what lies between two visits of the ground. So even a climber who
-# knows the way gets back to height $h$ in only a share of $0.95^h$ of its climbs. This is called **derailment**
-# (Ecoffet et al., 2021). Does it happen?
+# To see something new, the agent must first get back to its frontier, *while it keeps taking random actions*. A *slip*
+# is a random action that is not the one the agent believes best. (Lesson 2 counts every random action as a slip.) With
+# two grips it happens with probability $\varepsilon/2 = 0.05$ at every step. A *climb* is what lies between two visits
+# of the ground. So even a climber who knows the way gets back to height $h$ in only a share of $0.95^h$ of its climbs.
+# This is called **derailment** (Ecoffet et al., 2021). Does it happen?
 
 # %%
 Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 
 # %% [markdown]
 # The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
-# faster, because the runs have reached different heights. Go-Explore returns without exploring, so its climbs do not
-# derail. Its line is flat because nearly all goals of the second half of training are close to the top: whoever gets
-# there has passed all heights below. Four of five of its climbs end near the ground: after a fall it takes the rest of
-# its 20 random steps from there. The other climbs are on their way to a goal, and they arrive.
+# faster, because it is a mean over runs that have reached different heights. Go-Explore returns without exploring, so
+# its climbs do not derail. Its line is flat because nearly all goals of the second half of training are close to the
+# top: whoever gets there has passed all heights below. Four of five of its climbs end near the ground. These are random
+# steps: after a fall it takes the rest of its 20 from the ground. The other climbs are on their way to a goal, and they
+# arrive.
 #
 # An agent whose frontier is at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
 # six in a thousand. (The novelty line is lower than that at 40, because many runs have not got that far.) An episode has
@@ -403,9 +406,10 @@ for method in causes.methods:
 #
 # Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
 # meet an agent that solves walls without it.
-#
-# ### For the curious: detachment
-# (You can skip this section.) The paper gives another reason why novelty stalls, **detachment**: the bonus at a frontier
+
+# %% [markdown] tags=["aside"]
+# ### Aside: two branches, and whether a frontier is forgotten
+# The paper gives another reason why novelty stalls, **detachment**: the bonus at a frontier
 # fades with every visit, so that the agent may turn to another frontier and never come back (Ecoffet et al., 2021). One
 # wall has one frontier and cannot show that. So here is a wall with two branches of height 100. The first action chooses the
 # branch, left or right. The only reward is at the flag, on top of the right-hand one. (The picture shows lower branches.)
@@ -596,8 +600,9 @@ display(figures.race({"optimist": optimist}))
 # **How far does optimism carry?** With the learning rate $\alpha = 1$ the agent believes every step at once. Let it race
 # Go-Explore on the high wall, with two grips and with three.
 #
-# **Predict.** With two grips and this learning rate, both solve it. With *three* grips: whose greedy policy reaches the top
-# in more of the evaluations, all 20 000 steps counted?
+# **Predict.** With two grips and this learning rate, both solve it. With *three* grips: whose greedy policy reaches the
+# top in more of the evaluations? (Those before the first success count as failures, so whoever learns earlier is
+# ahead.)
 
 # %%
 three_grips = predict("Height 100, three grips: more often at the top is ...", ["optimism", "Go-Explore"])
@@ -841,7 +846,7 @@ check(project_1, my_program)
 # - A novelty reward gives the agent something to learn from at every step, and draws it back to its frontier. There it
 #   stalls: slips end its climbs on the way, and once it took the wrong grip, only a slip takes the right one, since what
 #   was never tried is worth 0.
-# - With two branches it leaves a frontier and comes back. Lasting detachment did not appear with a table.
+# - With two branches (in the aside) it leaves a frontier and comes back. Lasting detachment did not appear with a table.
 # - Returning first, and exploring only then, solves the high wall. Optimistic initial values with $\alpha = 1$ solve it
 #   too, since they try everything, and no later than Go-Explore.
 # - Values that are equal on paper may differ in the last digit. A program that breaks ties by it explores less.
@@ -849,11 +854,11 @@ check(project_1, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and
-# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So
+# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ climbs. So
 # exploration must be directed. A novelty reward makes rarely visited states attractive, optimistic values make untried
 # actions attractive, and Go-Explore returns to the edge of what it knows before it explores. They work as far as they
-# are systematic: they try what they have not tried, and they get back to where that is. Random slips do neither. They
-# fail more often the longer the way is.
+# are systematic: they try what they have not tried, and they get back to where that is. Random slips do neither, and
+# the longer the way is, the more often a slip ends it.
 #
 # ### Limits
 # A table can count visits of a state. The same picture hardly ever comes twice, so for pictures something must stand

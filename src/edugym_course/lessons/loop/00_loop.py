@@ -7,7 +7,7 @@
 # **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
 # what the discount changes; and complete an agent of about ten lines that takes millions of steps a second.
 #
-# **Time.** 40 minutes, and 25 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
+# **Time.** {time} **Before you start.** Two lectures on reinforcement learning, or
 # sections 3.1 to 3.6 and 6.5 of Sutton and Barto, *Reinforcement Learning*, 2nd edition. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 #
@@ -39,8 +39,9 @@ env.unwrapped.scene()
 
 # %% [markdown]
 # Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto
-# an item has the reward 24. (The exit pays whatever is in the bag, and ends the visit.) What is the highest total that you can get? (The line below the picture also shows a
-# number, the *observation*. It stands for where the shopper is and what is in the bag.)
+# an item has the reward 24. (The exit pays the same with an empty bag as with a full one, and it ends the visit.) What
+# is the highest total that you can get? (The line below the picture also shows a number, the *observation*. It stands
+# for where the shopper is and what is in the bag.)
 
 # %%
 play("Supermarket", max_steps=100)
@@ -169,8 +170,9 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 
 # %% [markdown]
 # ### Values: the return to be expected
-# So an agent needs to know what return an action *leads to*. That is its **value**. With the best policy from then on it is
-# called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, without chance; $s'$ is the next state and $r$ the reward):
+# So an agent needs to know what return an action *leads to*. That is its **value**. With the best policy from then on
+# it is called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, without chance; $s'$ is the next state and $r$
+# the reward; the second line only gives the largest of these values a name):
 #
 # $$
 # q_*(s, a) = r + \gamma \max_{a'} q_*(s', a') \qquad\qquad v_*(s) = \max_a q_*(s, a)
@@ -219,10 +221,10 @@ print("values of the four actions in the first state:", agent.Q[8].round(2))
 frames(env, agent, max_steps=40)
 
 # %% [markdown]
-# The shopper takes two items, and then walks to and fro between two cells. Around these two cells it knows only that
-# steps cost points. Each update carries value one step back, from $S'$ to $S$. From the last item and from the exit it
-# has come back a few cells so far, but not yet to these two. And after 20 000 steps more? `train` is the loop that you
-# have just seen, translated into machine code.
+# The shopper takes two items, and then walks to and fro between two cells. Around these two cells the agent knows only
+# that steps cost points. Each update carries value one step back, from $S'$ to $S$. The value of the last item and of
+# the exit has come back a few cells so far, but not yet to these two. And after 20 000 steps more? `train` is the loop
+# that you have just seen, translated into machine code.
 
 # %%
 train(env, agent, 20_000, seed=1)
@@ -231,9 +233,10 @@ frames(env, agent, max_steps=40)
 # %% [markdown]
 # Now it takes all three items and leaves after 30 steps, with 95 points.
 #
-# **In other environments.** The loop stays the same. But a table has numbered rows, and other tasks do not observe one
-# number. The road of lesson 2 observes two, the place of a runner and its speed. `TabularObservation` makes them the number
-# of a row. (`train` does so by itself. Images have too many values for a table: lesson 4.)
+# **In other environments.** The loop stays the same. But a table has numbered rows, and in other tasks the agent
+# observes more than one number. On the road of lesson 2 there are two, the place of a runner and its speed.
+# `TabularObservation` makes them the number of a row. (`train` does so by itself. Images have too many values for a
+# table: lesson 4.)
 
 # %%
 road = gym.make("edugym/Roadrunner-v0")
@@ -285,13 +288,14 @@ worst.measured(min(late, key=late.get))
 #
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. In cells in which the
-# agent has often been, its values are about −1, except beside an item or the exit. With exactly right values it would be
-# the player of −248. But its values are not quite right, and in this episode they do not change: where the smallest
-# difference decides, the same action is taken at every visit, and the shopper goes round and round until the clock stops.
-# While it learns (right panel) it is no worse than random play. After many more steps its values are −1 but for rounding,
-# and chance decides again: the orange line begins to rise for that reason. (The test: with $\alpha = 1$ a value is exactly
-# −1 after one try, and then this player is nearly as good as the one of −248.)
+# **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. In cells in which
+# the agent has often been, its values are about −1, except beside an item or the exit. With exactly right values it
+# would be the player of −248. But its values are not quite right, and in this episode they do not change: where the
+# smallest difference decides, the same action is taken at every visit, and the shopper goes round and round until the
+# clock stops. While it learns (right panel) it is no worse than random play. After some forty tries of an action its
+# value is −1 but for rounding, and where that is so of all four, chance decides again: we think that the orange line
+# begins to rise for that reason. (The test: with $\alpha = 1$ a value is exactly −1 after one try, and then this player
+# is nearly as good as the one of −248.)
 #
 # The same lines of code with $\gamma = 0.99$ find the optimum in most runs, and in five of 30 runs a worse way, with 76 to
 # 93 points. At first this learner is as bad as the other one. It has to meet the items and the exit first. Every step costs
@@ -323,10 +327,10 @@ items.measured(items.options[exact.items_on(exact.best_way(0.85))])
 # not to the world. </details>
 
 # %% [markdown]
-# The map shows $v_*$ of each cell for one bag, and the best action as an arrow (slanted: two actions are equally good;
-# none: more than two are, or two opposite ones). The orange line is the best way from the entrance, for the empty bag
-# only. After an item the bag is another one, so from there on the line may run against the arrows. The right panel
-# always shows this way: what each of its rewards counts at the start.
+# The map shows $v_*$ of each cell for one bag, and the best action as an arrow. (A slanted arrow: two actions are
+# equally good. No arrow: more than two are, or two opposite ones.) The orange line is the best way from the entrance,
+# for the empty bag only. After an item the bag is another one, so from there on the line may run against the arrows.
+# The right panel always shows this way: what each of its rewards counts at the start.
 #
 # *Move a slider and let it go.* At which values of $\gamma$ does the best way change? What is best for $\gamma = 0$?
 
@@ -338,8 +342,7 @@ sliders(
 )
 
 # %% [markdown]
-# (The white cells are those with an item that is not in the bag: whoever enters one takes the item, and then has
-# another bag. Values below 0 have the palest colour. The entrance and the exit never have an arrow.)
+# (White cells hold an item that is not in the bag: whoever enters one takes it, and then has another bag.)
 #
 # <details><summary>Answer</summary>
 #
@@ -395,8 +398,9 @@ everywhere.measured(100 * share)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was
-# 36 %. With 10 % random actions Q-learning learns *its way* and little else. About half of the states it never tried,
-# and they keep their first guess (35 % right, by luck). Most of the others it visited fewer than 50 times. </details>
+# 36 %. With 10 % random actions Q-learning learns *its way* and little else. In about half of the states it never
+# acted, and these keep their first values (35 % right, by luck). Most of the others it visited fewer than 50 times.
+# </details>
 
 # %% [markdown]
 # ## Exercises
@@ -585,21 +589,22 @@ check(project_0, my_program)
 # reward alone does not tell whether an action was good: acting for the next reward brought −248 points (random play
 # −313, the best policy 95), and after 20 000 steps of learning the next reward alone, the agent without exploring was
 # still worse than random play. So the agent learns values, the returns that it can expect. Q-learning moves its guess
-# for an action towards the reward plus the discounted best guess for the next state, where there is one. Then the value
-# of what is far away comes back, one state at a time. *Now say this in your own words.*
+# for an action towards the reward plus the discounted best guess for the next state, where there is one. With every
+# update the value of what is far away comes back by one state. *Now say this in your own words.*
 #
 # ### What comes next
-# The shop was easy in many ways. Each of the next lessons takes one of them away; below are their environments. In lesson 10
-# you write your own: states, actions, and a reward that says what you mean.
+# The shop was easy in many ways. Each of the next nine lessons takes one of them away; below are their environments. In lesson
+# 10 you write your own: states, actions, and a reward that says what you mean. And in lesson 11 the goal is another one in each
+# episode.
 
 # %%
 figures.nine_challenges()
 
 # %% [markdown]
 # ### Limits
-# In this shop nothing happens by chance; elsewhere $q_*$ needs a mean over all that can happen (equation 3.20 in full). There
-# are only 428 states: the 420 of before, and 8 at the exit, one for each bag. A table has room for them all. And the best
-# way is known (lesson 9 shows how to compute it).
+# In this shop nothing happens by chance; elsewhere $q_*$ needs a mean over all that can happen (equation 3.20 in full).
+# There are only 428 states: the 420 from before, and 8 at the exit, one for each bag. A table has room for them all.
+# And the best way is known (lesson 9 shows how to compute it).
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.1–3.6 (agent, return, values), 6.5 (Q-learning); 1.1–1.5 for

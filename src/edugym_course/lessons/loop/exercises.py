@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
-from edugym_course.grading.choices import check_choices
+from edugym_course.grading.choices import ChoiceCase, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.one_step import Q_LEARNING
@@ -121,10 +121,24 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
         "0.5, the discount of the cell under equation 3.9, stands where `discount` should": weighted(
             [0.5**k for k in range(n)]
         ),
+        **{
+            f"{written}, a discount of the lesson, stands where `discount` should": weighted(
+                [written**k for k in range(n)]
+            )
+            for written in (0.9, 0.95, 0.99)
+        },
         "is the old G added once more, by `+=`? Write `G = reward + discount * G`": weighted(
             [(1 + discount) ** k for k in range(n)]
         ),
         "γ is squared": weighted([discount ** (2 * k) for k in range(n)]),
+        "the weight is squared in each step; multiply it by γ": weighted(
+            [1.0, *(discount ** (2**k) for k in range(n - 1))]
+        ),
+        "the discount is added; multiply the return by it": total + n * discount,
+        "the last reward counts twice: let `G` start at 0, or leave it out of the loop": weighted(powers)
+        + discount**n * rewards[-1],
+        "the result is rounded; return the number as it is": float(round(weighted(powers))),
+        "what is behind the decimal point is cut off; return the number as it is": float(int(weighted(powers))),
         "it stays 0: is `G` changed in the loop?": 0.0,
     }
 
@@ -155,17 +169,22 @@ def exercise_2(answer: Any, seed: int, margin: Margin = 0) -> str:
             round(3.0 - margin - 0.025, 3),
         )  # between two margins that may be had
         cases += [(rng.permutation([3.0, near, far, -9.0]).tolist(), epsilon) for epsilon in (0.0, 0.5)]
-    for numbers, epsilon in cases:
-        values = np.array(numbers)
-        check_choices(
-            "choose(values, epsilon, rng)",
-            partial(_chosen, answer, values, epsilon),
-            _probabilities(values, epsilon, margin),
-            _choice_mistakes(values, epsilon, margin),
-            tables={"values": values},
-            where=f"with values = {numbers} and epsilon = {epsilon}",
-        )
+    check_all_choices(
+        "choose(values, epsilon, rng)", [_choice(answer, numbers, epsilon, margin) for numbers, epsilon in cases]
+    )
     return "Right: an action that ties is as good as the first one, so each of them gets its share."
+
+
+def _choice(answer: Callable[..., Any], numbers: list[float], epsilon: float, margin: float) -> ChoiceCase:
+    """Return what a student's function should choose, and what it does by the usual mistakes."""
+    values = np.array(numbers)
+    return ChoiceCase(
+        partial(_chosen, answer, values, epsilon),
+        _probabilities(values, epsilon, margin),
+        _choice_mistakes(values, epsilon, margin),
+        tables={"values": values},
+        where=f"with values = {numbers} and epsilon = {epsilon}",
+    )
 
 
 def _uses_the_generator(answer: Any) -> None:
@@ -203,6 +222,7 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     first, last = np.eye(n)[int(values.argmax())], np.eye(n)[n - 1 - int(values[::-1].argmax())]
     worst = (values == values.min()) / (values == values.min()).sum()
     others = ~best / (~best).sum() if (~best).any() else uniform
+    largest = abs(values) == abs(values).max()
     but_last, but_first, among = actions < n - 1, actions > 0, actions < best.sum()
     mixed = {
         "ties should be broken at random, and it takes the first of equals": (first, uniform),
@@ -211,6 +231,11 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
         "it never explores: what is `epsilon` for?": (greedy, greedy),
         "it always acts at random: it should take the highest value with probability 1 − ε": (uniform, uniform),
         "it takes the *lowest* value": (worst, uniform),
+        "it takes the largest value without its sign": (largest / largest.sum(), uniform),
+        "where several have the highest value it takes any action; take one of *these*": (
+            uniform if best.sum() > 1 else greedy,
+            uniform,
+        ),
         "a random action may be the best one too; this one is drawn among the others only": (greedy, others),
         "the random action is never the last one: `rng.integers(n)` is from 0 to n − 1 already": (
             greedy,
@@ -232,6 +257,9 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     }
     found["ε and 1 − ε have changed places: it explores with probability 1 − ε"] = (
         epsilon * greedy + (1 - epsilon) * uniform
+    ).tolist()
+    found["it explores with probability ε/n: a random action is drawn with probability ε, and each has ε/n then"] = (
+        (1 - epsilon / n) * greedy + epsilon / n * uniform
     ).tolist()
     if epsilon != 0.1:
         found["it explores with ε = 0.1, whatever `epsilon` is"] = (0.9 * greedy + 0.1 * uniform).tolist()

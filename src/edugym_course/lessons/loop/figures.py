@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.adapters.registration import ENVIRONMENTS, make_mdp
+from edugym.adapters.registration import in_course_order, make_mdp
 from edugym.agents.q_learning import QLearning
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.figures.curves import Curves
@@ -187,7 +187,7 @@ def race(own: Mapping[str, Callable[..., Any]], *, n_steps: int = 20_000, repeti
 
 
 def nine_challenges() -> Sheet:
-    """Return the pictures of the nine environments, each with its lesson and what is harder there."""
-    entries = sorted((entry for entry in ENVIRONMENTS if entry.lesson), key=lambda entry: entry.lesson or 0)
+    """Return the pictures of the environments of lessons 1 to 9, each with its lesson and what is harder there."""
+    entries = [entry for entry in in_course_order() if entry.name in HARDER]
     panels = [Picture(entry.name, f"{entry.lesson}  {entry.name}\n{HARDER[entry.name]}") for entry in entries]
     return Sheet("challenges", [panels[first : first + 3] for first in range(0, len(panels), 3)])

@@ -5,7 +5,10 @@ from typing import Any
 
 import gymnasium
 
+from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.q_learning import QLearning
+from edugym.agents.strategies import EpsilonGreedy
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
@@ -18,6 +21,20 @@ def agent(shape: tuple[int, int], learning_rate: float = LEARNING_RATE, discount
     return QLearning.create(shape, learning_rate=learning_rate, discount=discount)
 
 
+class _LearnsTheMean(EpsilonGreedy):
+    """Acts by ε-greedy, and takes the plain mean over the actions for the value of a state."""
+
+    def expected_value(self, Q: Reals, state: int) -> float:
+        """Return the mean."""
+        return float(Q[state].mean())
+
+
+def agent_of_the_mean(shape: tuple[int, int]) -> ExpectedSARSA:
+    """Make an agent whose target has the mean over the next actions."""
+    settings = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}
+    return ExpectedSARSA.create(shape, **settings, exploration=_LearnsTheMean(EPSILON))
+
+
 RULE = Rule(
     Learner(agent),
     mistakes_of_loops(agent)
@@ -25,6 +42,8 @@ RULE = Rule(
         "γ max_a Q(S', a), the value of the next state, is missing in the target": Learner(
             partial(agent, discount=0.0)
         ),
+        "the mean over the actions of the next state stands where the maximum should": Learner(agent_of_the_mean),
+        "the discount is too small: it is 0.99 in the text": Learner(partial(agent, discount=0.9)),
         "the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)": Learner(
             agent, lambda step, before: step._replace(next_state=step.state)
         ),

@@ -8,7 +8,7 @@
 # remembers, with a window; compute how long that window must be; explain why an agent should remember its own actions;
 # and write a memory with 16 rows that does better than a window with millions.
 #
-# **Time.** 60 minutes, and 45 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). For
 # the two networks near the end it helps to know what DQN is (section 16.5). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -74,7 +74,7 @@ env.scene()
 #
 # Corridors $1, 2, \dots, L$ have $1 + 2 + \dots + L = L(L+1)/2$ places in all. An agent that gets through corridor 3
 # and errs at the first place of corridor 4 has a return of 6. If it errs later in corridor 4, it has up to 9. The
-# optimum is 1 000, up to the step limit.
+# optimum is 1 000: a right door in each of the 1 000 steps.
 #
 # These methods are the environment. In the code the right doors follow from `seed`, $p$ is `position`, and `opened` is
 # a wrong door, or −1.
@@ -147,8 +147,9 @@ source(best_value)
 # %% [markdown]
 # Watch what Q-learning has learned with a window of 2 observations, without actions. This is one greedy episode after
 # 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row of the
-# window that the agent sees *after* it has opened the door. That is 4 times the older observation plus the newer one; so
-# row 15 is (3, 3), no mark and no mark. At which row does it err?
+# window that the agent sees *after* it has opened the door, so the row at which it decides stands in the frame before.
+# That is 4 times the older observation plus the newer one; so row 15 is (3, 3), no mark and no mark. At which row does
+# it err?
 
 # %%
 two = players.learn(2, n_steps=50_000, repetitions=1)
@@ -177,7 +178,7 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # %% [markdown]
 # ### A learned memory
 # The third kind is learned. A *recurrent* network has a memory $M_t$, some numbers that it changes at every step by a
-# function $u$ whose weights are learned. For recurrent PPO, the agent at the end of this lesson, $u$ is an *LSTM*, a
+# function $u$ whose weights are learned. For recurrent PPO, the agent of an aside near the end, $u$ is an *LSTM*, a
 # small network that keeps numbers from step to step:
 #
 # $$
@@ -203,8 +204,9 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
 #
 # The dotted lines show the best play that we could find for each window. It may look at the window alone, and it may
-# guess. (A computer plays all sequences of doors at once. For each window it picks the door that adds most to the mean
-# return, given what it does in all others, and repeats that until nothing gets better.) (The optimum with full memory, 1 000, is far above the panels.)
+# guess. A computer has searched for it: it plays all sequences of doors at once. For each window it picks the door that
+# adds most to the mean return, given what it does in all other windows, and repeats that until nothing gets better.
+# (The optimum with full memory, 1 000, is far above the panels.)
 #
 # The cell after the next is the whole experiment: one task for each window. `repeat` makes the agent 50 times, trains it, and
 # plays 40 greedy episodes every 4 000 steps. `players.learn_all` makes these calls too, and with `actions=True` the window
@@ -275,7 +277,7 @@ sliders(
 # %% [markdown]
 # <details><summary>What they change</summary>
 #
-# The numbers are those of $k = 3$ with actions, where the default settings end at 7.0.
+# All numbers are for $k = 3$ with actions. The settings as they stand end at 7.0.
 #
 # - With $\varepsilon = 0$ it ends at 6.3. In each row the first door that was right gets a value above 0. All others
 #   stay at 0, so the agent never tries them there. With any other ε of the slider it does, and 0.5 ends at 7.0 too.
@@ -347,15 +349,7 @@ figures.twin_figure(4, 4, actions=True)
 # corridor. Two marks would tell it: the last two are as many steps apart as the previous corridor is long, and the
 # present one is one place longer.
 #
-# Say that corridor $L$ is the longest one that must be played without an error.
-#
-# - In every *shorter* corridor the agent must see two marks, to know its length. That is hardest at the last unmarked
-#   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture is this moment for
-#   $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
-#   $2L - 3$.
-# - In corridor $L$ itself one mark is enough. As two are seen in all shorter ones, one alone means corridor $L$.
-#
-# So the window must be this long:
+# That takes a longer window (the aside below counts the steps):
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -373,6 +367,17 @@ for length in range(3, 9):
     alone_bytes, both_bytes = 3 * 8 * stack_size(4, k_alone), 3 * 8 * stack_size(4, k_both, 3)
     print(f"corridor {length}: observations alone, k = {k_alone:2}, {alone_bytes:7.2g} bytes;", end="  ")
     print(f"with actions, k = {k_both:2}, {both_bytes:7.2g} bytes")
+
+# %% [markdown] tags=["aside"]
+# ### Aside: where the law with actions comes from
+# Say that corridor $L$ is the longest one that must be played without an error.
+#
+# - In every *shorter* corridor the agent must see two marks, to know its length. That is hardest at the last unmarked
+#   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above is this moment
+#   for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
+#   $2L - 3$.
+# - In corridor $L$ itself one mark is enough. In all shorter corridors the agent sees two, so a single one means
+#   corridor $L$.
 
 # %% [markdown]
 # ## Predict, then check
@@ -419,10 +424,12 @@ early.measured(
 # learn "open the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table,
 # trained on batches of remembered steps (lesson 4 is about networks). The window comes to it as separate numbers, each
 # of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
-# the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one entry. (The
+# the network (section 16.5). A step down the gradient takes the place of the change of one entry. (The
 # paper takes the DQN of Stable-Baselines3. This is the package's own, with settings of its own, so its curves are not
 # those of the paper.)
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: one update of DQN in code
 # Three names in the code: `memory` is the store of old steps for training, not what the agent remembers of the corridor.
 # `target` is the target, and `self.target` the older network. `slope_of_loss` gets $Q(S, A)$ less the target, cut to the
 # range −1 to 1, so a step *down* that slope moves $Q(S, A)$ towards the target.
@@ -431,8 +438,9 @@ early.measured(
 source(DQN.add_gradient)
 
 # %% [markdown]
-# It trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them, with 3 repetitions,
-# so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
+# ### Seven observations
+# Two agents with DQN train for 80 000 steps. One sees 7 observations, the other one also the actions between them. Each
+# has 3 repetitions, so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
 #
 # <details><summary>The settings of DQN</summary>
 #
@@ -510,8 +518,9 @@ figures.twin_figure(8, 6, actions=True)
 #
 # So the best play with this window gets through corridor 6 in 85 % of all episodes, and returns 23 on average. DQN
 # comes close. A law for "never" says little about "usually".
-#
-# ### A memory that is learned
+
+# %% [markdown] tags=["aside"]
+# ### Aside: a memory that is learned
 # Recurrent PPO sees one observation at a time, no window, and never its own actions. It has to learn what to keep. It
 # learns from 64 copies of the task at once, by the policy gradient (PPO), with an LSTM of 64 units. A run takes half a
 # minute or more, so **nothing is trained here**: these are the stored results of ten seeds, 150 000 steps each
@@ -542,8 +551,8 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # 11 of them. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
 # throws it away. DQN draws its batches from the last 10 000 steps.) </details>
 
-# %% [markdown]
-# ### The same with eyes shut, on a frozen lake
+# %% [markdown] tags=["aside"]
+# ### Aside: the same with eyes shut, on a frozen lake
 # FrozenLake is an environment of Gymnasium: a lake of 4 by 4 fields, where the agent walks from the upper left to the
 # lower right corner, around four holes. Here it is not slippery, and the agent has its *eyes shut*: every observation
 # is 0. One of the shortest ways is down, down, right, right, down, right. Its eyes are shut by a wrapper of a few
@@ -577,9 +586,9 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 #
 # **Measured.** Two. Six observations of nothing are still nothing. With its last two actions the agent can know where
 # it is on the way. On the way above, *down, down* is followed by right, *down, right* by right, *right, right* by down,
-# and *right, down* by right. (At the start two times action 0, left, stand in the window.) One action is too little:
-# *down* is followed by down once, and by right another time. The other ways do not help: of all 256 rules from one last
-# action to the next one, none gets to the goal.
+# and *right, down* by right. (At the start the window holds *left, left*, which is action 0 two times.) One action is
+# too little: *down* is followed by down once, and by right another time. The other ways do not help: of all 256 rules
+# from one last action to the next one, none gets to the goal.
 #
 # Three actions contain all that two contain, and yet two of the five runs with $k = 4$ ended without the goal. One
 # pushes against the wall for ever, the other walks to and fro between the first two cells. (We also made 20 runs of
@@ -630,8 +639,9 @@ check(exercise_1, table_rows, seed=1, quiet=True)
 # - `push` gets the window, the action that was just taken, and what was seen after it. It returns the next window: the
 #   oldest observation and the oldest action go, the new action and the new observation come at the end. It must not
 #   change the array that it gets, which still belongs to the state before.
-# - `row` returns the number of the row for a window: a whole number from 0 to the number of rows less 1, another one
-#   for every window. An observation has `self.n_observations` possible values, an action `self.n_actions`.
+# - `row` returns the number of the row for a window: a whole number from 0 to the number of rows less 1, and a
+#   different one for every window. An observation has `self.n_observations` possible values, an action
+#   `self.n_actions`.
 #
 # The race shows Q-learning on your window, with $k = 4$, beside the two windows of the lesson, for 20 000 steps. If
 # your window is right, its line lies on that of the lesson's window with actions. (`@wrapper` passes on what the class
@@ -729,9 +739,9 @@ display(figures.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_step
 # sees is the note under the finger and the present observation, no more. That makes $(N + 1)^2 = 16$ rows. What a note
 # *means* is for Q-learning to find out.
 #
-# Write `update`, which is called after every step. (After a wrong door the episode is over, so there it does not
-# matter.) It gets the `notes` (an array, at first with $N$ in every line, for "nothing"), the present `place`, what was
-# `seen` there (the marked door, or $N$ for no mark), and the `action`. It does two things:
+# Write `update`, which is called after every step. (After a wrong door the episode is over, and then it does not matter
+# what `update` does.) It gets the `notes` (an array, at first with $N$ in every line, for "nothing"), the present
+# `place`, what was `seen` there (the marked door, or $N$ for no mark), and the `action`. It does two things:
 #
 # - It writes the door that was opened into the line of the place. (`notes` is a copy already, so change it in place.)
 # - It returns the next place: one further, or 0 if this was the last place of the corridor. How does the agent know
@@ -932,7 +942,7 @@ check(project_5, my_program)
 #   close to it.
 # - A longer window made the table much larger, but did not slow the first steps down: early on, $k = 3$ and $k = 5$ had
 #   learned something in a few dozen rows only.
-# - Recurrent PPO learned what to keep, without a window.
+# - Recurrent PPO (in an aside) learned what to keep, without a window.
 # - With a notebook 16 rows were enough for the optimum. What counts is the right memory, not a long one.
 #
 # ### In one paragraph

@@ -13,9 +13,10 @@ from edugym.envs.memory_corridor import MemoryCorridor
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_that_fits
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare, exact, given, number
+from edugym_course.grading.values import CARET, exact, given, number
+from edugym_course.lessons.memory.notes import MISTAKES, Notes, right
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
 from edugym_course.lessons.memory.windows import action_law, window_law
@@ -27,19 +28,19 @@ def exercise_1(answer: Any, seed: int) -> str:
     """Check the number of rows of a table over windows of observations."""
     require_function("table_rows", answer, "the doors and the length")
     rng = np.random.default_rng(seed)
-    cases = [(4, 3 + int(rng.integers(2))), (int(rng.integers(5, 8)), 3), (2, 5), (3, 2), (6, 1)]
+    cases = [(int(rng.integers(5, 8)), 4), (4, 3 + int(rng.integers(2))), (2, 5), (3, 2), (6, 1)]
+    found = []
     for doors, length in cases:
-        call = f"table_rows({doors}, {length})"
+        call, right_size = f"table_rows({doors}, {length})", (doors + 1) ** window_law(length)
         with student_code(call):
-            found = answer(doors, length)
-        right = (doors + 1) ** window_law(length)
-        mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
-        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+            size = answer(doors, length)
+        found.append(NumberCase(call, number(call, size), float(right_size), _row_mistakes(doors, length)))
+    compare_all(found, otherwise=UNUSUAL)
     doors, length = 2, 9
     call = f"table_rows({doors}, {length})"
     with student_code(call):
-        found = answer(doors, length)
-    exact(call, found, (doors + 1) ** window_law(length))
+        size = answer(doors, length)
+    exact(call, size, (doors + 1) ** window_law(length))
     return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
 
 
@@ -48,6 +49,7 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
     window, with_actions = window_law(length), action_law(length)
     return {
         "an unmarked place is an observation too, so there are N + 1 different ones": doors**window,
+        "4 is the base for three doors alone; write it with N, the number of doors": 4**window,
         "the present observation is in the window as well: L(L-1)/2 steps back, and one": (doors + 1) ** (window - 1),
         "a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back": (doors + 1)
         ** length,
@@ -55,6 +57,9 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
             doors + 1
         )
         ** (length * (length + 1) // 2),
+        "that is the window for corridor L - 1": (doors + 1) ** window_law(length - 1),
+        "L(L-1)/2 observations and the present one make L(L-1)/2 + 1; here is one more": (doors + 1) ** (window + 1),
+        "7 is the window of corridor 4 alone; compute it from the length": (doors + 1) ** 7,
         "that is the window for corridor L + 1": (doors + 1) ** window_law(length + 1),
         "that is the number of entries, a row has one for each action; the rows are asked for": (doors + 1) ** window
         * doors,
@@ -71,6 +76,15 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
         "an unmarked place counts once, not twice: there are N + 1 observations": (doors + 2) ** window,
         "L^2 / 2 + 1 is not L(L-1)/2 + 1": (doors + 1) ** (length**2 // 2 + 1),
         "L(L-1) should be divided by 2": (doors + 1) ** (length * (length - 1) + 1),
+        "set brackets: L * L - 1 // 2 multiplies and divides before it subtracts": (doors + 1)
+        ** (length * length - 1 // 2 + 1),
+        "set brackets around N + 1: a power is taken before the sum": doors + 1**window,
+        CARET: (doors + 1) ^ window,
+        "the window shows observations alone here, so the actions do not multiply the rows": (doors + 1) ** window
+        * doors ** (window - 1),
+        "those are the bytes of the values; the rows are asked for": (doors + 1) ** window * 3 * 8,
+        "the windows of all lengths are added up; an episode starts with copies of its first observation, so all have"
+        " the full length": sum((doors + 1) ** k for k in range(1, window + 1)),
     }
 
 
@@ -195,6 +209,44 @@ DIGITS = (
 )
 
 
+ROWS: Mapping[str, Callable[[Any, int, int], int]] = MappingProxyType(
+    {
+        "the number starts from 1; start from 0": lambda w, n, m: _in_digits(w, n, m, start=1),
+        "the last entry is left out: range(len(window)) goes through all of them": lambda w, n, m: _in_digits(
+            w[:-1], n, m
+        ),
+        "the first entry is left out: indices begin with 0": lambda w, n, m: _in_digits(w[1:], m, n),
+        "only the first entry counts: is the `return` inside the loop?": lambda w, n, m: int(w[0]),
+        "only the last entry counts: is something overwritten in the loop?": lambda w, n, m: int(w[-1]),
+        "that is the sum of the entries, which many windows share": lambda w, n, m: int(np.sum(w)),
+        "each digit is multiplied as well: multiply the number so far, and add the digit after that": (
+            lambda w, n, m: _in_digits(w, n, m, late=True)
+        ),
+        "the two numbers of values have changed places: n_observations belongs to even indices": (
+            lambda w, n, m: _in_digits(w, m, n)
+        ),
+        "an action has n_actions values, not n_observations": lambda w, n, m: _in_digits(w, n, n),
+        "an observation has n_observations values, not n_actions": lambda w, n, m: _in_digits(w, m, m),
+        "the digits are those of a decimal number: 10 is no number of values here": lambda w, n, m: _in_digits(
+            w, 10, 10
+        ),
+        "use self.n_observations and self.n_actions in place of 4 and 3: the check takes others": (
+            lambda w, n, m: _in_digits(w, 4, 3)
+        ),
+    }
+)
+"""By sentence, what each mistake makes of a window with `n` observations and `m` actions."""
+
+
+def _in_digits(entries: Any, even: int, odd: int, *, start: int = 0, late: bool = False) -> int:
+    """Return the number with these digits, of so many values at even and at odd indices."""
+    row = start
+    for i, digit in enumerate(map(int, entries)):
+        values = odd if i % 2 else even
+        row = (row + digit) * values if late else row * values + digit
+    return row
+
+
 def _whole(call: str, found: Any) -> int:
     """Return a whole number as an int.
 
@@ -210,108 +262,40 @@ def _whole(call: str, found: Any) -> int:
 
 def _check_rows(made: Any, k: int, n: int, m: int) -> None:
     """Check that `row` numbers the windows: all numbers differ and fit the table."""
-    size = n**k * m ** (k - 1)
+    size, what = n**k * m ** (k - 1), f"with {n} observations and {m} actions"
+    windows = [np.array(entries) for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1)))]
+    rows = [_row(made, window, what) for window in windows]
+    why = mistake_that_fits(
+        ROWS,
+        lambda rule: all(rule(window, n, m) == row for window, row in zip(windows, rows, strict=True)),
+        otherwise=DIGITS,
+    )
     known: dict[int, list[int]] = {}
-    for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1))):
-        window = np.array(entries)
-        call = f"row({window.tolist()}) with {n} observations and {m} actions"
-        mine = window.copy()
-        with student_code(call):
-            found = made.row(mine)
-        row = _whole(call, found)
-        if not np.array_equal(mine, window):
-            raise WrongAnswer(f"{call} changes the window that it is given, and that is still needed: only read it")
+    for window, row in zip(windows, rows, strict=True):
         if not 0 <= row < size:
             raise WrongAnswer(
-                f"{call} should be from 0 to {size - 1}, but is {row}: an observation is a digit with {n} values and"
-                f" an action one with {m}; {DIGITS}"
+                f"row({window.tolist()}) {what} should be from 0 to {size - 1}, but is {row}: an observation is a digit"
+                f" with {n} values and an action one with {m}; {why}"
             )
         other = known.setdefault(row, window.tolist())
         if other != window.tolist():
-            differ = [i for i in range(len(other)) if other[i] != window[i]]
-            why = (
-                "they differ in an action only, so the action makes no difference to the row"
-                if all(i % 2 for i in differ)
-                else DIGITS
-            )
+            if why == DIGITS and np.array_equal(other[::2], window[::2]):
+                why = "they differ in an action only, so the action makes no difference to the row"
             raise WrongAnswer(
-                f"row({other}) and row({window.tolist()}) are both {row} with {n} observations and {m} actions, but"
-                f" different windows need different rows: {why}"
+                f"row({other}) and row({window.tolist()}) are both {row} {what}, but different windows need different"
+                f" rows: {why}"
             )
 
 
-Notes = tuple[Any, int]
-UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxyType(
-    {
-        "it notes what was *seen*, and at an unmarked place that is no door: note the door that was opened": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, seen), place + 1 if seen == n else 0)
-        ),
-        "after the marked door the corridor starts again, so the next place is 0": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1)
-        ),
-        "the two cases have changed places: after a *marked* door the corridor starts again": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), 0 if seen == n else place + 1)
-        ),
-        "the next place is one further, place + 1, where no door is marked": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place if seen == n else 0)
-        ),
-        "the next place is always 0: compare what was *seen* with num_doors": lambda notes, place, seen, action, n: (
-            _noted(notes, place, action),
-            0,
-        ),
-        "the first place is 0, not 1": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n else 1)
-        ),
-        "the door belongs to the place where it was opened: write the note before you move on": (
-            lambda notes, place, seen, action, n: _moved_first(notes, place, seen, action, n)
-        ),
-        "all notes are wiped out where the corridor starts again, and they are needed there": (
-            lambda notes, place, seen, action, n: (
-                (_noted(notes, place, action), place + 1)
-                if seen == n
-                else (np.full_like(_noted(notes, place, action), n), 0)
-            )
-        ),
-        "the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself,"
-        " not into a copy)": (lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)),
-        "it notes the place instead of the door": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, place), place + 1 if seen == n else 0)
-        ),
-        "it writes the note to `notes[action]`; the index is the place": (
-            lambda notes, place, seen, action, n: (_noted(notes, action, action), place + 1 if seen == n else 0)
-        ),
-        "it writes the note to `notes[seen]`; the index is the place": (
-            lambda notes, place, seen, action, n: (_noted(notes, seen, action), place + 1 if seen == n else 0)
-        ),
-        "the present place is compared with the number of doors; compare what was *seen* with it": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if place == n else 0)
-        ),
-        "3 stands where self.num_doors should": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == 3 else 0)
-        ),
-        "3 stands where self.num_doors should: where there are more doors, 3 is one of them": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen >= 3 else 0)
-        ),
-    }
-)
-
-
-def _noted(notes: Any, place: int, door: int) -> Any:
-    """Return notes with one more door."""
-    new = notes.copy()
-    new[place] = door
-    return new
-
-
-def _moved_first(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
-    """Move on, and then write."""
-    place = place + 1 if seen == n else 0
-    return _noted(notes, place, action), place
-
-
-def _right(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
-    """Write the door, and move on."""
-    return _noted(notes, place, action), place + 1 if seen == n else 0
+def _row(made: Any, window: Any, what: str) -> int:
+    """Return the number that a student's `row` gives a window."""
+    call, mine = f"row({window.tolist()}) {what}", window.copy()
+    with student_code(call):
+        found = made.row(mine)
+    row = _whole(call, found)
+    if not np.array_equal(mine, window):
+        raise WrongAnswer(f"{call} changes the window that it is given, and that is still needed: only read it")
+    return row
 
 
 def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int, int]]:
@@ -322,7 +306,7 @@ def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int
         for p in range(length):
             case = notes, place, doors[p] if p == length - 1 else n, doors[p], n
             yield case
-            notes, place = _right(*case)
+            notes, place = right(*case)
 
 
 def exercise_3(answer: Any, seed: int) -> str:
@@ -337,11 +321,11 @@ def exercise_3(answer: Any, seed: int) -> str:
         cases += walk
         outcomes += [_updated(made, *case) for case in walk]
     for case, (mine, place) in zip(cases, outcomes, strict=True):
-        notes, expected = _right(*case)
+        notes, expected = right(*case)
         if place == expected and np.array_equal(mine, notes):
             continue
         why = mistake_that_fits(
-            UPDATES,
+            MISTAKES,
             lambda rule: all(map(_agree, cases, outcomes, [rule] * len(cases))),
             otherwise="that is none of the usual mistakes, so follow this step by hand",
         )

@@ -8,7 +8,7 @@
 # say what planning can do for an agent, and what it cannot; show what a wrong model does to a plan; and write R-max
 # yourself.
 #
-# **Time.** 60 minutes, and 30 more for the exercises, without the open challenge. **Before you start.** You should
+# **Time.** {time} **Before you start.** You should
 # know what a value function, Q-learning and ε-greedy action selection are (Sutton and Barto, 2nd edition, sections
 # 3.5, 6.5 and 2.2). All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -95,7 +95,7 @@ source(QLearning.learn)
 
 # %% [markdown]
 # One step, one update, and then the step is forgotten. When the shopper finds the exit, only the *last* cell of its way
-# learns that. The cell before learns it on the next visit, and so on: the value of the exit comes back one cell a visit.
+# learns that: the value of the exit comes back one cell a visit.
 #
 # ### If the model is given: dynamic programming
 # A **model** says what happens after an action: the probability $p(s' \mid s, a)$ of each next state, and its reward
@@ -115,8 +115,8 @@ print("generative: ", (sample.next_state, sample.reward, sample.terminated))
 # Q(s, a) \leftarrow \sum_{s'} p(s' \mid s, a) \left[ r(s, a, s') + \gamma V(s') \right]
 # $$
 #
-# This is called an *expected update*, since it takes the mean over all that can happen. Here is the line that runs, for
-# all states at once (`sak` are the axes: state, action, and the possible next states):
+# This is called an *expected update*, since it takes the mean over all that can happen. Here is the code that runs, for
+# all states at once. (In `sak` each letter is an axis of a table: state, action, and the possible next states.)
 
 # %%
 source(FiniteModel.action_values)
@@ -145,12 +145,11 @@ maps.dynamic_programming()
 # \end{aligned}
 # $$
 #
-# It is the update of Q-learning, from a step that is only imagined. As it uses one sample of the model, it is called a
-# *sample update*. The model knows nothing but what was tried.
+# As this uses one sample of the model, it is called a *sample update*. The model knows nothing but what was tried.
 #
 # The book's four lines stand in the middle of this code. (`act` calls `plan` before it chooses. `n_known` counts the
-# pairs in the model, and `planning.start` and `lasts` see to it that there are $n$ updates. In `imagined_target` both
-# `expected_updates` and the bonus are off here: read the line with `self.model.sample`.)
+# pairs in the model. `planning.start` and `lasts` count the $n$ updates. In `imagined_target` only the line with
+# `self.model.sample` runs here, since `expected_updates` and the bonus are off.)
 
 # %%
 source(DynaQ, "learn", "plan", "imagined_target")
@@ -169,17 +168,19 @@ source(DynaQ, "learn", "plan", "imagined_target")
 # where $R, S'$ is what the model says of the pair $(S, A)$. A pair gets into the queue if $P$ is above a small
 # threshold $\theta$. Each update takes the first pair of the queue, and then looks at all pairs that lead to its state.
 # All learning is by planning.
-#
-# Read `plan` as: take the first pair from the queue, update it, and look at each pair that leads to its state. (An
-# `outcome` is one row of the model: a pair, and what followed. The last four lines of the loop walk through those that
-# lead to the state `s`. `consider` computes $P$, and puts the pair into the queue if $P$ is large enough. In this shop
-# each pair has one outcome, so both branches of the `if` give the same.)
+
+# %% [markdown] tags=["aside"]
+# ### Aside: prioritised sweeping in code
+# This is `plan`. (An `outcome` is one row of the model: a pair, and what followed. The last four lines of the loop walk
+# through those that lead to the state `s`. `consider` computes $P$, and puts the pair into the queue if $P$ is large
+# enough. In this shop each pair has one outcome, so both branches of the `if` give the same.)
 
 # %%
 source(PrioritisedSweeping, "plan")
 
 # %% [markdown]
-# **See it spread.** A shopper walks at random, finds the exit after 518 steps (here without the limit of 500), and has
+# ### See it spread
+# A shopper walks at random, finds the exit after 518 steps (here without the limit of 500), and has
 # nothing in its bag. Three learners have seen exactly that walk ($\alpha = 1$). Now the second one plans with random
 # updates, and the third one with prioritised sweeping.
 #
@@ -296,17 +297,17 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners less than a fifth:
 # that is what a model is for. (The curves are means, which a few slow runs pull down.) And then they stop improving.
-# Q-learning, which does not plan, ends highest in this shop. All three planners end below it, and prioritised sweeping,
-# whose updates do most, ends lowest. (Among the three the intervals of neighbours overlap, and those of Dyna-10 and
-# prioritised sweeping do not.) Is that so in every shop? The section "See inside" shows it, and what to do.
+# Q-learning, which does not plan, ends highest in this shop. All three planners end below it, and prioritised sweeping
+# ends lowest. (Among the three the intervals of neighbours overlap, and those of Dyna-10 and prioritised sweeping do
+# not.) The section "See inside" shows why, and what to do.
 #
 # Why do the planners' lines in the right panel dip at step 500? That panel counts an episode when it ends. The first
 # long episodes end there, at the limit of 500 steps, and their returns are low. (Both panels cut off a bad start.)
 # </details>
 
-# %% [markdown]
-# ### What does a step cost?
-# The horizontal axis counts steps, as if planning were free. It is, where the world is slow. Supermarket can be
+# %% [markdown] tags=["aside"]
+# ### Aside: plan while the world is slow
+# Where the world is slow, planning is free. Supermarket can be
 # slow: with `step_timeout`, `step` waits until so many seconds have passed since the last one. Meanwhile the agent plans:
 
 # %%
@@ -324,7 +325,9 @@ for _ in range(50):
 print("more than 10 updates in the 0.02 seconds of a step, on average:", updates / 50 > 10)
 
 # %% [markdown]
-# So let us count time. What takes time is to compute a target. Q-learning computes one a step, and Dyna one more for
+# ### What does a step cost?
+# The horizontal axis counts steps, as if planning were free. So let us count time. As a measure of an agent's thought
+# we count the targets that it computes; all else is left out. Q-learning computes one a step, and Dyna one more for
 # each imagined step. Prioritised sweeping computes one for each update and one for each *priority*: we count both. Say
 # a target takes 10 microseconds, and is computed while a step is under way. Then a step takes as long as the world
 # needs, or as long as its targets need if that is longer. (The figure computes the time from the number of targets, so
@@ -383,8 +386,10 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # - $\gamma$: with 0.9 all three take about as many steps as before. But below 0.95 the way with the highest *discounted*
 #   return leaves an item out, and returns 78. (An agent that has not learned that way may return more.)
 # </details>
-#
-# And the clock: how slow must the world be, so that planning pays?
+
+# %% [markdown] tags=["aside"]
+# ### Aside: turn the clock
+# How slow must the world be, so that planning pays?
 
 
 # %%
@@ -434,13 +439,17 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # </details>
 
 # %% [markdown]
-# **Planning invents no knowledge.** It makes the most of what was seen, and it does so at once: as soon as a planner
-# has found some way to the exit, its policy takes it (as in "See it spread"). From then on only random steps leave that
-# way, one in ten, and the planner goes straight back. Q-learning has no way for a long time, wanders about, and sees
-# everything. So the likely reason is this: the better an agent plans, the earlier it *exploits*, and the less it gets
-# to know. Two remedies test it, below.
+# **Planning invents no knowledge.** Some steps after a planner has found a way to the exit, its policy takes it
+# (compare "See it spread"). From then on only random steps leave that way, one in ten, and the planner goes straight
+# back. Q-learning has no way for a long time, wanders about, and sees everything. So this is the likely reason: the
+# better an agent plans, the earlier it *exploits*, and the less it gets to know. If so, more exploration should mend
+# it. Two remedies below try that.
 #
-# ### Is it the shop?
+# Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
+# Q-learning, but it ends below Q-learning in seven only.
+
+# %% [markdown] tags=["aside"]
+# ### Aside: is it the shop?
 # All of this was one shop. What is general, and what belongs to its map? Let us put the three items elsewhere: twelve
 # shops with the same walls, entrance and exit, and the items in places that are drawn at random. (The returns are in
 # percent of what the best plan of each shop returns, the means of 10 runs.)
@@ -463,13 +472,14 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In 7 of 12. In the others it ends below, in some of them far below. So "planning makes the last policy
-# worse" is true of our shop, and not of shops. Look at the second line of each method, which says what the best plan by
-# what it has seen would return. This is the same everywhere. Q-learning gets to know nearly the whole of every shop,
-# and in some it does not make a policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each
-# of them, and its policy *is* the best plan by what it knows. Who ends higher depends on which of the two costs more
-# there.
+# worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
+# has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
+# This is the same everywhere. Q-learning gets to know nearly the whole of every shop, and in some it does not make a
+# policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each of them, and its policy *is*
+# the best plan by what it knows. Who ends higher depends on which of the two costs more there.
 # </details>
-#
+
+# %% [markdown]
 # ### Explore more
 # The first remedy is more random steps for Dyna-10: a constant $\varepsilon = 0.5$, or an $\varepsilon$ that falls from 1
 # to 0.02 over the 10 000 steps.
@@ -488,14 +498,13 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # $$
 #
 # The agent always takes the best action: no step is random. To get to something unknown is worth the discounted $U$
-# less the cost of the steps, and it plans the way there like any other way. That is more than to start Q-learning with
-# high values in its table (*optimistic initial values*, section 2.6): those fade as they are tried, and nobody plans
-# with them.
+# less the cost of the steps, and it plans the way there like any other way. (Q-learning with *optimistic initial values*,
+# section 2.6, does not plan with them.)
 #
-# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with $-100$ in the place
-# of $U$: it says how to use what is known, for evaluation. (The tables are filled with 100 and −100 when the agent is
-# made. `sweep` holds the list of known pairs, and where the sweep has got to; planning goes on until a whole sweep
-# changes nothing.)
+# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` has the same equations with $-100$ in
+# the place of $U$, so it avoids what is unknown: the policy is evaluated by it. (The tables are filled with 100 and
+# −100 when the agent is made. `sweep` holds the list of known pairs, and where the sweep has got to; planning goes on
+# until a whole sweep changes nothing.)
 
 # %%
 source(RMax, "learn", "plan", "act")
@@ -539,8 +548,9 @@ watch("R-max", after=300)
 
 # %% [markdown]
 # ## Predict, then check
-#
-# ### Plan to act
+
+# %% [markdown] tags=["aside"]
+# ### Aside: plan at the moment of decision
 # So far plans went into a table. An agent can also plan at the moment of decision, and forget the plan afterwards
 # (sections 8.8 to 8.11): it looks $d$ steps ahead in the model, takes the best first step, and plans again. That is what a
 # chess program does. Where the look ahead ends, it uses the values in a table, or 0 if it has none.
@@ -615,14 +625,15 @@ never.measured(100 * len(lost) / 40)
 # </details>
 
 # %% [markdown]
-# See for yourself what a plan does. The shop stays the same; each `draw` gives its model other errors. (With noise 0 the
-# model is right. Even then the plan leaves out one item where $\gamma$ is below 0.95, and two where it is below 0.9: a
-# short-sighted planner finds the way to them too long.)
+# See for yourself what a plan does. The shop stays the same; each `draw` gives its model other errors. (With noise 0
+# the model is right. Even then the plan leaves out one item where $\gamma$ is below 0.95, and two where it is below
+# 0.9: a reward so many steps away is worth too little then.)
 
 # %%
 sliders(maps.wrong_plan, noise=(0.0, 3.0, 0.25), draw=(0, 20), gamma=(0.8, 0.99, 0.01))
 
-# %% [markdown]
+# %% [markdown] tags=["aside"]
+# ### Aside: do real steps save an agent with a wrong model?
 # Now agents *learn*, and plan with a given model. Prioritised sweeping makes up to 1 000 expected updates a step, all with
 # the model: it needs a descriptive one. Dyna makes 10 sample updates, for which a generative model is enough, and also
 # learns from its real steps, which show the real rewards. Each has 10 000 steps, $\varepsilon = 0.1$, $\gamma = 0.95$ and
@@ -670,9 +681,10 @@ from edugym_course.lessons.model_based.exercises import CHALLENGE, exercise_1, e
 
 # %% [markdown]
 # ### Exercise 1: how large an error is enough?
-# A shopper stands before a wall. To bump into it costs 1, as every step does, and leaves it where it is. In a wrong model
-# the reward of that bump has the error $e$, so that it seems to be $e - 1$. The best way from this cell is worth $v$. From
-# which $e$ on does it seem better to bump for ever? Write it as a function of $v$ and $\gamma$.
+# A shopper stands before a wall. To bump into it costs 1, as every step does, and leaves it where it is. In a wrong
+# model the reward of that bump has the error $e$, so that it seems to be $e - 1$. The best way from this cell has the
+# discounted value $v$. From which $e$ on does it seem better to bump for ever? Write it as a function of $v$ and
+# $\gamma$.
 #
 # <details><summary>Hint</summary>What is the sum of $x + \gamma x + \gamma^2 x + \dots$? Put the reward of a bump in the
 # place of $x$, and set the sum equal to $v$.</details>
@@ -696,16 +708,17 @@ display({f"γ = {gamma}": round(smallest_error(40.0, gamma), 3) for gamma in (0.
 
 # %% [markdown]
 # ### Exercise 2: Dyna-Q+, a model that asks to be checked
-# Dyna-Q+ (section 8.3) gives a bonus to imagined steps. Let $\tau$ be the number of real steps since the action was last
-# taken in that state. An imagined reward $R$ becomes $R + \kappa \sqrt{\tau}$: what was not tried for a long time looks
-# better and better. Actions that were *never* taken are imagined too: they give reward 0 and lead back to their own state.
-# That is not the end of the episode, so the value of that state counts. Their $\tau$ counts from step 0.
+# Dyna-Q+ (section 8.3) gives a bonus to imagined steps. Let $\tau$ be the number of real steps since the action was
+# last taken in that state. An imagined reward $R$ becomes $R + \kappa \sqrt{\tau}$: what was not tried for a long time
+# looks better and better. Actions that were *never* taken are imagined too, as if they gave reward 0 and led back to
+# their own state. This is not the end of the episode, so the value of that state counts, and there is a bonus: their
+# $\tau$ counts from step 0.
 #
 # The agent remembers in tables what followed each action: `rewards[s, a]`, `next_states[s, a]`, and `ends[s, a]`, which
 # is 1 if the episode ended there. `last[s, a]` is the step at which it was last taken, 0 for never, and `clock[0]`
 # counts the steps. Complete `imagine`, which returns the target of an imagined step, bonus included. `discount` and
-# `kappa` are $\gamma$ and $\kappa$; read them from `self`. It runs as machine code (plain numbers, `max`, `if` and
-# loops).
+# `kappa` are $\gamma$ and $\kappa$; read them from `self`. Your method is compiled to machine code, so keep it simple:
+# numbers, `max`, `if` and loops will do.
 #
 # Below the check your agent races against Q-learning, Dyna-10 and R-max. The left panel shows their learning curves, and
 # the right one what they do with what they know, as in "See inside". Predict: your agent has a bonus that never ends.
@@ -808,8 +821,9 @@ display(figures.race({"my Dyna-Q+": DynaPlus.create}))
 # Write R-max for a world without chance, where one try tells all about an action. `known[s, a]` is 1 for what was
 # tried; all else has the value $U = 100$ in `Q` and keeps it. Complete two methods:
 #
-# - `learn` does nothing if the pair is known. Otherwise it remembers what followed in `rewards`, `next_states` and `ends`,
-#   sets `known` to 1, and calls `self.plan()`, which sweeps until nothing changes.
+# - `learn` does nothing if the pair is known. Otherwise it remembers what followed in `rewards`, `next_states` and
+#   `ends`, sets `known` to 1, and then calls `self.plan()`, which is there already: it calls your `sweep` until nothing
+#   changes.
 # - `sweep` goes once over all states and actions. For each *known* pair it sets $Q(s, a)$ to the reward plus
 #   $\gamma \max_{a'} Q(s', a')$, or to the reward alone where the episode ended. It returns the largest change of a value
 #   (0.0 if nothing changed), without its sign.
@@ -1023,15 +1037,15 @@ check(project_9, my_program)
 #   the most of it. Whether they ended above or below Q-learning depended on the shop. More random steps mend what they
 #   lack, slowly; R-max plans its exploration, and mends it at once.
 # - A plan seeks out the errors of a model. A wall that seems to pay is farmed for ever. Real experience corrects it, if
-#   imagined steps do not overwrite it.
+#   imagined steps do not overwrite it (in an aside).
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* A model says what an action would do. With it an agent can make
-# updates without taking steps, so it needs fewer of them: good where steps cost much. A model may be given, or learned
-# from what was tried. Planning spreads what is known through all values, fastest backwards from where they change; it
-# adds nothing to what is known. An agent that plans makes the most of what it has seen. Is that the whole world, it is
-# done; is it not, it stays with what it knows, unless it explores on purpose: random steps do that slowly, and to plan
-# with the unknown as something wonderful does it systematically. And since a plan is a search for the largest value, it
+# *Learn it by heart, or better, say it in your own words.* A model says what an action would do. With it an agent can
+# make updates without taking steps, so it needs fewer of them: good where steps cost much. A model may be given, or
+# learned from what was tried. Planning spreads what is known through all values, fastest backwards from where they
+# change; it adds nothing to what is known. An agent that plans makes the most of what it has seen. If that is the whole
+# world, it is done. If not, it stays with what it knows, unless it explores on purpose: slowly by random steps, or
+# systematically, if it plans as if the unknown were wonderful. And since a plan is a search for the largest value, it
 # finds the errors of its model first.
 #
 # ### Limits

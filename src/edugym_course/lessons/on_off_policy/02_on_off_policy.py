@@ -8,7 +8,7 @@
 # expected SARSA as one update with three targets; predict which of them earns more when it explores rarely, and which when
 # it explores often; and compute on the exact model where that changes.
 #
-# **Time.** 90 minutes, and 45 more for the exercises. **Before you start.** You should know what
+# **Time.** {time} **Before you start.** You should know what
 # a value function and Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection
 # (section 2.2). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -41,9 +41,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: a road that ends at a cliff
 #
-# A runner stands at the beginning of a road of $W = 10$ cells. At every step it changes its speed: one cell a step
-# slower, the same speed, or one faster. Then it moves by that speed. It must arrive *exactly* at the last cell. One cell
-# further is the cliff.
+# A runner stands at the beginning of a road of $W = 10$ cells. At every step it chooses its next speed: one cell a step
+# slower than now, the same, or one faster. Then it moves by that speed. It must arrive *exactly* at the last cell. One
+# cell further is the cliff.
 
 # %%
 env = gym.make("edugym/Roadrunner-v0").unwrapped
@@ -85,9 +85,10 @@ play("Roadrunner")
 # %% [markdown]
 # ## The idea: which policy do the values belong to?
 #
-# Two policies are at work in an agent that learns. The **behaviour policy** chooses the actions. Here it is ε-greedy: with
-# probability $\varepsilon$ it *slips*, that is, it takes an action at random (which may happen to be the best one), and
-# otherwise it takes the action with the largest value. The **target policy** $\pi$ is the one whose values are learned.
+# Two policies are at work in an agent that learns. The **behaviour policy** chooses the actions. Here it is ε-greedy:
+# with probability $\varepsilon$ it *slips*, that is, it takes an action at random (which may happen to be the best one;
+# in lesson 1 only the others counted as slips), and otherwise it takes the action with the largest value. The **target
+# policy** $\pi$ is the one whose values are learned.
 #
 # - A method is **on-policy** if both are the same: it learns what its own behaviour is worth, slips included.
 # - A method is **off-policy** if they differ: it learns about another policy than the one that it follows.
@@ -300,7 +301,8 @@ sliders(
 #
 # **Measured.** "The gap" is what SARSA earns more than Q-learning while exploring.
 #
-# - **fall.** The gap is 3.9 at −200, 1.5 at −100 and 0.3 at −50. At −30 Q-learning is ahead.
+# - **fall.** The gap is 3.9 at −200, 1.5 at −100 (with the fewer steps of this slider) and 0.3 at −50. At −30
+#   Q-learning is ahead.
 # - **ε.** The gap is largest near $\varepsilon = 0.3$. At 0.02 Q-learning is ahead.
 # - **W.** On $W = 5$, 7 and 9 all three learn the same run.
 # - **α.** A large $\alpha$ hurts SARSA only. With $\alpha = 1$ most of its runs do not even reach the target.
@@ -324,9 +326,9 @@ Sheet("plane", [[figures.in_the_plane()]])
 # two still leave them time to brake. One step more buys the last step without risk. (All can stall in their first step,
 # so even a safe run is not quite safe. The second safe run follows the fast run to position 3, and slows down there.)
 #
-# When is that step worth it? In the last step of the fast run a slip takes the deadly action with probability
-# $\varepsilon / 3$, and a fall costs about 100. The safe run costs 1, for its additional step. The two are equally
-# good where
+# When is that step worth it? In the last step of the fast run the agent takes the deadly action with probability
+# $\varepsilon / 3$: it slips, and one of three random actions is deadly. A fall costs about 100. The safe run costs 1,
+# for its additional step. The two are equally good where
 #
 # $$
 # 100 \cdot \frac{\varepsilon}{3} \approx 1 \quad\Rightarrow\quad \varepsilon \approx 0.03
@@ -402,12 +404,14 @@ for method in rare.methods:
     print(f"{method:14}: slower (to the second safe run) {slower:z.2f}, faster (the fast run) {faster:z.2f}")
 
 # %% [markdown]
-# SARSA believes that the fast run is worth about −1.3. For an agent that slips with $\varepsilon = 0.01$ it is worth −0.34,
-# as expected SARSA has found. (The 0 of Q-learning is that of an agent that never slips.) We think that SARSA was unlucky, and does not get over it. Follow one slip in the last state of the fast run. SARSA has $A'$ = faster
-# in its target, and $Q(S', A')$ is far below 0, −100 in the end. So the value of the step before drops by up to $\alpha
-# \cdot 100 = 3$ at once. The two runs differ by less than 1, so from now on the safe run looks better. The agent then tries
-# the fast run only when it slips into it, and each such try repairs only 3 % of the damage. Expected SARSA has the same slip
-# in its target *at every visit*, with its true weight $\varepsilon/3$, so no single one can scare it.
+# SARSA believes that from there the fast run is worth about −1.3. For an agent that slips with $\varepsilon = 0.01$ it
+# is worth −0.34 from there, as expected SARSA has found. (The 0 of Q-learning is that of an agent that never slips.) We
+# think that SARSA was unlucky, and does not get over it. Follow one slip in the last state of the fast run. SARSA has
+# $A'$ = faster in its target, and $Q(S', A')$ is far below 0, −100 in the end. So the value of the action that leads
+# into this state drops by up to $\alpha \cdot 100 = 3$ at once. The two runs differ by less than 1, so from now on the
+# safe run looks better. The agent then tries the fast run only when it slips into it, and each such try repairs only
+# 3 % of the damage. Expected SARSA has the same slip in its target *at every visit*, with its true weight
+# $\varepsilon/3$, so no single one can scare it.
 #
 # If that is so, a smaller learning rate helps: with $\alpha = 0.003$ a slip takes off no more than 0.3.
 
@@ -416,8 +420,8 @@ for rate, runs in ((0.03, rare), (0.003, methods.compare(epsilon=0.01, learning_
     print(f"α = {rate}: SARSA ends with the fast run in {runs.share('SARSA', at_least=-2.0).estimate:.0%} of its runs")
 
 # %% [markdown]
-# It does. The same happens where falls are cheap: if one costs 10, the fast run is the best at $\varepsilon = 0.1$ too, and
-# SARSA, the "safe" method, earns a little less than the other two.
+# It does. SARSA is behind where falls are cheap as well: if one costs 10, the fast run is the best at
+# $\varepsilon = 0.1$ too, and SARSA, the "safe" method, earns a little less than the other two.
 
 # %%
 mild = methods.compare(parameters={"negative_reward": -10.0}, repetitions=30)
@@ -427,7 +431,7 @@ print(f"a fall costs 10, ε = 0.1: {earned} while exploring")
 # %% [markdown]
 # ### Does it get over it?
 # **Predict.** Let $\varepsilon$ fall evenly from 0.1 to 0.001 during training, as is often recommended. At the end the
-# fast run is the best by far. Who has learned it?
+# fast run is the best: it saves a step, and a fall is rare. Who has learned it?
 
 # %%
 decay = predict(
@@ -523,13 +527,13 @@ rough.measured(max(losses, key=losses.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** SARSA. In the figure its line crosses that of Q-learning near $\alpha = 0.3$, and at 0.5 it lies below.
-# With a large learning rate its values follow the last few actions $A'$, slips or not. The road itself has no noise,
-# so the other two, whose targets draw nothing at random, do not mind even $\alpha = 0.7$. This is Figure 6.3 of Sutton
-# and Barto, on another cliff.
+# Its targets draw $A'$ at random. Expected SARSA is the same method without the draw, and like Q-learning it does not
+# mind even $\alpha = 0.7$. So it is the draw: with a large learning rate the values of SARSA follow, we think, the last
+# few actions $A'$, slips or not. This is Figure 6.3 of Sutton and Barto, on another cliff.
 # </details>
 
-# %% [markdown]
-# ### The same on another cliff
+# %% [markdown] tags=["aside"]
+# ### Aside: the same on another cliff
 # CliffWalking is an environment of Gymnasium (Example 6.6 of Sutton and Barto). The agent walks on a grid of 4 by 12,
 # from the lower left corner to the lower right one. Between them is a cliff (red): a step into it costs 100 and leads
 # back to the start. Every other step costs 1. An environment is swapped in by its name. (The settings: $\varepsilon =
@@ -561,9 +565,9 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 # the step limit. (The likely reason is the noise of its targets, since expected SARSA has no such run.)
 # </details>
 
-# %% [markdown]
-# ### For the curious: stopping before the edge
-# (You can skip this section.) In the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. With
+# %% [markdown] tags=["aside"]
+# ### Aside: stopping before the edge
+# In the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. With
 # `stop_zone = 2` an episode ends well in one of the last three cells, 7, 8 and 9, and each cell short of the last costs 1.
 #
 # **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average
@@ -605,8 +609,8 @@ from edugym_course.lessons.on_off_policy.exercises import CHALLENGE, exercise_1,
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
-# With $\varepsilon = 0.1$ the safe run is the best, since the reward of a fall or a stall is −100. Make it milder.
-# What is the *lowest* reward of a fall for which the fast run is still the best at $\varepsilon = 0.1$? Set
+# With $\varepsilon = 0.1$ the safe run is the best, since the reward of a fall or a stall is −100. Make it milder. What
+# is the *lowest* (most negative) reward of a fall for which the fast run is still the best at $\varepsilon = 0.1$? Set
 # `negative_reward` to that number, with one digit after the decimal point. Before you compute: what does the estimate
 # of the section "See inside" say?
 #
@@ -631,10 +635,10 @@ check(exercise_1, negative_reward)
 # fall. The change is below 0.2 on all of them.
 #
 # The two functions that you need are imported. `value_iteration(model, epsilon=ε, horizon=50)` plans for an agent that
-# slips with probability ε: it computes the best values with one step left, from these those with two steps left, and so on
-# up to 50, the step limit of the road (Sutton and Barto, section 4.4). The method `.greedy_policy()` of what it returns is
-# the greedy policy of that agent. And `policy_evaluation(model, policy, horizon=50).start` is the return of a policy from
-# the start.
+# slips with probability ε: it computes the best values with one step left, from these those with two steps left, and so
+# on up to 50, the step limit of the road (Sutton and Barto, section 4.4). The method `.greedy_policy()` of what it
+# returns is the greedy policy of that agent. And `policy_evaluation(model, policy, horizon=50).start` is the return of
+# a policy from the start, played as it is: a greedy policy does not slip there.
 #
 # <details><summary>Hint</summary>A greedy policy that is evaluated as it is never slips, so its return says how many steps
 # it takes. Compare it with the return of the best policy for ε = 0. A loop over <code>np.arange(0, 0.2, 0.001)</code>
@@ -673,8 +677,8 @@ check(exercise_2, switch, seed=1, quiet=True)
 # $$
 #
 # where $n$ is the number of actions, and the bracket is 0 after a terminal state. Read the numbers from `self`:
-# `self.learning_rate` is $\alpha$, `self.discount` is $\gamma$. (`state` is the number of a row of `Q`; for a loop of your
-# own, `tabular` makes it one.)
+# `self.learning_rate` is $\alpha$, `self.discount` is $\gamma$. (`state` is the number of a row of `Q`; for a loop of
+# your own, `TabularObservation` makes it one, as above.)
 #
 # The race below shows three of your agents on the lesson's road. One acts with $\varepsilon = 0.1$ and plans for
 # $\varepsilon_\pi = 0.02$, one plans for 0.1, and one plans for 0.1 as well but acts *wholly at random*, $\varepsilon

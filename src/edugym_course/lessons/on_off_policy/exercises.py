@@ -78,13 +78,20 @@ def _path_changes(low: float = -100.0, high: float = -60.0) -> float:
 
 PRECISION = 0.0011
 """A search in steps of 0.001 ends up to 0.001 above the exact value."""
+FOR_ALL_ROADS: Mapping[str, float] = {
+    "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
+    "that is the estimate for the lesson's road; compute the exact value from the `model` that is given": 0.03,
+}
+"""What is given for any road."""
 
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the function that finds the ε at which the best run of a road changes."""
     require_function("switch", answer, "the model")
     rng = np.random.default_rng(seed)
-    for size, low, high in ((10, 60, 90), (int(rng.integers(11, 16)), 110, 200), (int(rng.integers(11, 16)), 40, 60)):
+    roads = [(10, 60, 90), (int(rng.integers(11, 16)), 110, 200)]
+    roads.append((int(rng.integers(11, 16)), 25, 31))  # the best run changes above 0.1
+    for number_of_road, (size, low, high) in enumerate(roads):
         task = Roadrunner.create(size=size, negative_reward=-float(rng.integers(low, high)))
         model = finite_model(task)
         call = f"switch(model) for W = {size} and negative_reward = {task.negative_reward:g}"
@@ -94,15 +101,20 @@ def exercise_2(answer: Any, seed: int) -> str:
         value = number(call, found)
         near = abs(value - expected) < 0.0125
         wrong = _switch_mistakes(model, task, expected)
-        nearest = min(wrong, key=lambda sentence: abs(value - wrong[sentence]))
-        searched = abs(value - wrong[nearest]) <= PRECISION  # a search with this mistake ends there
+        if number_of_road == 0:  # whoever gives one number for all roads fails on the first
+            wrong |= {sentence: (epsilon, PRECISION) for sentence, epsilon in FOR_ALL_ROADS.items()}
+        searched = {  # a search with the mistake ends there
+            sentence: abs(value - mistaken) / precision
+            for sentence, (mistaken, precision) in wrong.items()
+            if abs(value - mistaken) <= precision
+        }
         compare(
             call,
             found,
             expected,
-            {nearest: value if searched else wrong[nearest]},
+            {min(searched, key=lambda sentence: searched[sentence]): value} if searched else {},
             tolerance=PRECISION,
-            otherwise="that is close, but look in steps of 0.001 or smaller"
+            otherwise="that is close: does the search begin at 0, and go in steps of 0.001 or smaller?"
             if near
             else "that is none of the usual mistakes, so print the number of steps of the best run for some ε",
         )
@@ -112,13 +124,12 @@ def exercise_2(answer: Any, seed: int) -> str:
     )
 
 
-def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict[str, float]:
-    """Return what the usual mistakes give on a road."""
+def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict[str, tuple[float, float]]:
+    """Return what the usual mistakes give on a road, and how far from it a search in steps of 0.001 may end."""
     fastest = best_soft_return(model, 0.0)
     one_less = _falls_below(model, fastest - 1)
     estimate = -3.0 / task.negative_reward
-    return {
-        "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
+    values = {
         "that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model": estimate,
         "the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,"
         " with `<`, with the greedy policy for ε, played *without* slips?": 0.0,
@@ -127,12 +138,18 @@ def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict
         "that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not"
         " the ε-soft return": 0.010001,
         "that is where the ε-soft return falls below that of a run with one step more; the slips lower both": one_less,
-        "that is in percent": 100 * right,
         "that is 1 − ε": 1 - right,
-        "that is 1/ε": 1 / right,
         "that is the end of the search: the change was never found; is the comparison the right way round?": 0.2,
         "that is the end of the search; is the comparison the right way round?": 1.0,
         "the sign is wrong": -right,
+    }
+    return {sentence: (value, PRECISION) for sentence, value in values.items()} | {
+        "that is in percent": (100 * right, 100 * PRECISION),
+        "that is 1 000 times ε: is it the number of the step, and not the ε of that step?": (
+            1_000 * right,
+            1_000 * PRECISION,
+        ),
+        "that is 1/ε": (1 / right, PRECISION / right**2),
     }
 
 
@@ -172,6 +189,11 @@ def two_policies_update(
                 "index": (1 - p) * row.argmax() + p * row.mean(),
                 "old": (1 - p) * row.max() + p * Q[now.state, now.action],
                 "mean undiscounted": (1 - p) * row.max() + p * row.mean() / gamma,
+                "mean left": (1 - p) * row.max() + p * Q[now.state].mean(),
+                "max left": (1 - p) * Q[now.state].max() + p * row.mean(),
+                "behaviour in max": (1 - epsilon) * row.max() + p * row.mean(),
+                "behaviour in mean": (1 - p) * row.max() + epsilon * row.mean(),
+                "column": (1 - p) * row.max() + p * Q[:, now.action].mean(),
                 "max undiscounted": (1 - p) * row.max() / gamma + p * row.mean(),
                 "best twice": (1 - p + p / len(row)) * row.max() + p * row.mean(),
                 "divided twice": (1 - p) * row.max() + p * row.mean() / len(row),
@@ -190,7 +212,16 @@ MEAN_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "it uses `epsilon`, with which the agent acts; the values should be those of the *target* policy,"
     " `target_epsilon`": {"mean": "behaviour"},
+    "it uses `epsilon` before the maximum; both numbers are those of the target policy, `target_epsilon`": {
+        "mean": "behaviour in max"
+    },
+    "it uses `epsilon` before the mean; both numbers are those of the target policy, `target_epsilon`": {
+        "mean": "behaviour in mean"
+    },
     "ε_π and 1 − ε_π have changed places": {"mean": "inverted"},
+    "the mean is that of the state that was left; it belongs to the row of the next state": {"mean": "mean left"},
+    "the maximum is that of the state that was left; it belongs to the row of the next state": {"mean": "max left"},
+    "the mean is taken over the states, a column of Q; it belongs to the row of the next state": {"mean": "column"},
     "Q(S', A') of the action that comes next stands there: that is SARSA, and A' is chosen with the wrong ε": {
         "mean": "next action"
     },

@@ -8,7 +8,7 @@
 # an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing its
 # optimum; and take a problem of your own through everything, up to a file that a friend can play.
 #
-# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You
+# **Time.** {time} **Before you start.** You
 # should know the definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3
 # and section 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -59,9 +59,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 #
 # The episode begins at 7:10. Each step takes ten minutes, and $t$ counts the steps: at $t = T = 8$ it is 8:30, and the
 # episode ends. The depth $d$ is 0 when she is awake, 1 when she is dozing, and 2 when she is fast asleep. Nobody tells
-# us how many rings an hour of sleep is worth, so we must choose numbers. A step is worth the depth of sleep at its end.
-# A ring costs $c_{\text{ring}} = 4$, and oversleeping costs $c_{\text{late}} = 10$. With $1\{\cdot\}$, which is 1 if
-# the condition is true and 0 otherwise, the reward is
+# us how many rings an hour of her sleep is worth, so we must choose numbers. A step is worth the depth of sleep at its
+# end. A ring costs $c_{\text{ring}} = 4$, and oversleeping costs $c_{\text{late}} = 10$. With $1\{\cdot\}$, which is 1
+# if the condition is true and 0 otherwise, the reward is
 #
 # $$
 # r(s, a, s') = d' - c_{\text{ring}}\, 1\{a = \text{ring}\} - c_{\text{late}}\, 1\{t' = T,\ d' > 0\}
@@ -69,8 +69,8 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 #
 # That is everything. In code it is an immutable value, a `NamedTuple`, with one short method for each of these parts,
 # and two more for the beginning and the end. `rng` draws the random numbers, and an agent sees what `observation`
-# returns. (The two spaces say which actions and observations there are. `property` makes a method of them that is read
-# like a value: `morning.action_space`.)
+# returns. (The two spaces say which actions and observations there are. With `property` they are computed when they are
+# read, `morning.action_space`, without parentheses.)
 
 
 # %%
@@ -274,8 +274,8 @@ source(FiniteModel.action_values)
 
 # %% [markdown]
 # The discount is $\gamma = 1$ in the whole lesson: an episode has 8 steps, and sleep at eight is worth as much as sleep
-# at half past seven. Here is the whole best policy. Can you say in words what it does, and why it is quiet at 8:00 when
-# she is dozing, but chimes when she is fast asleep?
+# at half past seven. Here is the whole best policy. Can you say in words what it does? And at 8:00, why is it quiet
+# when she is dozing, and chimes when she is fast asleep?
 
 # %%
 best = exact.solve(morning)
@@ -305,8 +305,9 @@ oversleeps.measured(100 * night.late)
 #
 # **Measured.** 14 %, one morning in seven. "I *must* be up" was the wish, but the reward says that being late costs 10
 # and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3. Then she dozes on, which is
-# worth 1, and is late, which costs 10: that is $0.3 \cdot (10 - 1) = 2.7$ on average. A ring would cost 4. The policy is right and the reward is not what was meant. You can change
-# it with the sliders below.
+# worth 1, and is late, which costs 10: that is $0.3 \cdot (10 - 1) = 2.7$ on average. A ring would cost 4, so the chime
+# is right. The policy is the best one for this reward, and the reward is not what was meant. You can change it with the
+# sliders below.
 # </details>
 
 # %% [markdown]
@@ -361,12 +362,13 @@ for method, returns in worth.items():
     )
 
 # %% [markdown]
-# All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
-# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest: after about 4 000 steps it is
-# within 1 of the optimum. The other three need most of the 10 000. For each method but Dyna, 14 to 17 of the 20 runs
-# end within 0.6 of the optimum, 10.32; the others pull the mean down. The novelty reward is no help here: its
-# line is close to that of Q-learning. One reason may be that exploring is easy in this problem. (On the left the points
-# are means of played episodes, which luck may lift above the optimum; on the right the policies are evaluated exactly.)
+# All five learn a clock that is far better than random actions. Dyna, which replays what it has seen, is close to the
+# optimum after 1 000 steps (125 mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest:
+# after about 4 000 steps it is within 1 of the optimum. The other three need most of the 10 000. For each method but
+# Dyna, 14 to 17 of the 20 runs end within 0.6 of the optimum, 10.32; the other runs pull the mean down. The novelty
+# reward is no help here: its line is close to that of Q-learning. One reason may be that exploring is easy in this
+# problem. (On the left the points are means of played episodes, which luck may lift above the optimum; on the right the
+# policies are evaluated exactly.)
 
 # %% [markdown]
 # ## Your turn
@@ -419,7 +421,7 @@ mild.measured("stalls at once" if change < 0 else "runs as before")
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It stalls in its first step, with return $-1$, since running returns $-2$. An agent that learns this has
-# not failed. It has found the optimum of a reward which says that giving up costs no more than one step.
+# not failed. It has found the optimum of this reward, by which giving up costs no more than one step.
 # </details>
 
 # %% [markdown]
@@ -482,9 +484,10 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 # -\varphi(S_0)
 # $$
 #
-# It is the same number *for every policy*. So the values of all policies fall by $\varphi(s)$, and which of them is
-# best does not change. For the clock: let $\varphi(s) = 10$ while she is awake. Then 10 is paid when she wakes before
-# 8:30, and taken back when she falls asleep again, or at the end. (`phi` holds 0 for every state at 8:30.)
+# It is the same number *for every policy*. The same sum from any state $s$ on is $-\varphi(s)$. So the values of all
+# policies fall by $\varphi(s)$ in that state, and which policy is best does not change. For the clock: let
+# $\varphi(s) = 10$ while she is awake. Then 10 is paid when she wakes before 8:30, and taken back when she falls asleep
+# again, or at the end. (`phi` holds 0 for every state at 8:30.)
 
 # %%
 source(WithPotential, "potential", "reward")
@@ -497,8 +500,8 @@ print("same best actions everywhere:", np.array_equal(best.greedy_policy(), shap
 print(f"largest difference from v*(s) − φ(s): {np.abs(difference).max():.0e}")
 
 # %% [markdown]
-# The bonus and the potential pay the same 10 when she wakes before 8:30. Only the potential takes it back. The fourth
-# map above belongs to the potential, and it is the first one, cell by cell.
+# The bonus and the potential pay the same 10 when she wakes before 8:30. Only the potential takes it back. Look at the
+# maps above: the fourth belongs to the potential, and it is equal to the first, cell by cell.
 #
 # **Predict.** Q-learning now learns from five rewards: the four above, and one with $\varphi(s) = v_*(s)$, which nobody
 # knows before learning. The settings are those of the experiment (20 runs), and we judge its greedy policy by the
@@ -525,11 +528,12 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-2.4$
 # against 6.7. After 12 800 steps both are near the optimum (9.8). With $\varphi = v_*$ Q-learning is close to
 # the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help learning or slow it
-# down. With the two careless rewards more training does not bring the agent to what was meant.
+# down: to Q-learning it is the same as a table that starts at it (the aside says why). With the two careless rewards more
+# training does not bring the agent to what was meant.
 # </details>
 
-# %% [markdown]
-# ### A potential is an initial value
+# %% [markdown] tags=["aside"]
+# ### Aside: a potential is an initial value
 # Why does this potential slow learning down, and $v_*$ not? Write $Q'$ for the table of Q-learning with the potential.
 # Its error is
 #
@@ -562,10 +566,10 @@ print("the same tables, but for φ:", np.allclose(shaped_agent.Q + phi.reshape(2
 # %% [markdown]
 # So the potential of 10 is an old friend from lesson 1: optimistic initial values. Every action in every state in which
 # she is awake looks as if it were worth 10, until it has been tried often enough; with $\alpha = 0.1$ that takes long.
-# Is this all? Then a table that starts at $-\varphi$ should cancel it. It does: with the potential *and* such a table
-# Q-learning learns exactly as without either, in nights of 8 and of 12 steps, and with a potential of 20 too
-# (`edugym reproduce own_problem`). $v_*$ is the best initial value that there is, and "awake is worth 10 at any hour" is
-# far too optimistic.
+# Is this the whole effect of a potential? Then a table that starts at $-\varphi$ should cancel it. It does: with the
+# potential *and* such a table Q-learning learns exactly as without either, in nights of 8 and of 12 steps, and with a
+# potential of 20 too (`edugym reproduce own_problem`). A table that starts at $v_*$ has the right value for every best
+# action, so only the others must be learned. "Awake is worth 10 at any hour" is far too optimistic.
 
 # %% [markdown]
 # ## Predict, then check
@@ -596,10 +600,10 @@ cheaper.measured(max(plans, key=lambda clock: plans[clock][0]))
 #
 # **Measured.** The clock that sees the time loses only 0.34: quiet until 8:00 and then three chimes is nearly as good
 # as to listen. The one that hears her sleep does best if it never makes a sound (its three actions are those for awake,
-# dozing and fast asleep), and then she always oversleeps: what it does at 8:20 when she is fast asleep, it would also
-# do at 7:10, and a sound early in the morning costs sleep. (These are the best *deterministic* rules, found by trying
-# them all.) It is hard to tell what a variable is worth by looking at it. Leave it out, and measure. Lesson 5 is about
-# what an agent can do when it cannot see its state.
+# dozing and fast asleep), and then she always oversleeps, perhaps because what it does at 8:20 when she is fast asleep,
+# it would also do at 7:10, and a sound early in the morning costs sleep. (These are the best *deterministic* rules,
+# found by trying them all.) It is hard to tell what a variable is worth by looking at it. Leave it out, and measure.
+# Lesson 5 is about what an agent can do when it cannot see its state.
 # </details>
 
 # %% [markdown]
@@ -646,8 +650,9 @@ from edugym_course.lessons.own_problem.exercises import exercise_1, exercise_2, 
 # the lowest cost of oversleeping at which ringing is best there? (The cost of a ring stays 4.) Set `late` by a formula,
 # or to a number rounded to two digits after the decimal point.
 #
-# <details><summary>Hint</summary>There is one step left, so each action is worth its expected reward. A ring leaves her
-# awake with probability 0.9 and dozing otherwise; silence leaves her fast asleep. At which cost are the two
+# <details><summary>Hint</summary>There is one step left, so each action is worth its expected reward, by the equation
+# at the top: the depth at the end of the step, less 4 for a ring, less <code>late</code> unless she is awake. A ring
+# leaves her awake with probability 0.9 and dozing otherwise; silence leaves her fast asleep. At which cost are the two
 # equal?</details>
 
 # %%
@@ -690,8 +695,8 @@ display(races.shaped_policies(shaped_reward))
 # %% [markdown]
 # ### Exercise 3: give the state what it needs
 # A new sleeper gets used to the chime. She hears only the first two chimes of a morning. From the third one on, a chime
-# is like silence: her sleep may get deeper, with the same probability. Rings work as before. Now $(t, d)$ is no Markov
-# state any more: what a chime does depends on how many came before it.
+# is like silence: her sleep may get deeper, with the same probability. Rings work as before. Now what a chime does
+# depends on how many came before it, so $(t, d)$ is no Markov state any more.
 #
 # Put their number into the state: `(time, depth, chimes)`, where `chimes` is the number of chimes so far, but at most
 # 2. A chime counts also when she is awake. Complete `observation_space`, `initial` and `transition`. Before you run the
@@ -773,11 +778,11 @@ display(races.count_matters(UsedToIt))
 #
 # **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
 # worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But after 20 000 steps Q-learning
-# does about as well without a look at `chimes` as with it: the intervals overlap. Here a rule that sees only time and
-# depth is exactly as good as the optimum: quiet until 8:10, then at most two chimes, and a ring at 8:20 if she is fast
-# asleep. So a look at `chimes` gains nothing. Both learners are still about 1 below the optimum. Two
-# questions must be kept apart. What must the *state* have, so that the dynamics are right? All that makes a difference
-# for the future. What must the *agent see*? That is a matter of measuring. </details>
+# does about as well without a look at `chimes` as with it: the intervals overlap. There is nothing to gain by it here:
+# one of the best rules sees only time and depth. It is quiet until 8:10, and then it chimes at most twice, or rings at
+# 8:20 if she is fast asleep. Both learners are still about 1 below the optimum. Two questions must be kept apart. What
+# must the *state* have, so that the dynamics are right? All that makes a difference for the future. What must the
+# *agent see*? That is a matter of measuring. </details>
 
 # %% [markdown]
 # ### Exercise 4: your own problem
@@ -790,8 +795,9 @@ display(races.count_matters(UsedToIt))
 # - an end: terminal states that are always reached (a deadline belongs in the state, like the time of the morning);
 # - a decision: no single action that is best in every state.
 #
-# Keep it small (some hundred states; a queue or a stock needs a largest value), with whole numbers in states and
-# observations: then it can be solved exactly.
+# Keep it small, some hundred states, with whole numbers in states and observations: then it can be solved exactly.
+# Every state that can be reached must fit `observation_space`, so a queue or a stock needs a largest value, for example
+# `min(queue + 1, 5)`.
 #
 # <details><summary>Hint</summary>Answer the four questions at the top of this lesson in four sentences before you write code.
 # If something important is missing in the state, the method <code>transition</code> will need it and not have it. Draw

@@ -102,6 +102,8 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
                 f" dictionary, but returns {in_short(came)}"
             )
         observation, reward, terminated, truncated, _ = came
+        if reward is None:
+            raise WrongAnswer(f"step({action}) gives None as the reward, the second of the five: it should be a number")
         for name, ended in (("terminated", terminated), ("truncated", truncated)):
             if not isinstance(ended, bool | np.bool_):
                 raise WrongAnswer(
@@ -118,14 +120,11 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
 def _observed(environment: Environment, observation: Any, call: str) -> Any:
     """Return a copy of an observation that lies in its space."""
     if not environment.observation_space.contains(observation):
-        hint = ""
-        if isinstance(environment.observation_space, spaces.Box | spaces.MultiDiscrete) and not hasattr(
-            observation, "dtype"
-        ):
-            hint = f": make an array of it, np.array(..., dtype=np.{environment.observation_space.dtype})"
+        space, hint = environment.observation_space, ""
+        if isinstance(space, spaces.Box | spaces.MultiDiscrete) and getattr(observation, "dtype", None) != space.dtype:
+            hint = f": make an array of its kind of numbers, np.array(..., dtype=np.{space.dtype})"
         raise WrongAnswer(
-            f"{call} gives the observation {in_short(observation)}, which is not in the observation space"
-            f" {environment.observation_space}{hint}"
+            f"{call} gives the observation {in_short(observation)}, which is not in the observation space {space}{hint}"
         )
     return np.array(observation)
 

@@ -8,7 +8,7 @@
 # bits can be worth a lot to one player and nothing to another; explain why longer messages carry more and are harder
 # to learn from; and write a player that joins its message with its memory.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
 # All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
@@ -53,7 +53,7 @@ env.scene()
 # | observations | $o$ = (hit points, message) | a message has $L$ words, and there are $H$ different words |
 # | actions | $\mathcal{A} = \{0, 1, 2, 3\}$ | play, sleep, feed, clean |
 # | dynamics | $v_a$ grows by 30, each other $v_i$ falls by 5 | action $a$ meets need $a$; in the end all are cut off at 0 and 100 |
-# | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action costs every need 10 |
+# | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action costs every need 10, before the cut |
 # | reward | $\sum_i (v_i - 50)\, u_i$ with the *urgency* $u_i = e^{-v_i/100}$ | with the variables *after* the action; what is low weighs most |
 # | the toy wants | the action with the largest $u_i$ | ties are broken at random |
 # | discount | $\gamma = 0.5$ | used by Q-learning; the returns in the figures are not discounted |
@@ -62,9 +62,9 @@ env.scene()
 # `vocab_size`.
 #
 # After each step a tenth of the reward is added to the hit points; the sum is rounded down, and kept between 0 and 100.
-# They start at 100. (By hand: at the start all $v_i$ are 100. If the toy wants to sleep and is put to bed, they become 95,
-# 100, 95 and 95, since 130 is cut off at 100. If it is fed instead, they become 85, 85, 90 and 85.) An episode has 100
-# steps. It *terminates* earlier if the hit points fall to 0. The *return* is the
+# They start at 100. (By hand: at the start all $v_i$ are 100. If the toy wants to sleep and is put to bed, they become
+# 95, 100, 95 and 95, since 130 is cut off at 100. If it is fed instead, they become 85, 85, 100 and 85, since 120 is
+# cut off as well.) An episode has 100 steps. It *terminates* earlier if the hit points fall to 0. The *return* is the
 # sum of all rewards of an episode. The best possible return is 6 707 on average, and random actions return −676.
 #
 # These are the methods that run. (`rng` draws random numbers.)
@@ -137,8 +137,8 @@ for length in (1, 4, 28):
 # ### Two players that do not learn
 # To see how much of a message Q-learning uses, we compare it with two players who know from the start what the words
 # mean. One **obeys the first word**. The other takes a **majority vote**: it does what most words name. Both are the
-# same code, with a different number of words that are `heard`. (If the *vocabulary* has more than four words, the words
-# $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
+# same code; they differ in how many words are `heard`: the first one, or all. (If the *vocabulary* has more than four
+# words, the words $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
 
 # %%
 source(Voter.act)
@@ -262,15 +262,16 @@ half.measured(methods.noise_label(first))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of the
-# optimum. In perfect care 64 % of the words are right there, and a word carries half a bit. A player that obeys hears
-# more: 76 % are right, and a word carries 0.84 bit. That is probably because each mistake leaves a need that is more
-# urgent than the others, and then the words are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that
-# of random actions. (Where a line dips for a moment, one run or two of the 20 have lost a good policy, and find it
-# again.)
+# optimum. At $\tau = 0.02$ in perfect care 64 % of the words are right, and a word carries half a bit. A player that
+# obeys hears more: 76 % are right, and a word carries 0.84 bit. That is probably because each mistake leaves a need
+# that is more urgent than the others, and then the words are clearer. At 0.1 the return is about 0, and at
+# $\tau = \infty$ it is that of random actions. (Where a line dips for a moment, one run or two of the 20 have lost a
+# good policy, and find it again.)
 # </details>
 
-# %% [markdown]
-# What has it learned? Each bar belongs to a word, and its colours show how often Q-learning answers it with each
+# %% [markdown] tags=["aside"]
+# ### Aside: what has it learned?
+# Each bar belongs to a word, and its colours show how often Q-learning answers it with each
 # action, in greedy episodes of all 20 runs. An agent that knows what the words mean has one colour in each bar.
 
 # %%
@@ -377,8 +378,8 @@ longer.measured(
 # Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left
 # the messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
 # 0.1, and the numbers beside the points are the numbers of words, from 1 to 28. (The $x$ axes differ: the left one goes
-# to 2 bits, the right one to half a bit.) Q-learning has the settings of the experiment; a single point stands for its
-# longer training with $\alpha = 0.05$.
+# to 2 bits, the right one to half a bit.) Q-learning has the settings of the experiment, but for one point, which shows
+# its longer training with $\alpha = 0.05$.
 
 # %%
 learned = {
@@ -393,20 +394,19 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
     print(f"τ = {tau:4}, {length:2} words: {carried:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
-# - **Left.** With one word a player without memory has little else to use, and Q-learning uses it: its line lies nearly
-#   on that of obeying. At $\tau = 0.02$ a word that carries half a bit in perfect care brings nine tenths of the return.
-#   (On the toy of the player who obeys it carries 0.84 bit, as we saw. At $\tau = 0.1$ it carries 0.28 there instead of
-#   0.02.)
+# - **Left.** With one word a player without memory has little else to go by. Q-learning makes full use of the word: its
+#   line lies nearly on that of obeying. At $\tau = 0.02$ a word that carries half a bit in perfect care brings nine
+#   tenths of the return.
 # - **Right.** The information grows with the messages, and the vote turns it into return: 28 words at
 #   $\tau = 0.1$ are worth nearly as much as one word at 0.02, which carries the same half bit. Whoever obeys the first
 #   word leaves the other words unused: that line is flat.
-# - Look at two words on the right (the second point): they carry twice as much as one, and the vote gets nothing out of it. If
-#   the two disagree it can only guess.
+# - Look at two words on the right (the second point): they carry nearly twice as much as one, and the vote gets nothing
+#   out of it. If the two disagree it can only guess.
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
-# table cannot find it. (That is what features and networks are for: an agent that is told how often each word occurs
-# would see at once what the vote sees.)
+# table cannot find it. (That is what features and networks are for. An agent that is told how often each word occurs
+# has one thing less to find out: that the order does not matter. We have not tried one.)
 
 # %% [markdown]
 # ## Predict, then check
@@ -451,8 +451,8 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # random. So bits alone do not say what a message is worth. What counts is which mistakes it leaves.
 # </details>
 
-# %% [markdown]
-# ### Many words for one thing
+# %% [markdown] tags=["aside"]
+# ### Aside: many words for one thing
 # **Predict.** Now the opposite: 16 words, four for each need, without noise (*synonyms*). They carry the same two bits
 # as four words. What does Q-learning do with them?
 
@@ -514,8 +514,9 @@ in_turn.measured(100 * blind / methods.OPTIMUM)
 # what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
 # </details>
 
-# %% [markdown]
-# Can Q-learning find that? Give the toy a single word, so that it always says the same. Then let the rows of the table
+# %% [markdown] tags=["aside"]
+# ### Aside: can Q-learning find that?
+# Give the toy a single word, so that it always says the same. Then let the rows of the table
 # belong to the last two observations *and the action between them*. This is a `FrameStack` of two.
 
 # %%
@@ -542,10 +543,10 @@ remembers.measured(counts["with its last action"])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All ten with the last action, none without. It takes a while, and the runs make the step at different
-# times, which is why the mean rises slowly. Without the last action all it sees is its hit points, and they do not say
-# whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses the
-# cycle for a moment, as the panel on the right shows: one row with another greedy action breaks it. So we take the
+# **Measured.** All ten with the last action, none without. It takes a while. Each run rises suddenly, and each at
+# another time, so that their mean rises slowly. Without the last action all it sees is its hit points, and they do not
+# say whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses
+# the cycle for a moment, as the panel on the right shows: one row with another greedy action breaks it. So we take the
 # median of each run.)
 # </details>
 
@@ -586,11 +587,11 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 # should win here is a player that uses both: that is exercise 3, and the challenge.
 # </details>
 
-# %% [markdown]
-# ### Fog on a frozen lake
+# %% [markdown] tags=["aside"]
+# ### Aside: fog on a frozen lake
 # FrozenLake of Gymnasium is a grid of 4 by 4. The agent sees its cell. Reaching the goal pays 1, and a fall into a hole
 # ends the episode. Let there be *fog*: with some probability the agent is told a random cell instead of its own. Any
-# Gymnasium environment can be changed in this way.
+# Gymnasium environment can be wrapped like this; `Fog` is for observations that are whole numbers.
 
 
 # %%
@@ -902,9 +903,9 @@ check(project_6, my_program)
 # - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Words
 #   that carry half a bit, on a toy in perfect care, brought nine tenths of the return.
 # - Longer messages carry more. A vote used that, and Q-learning with a table needed far more steps to use a part of it.
-# - Synonyms made learning slow. Ambiguous words made it fail, although they carried a whole bit.
+# - Synonyms made learning slow (in an aside). Ambiguous words made it fail, although they carried a whole bit.
 # - Taking the four actions in turn got 99 % without any message, and Q-learning found that once it could see its last
-#   action. On a moody toy, taking turns broke down: it got a tenth.
+#   action (in an aside). On a moody toy, taking turns broke down: it got a tenth.
 # - A memory of one action helped the vote at every length, and most where a message told something, but not enough.
 #
 # ### In one paragraph

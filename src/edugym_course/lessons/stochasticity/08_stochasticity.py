@@ -8,7 +8,7 @@
 # risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being worth
 # it; and say why "risk-seeking pays" can be measured and still be wrong.
 #
-# **Time.** 65 minutes, and 40 more for the exercises. **Before you start.** You should know what a value function and
+# **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), ε-greedy action selection (section 2.2), and
 # what a normal distribution is. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -100,13 +100,13 @@ play("Golf", observe_hits=True)
 source(QLearning.learn)
 
 # %% [markdown]
-# What does this learn where the results differ by chance? The value rests where good and bad surprises balance, that is,
-# where the mean of $\delta$ is 0. That is the **mean** of the target $R + \gamma \max_a Q(S', a)$. With a fixed learning
-# rate it is a mean in which recent results count more (equation 2.6): roughly the last $1/\alpha$ of them.
+# What does this learn where the results differ by chance? The value rests where good and bad surprises balance: where
+# the mean of $\delta$ is 0. There the value is the **mean** of the target $R + \gamma \max_a Q(S', a)$. With a fixed
+# learning rate it is a mean in which recent results count more (equation 2.6): roughly the last $1/\alpha$ of them.
 #
-# So two plans with the same mean are the same to Q-learning, even if one returns 0.8 always, and the other sometimes
-# loses the ball. The *spread* of the return is not in the table. In this lesson we call the standard deviation of the
-# return its spread, and **risk** stands for results that are uncertain.
+# So two plans with the same mean are the same to Q-learning, even if one always returns 0.8, and the other mostly
+# returns more and sometimes loses the ball. The *spread* of the return is not in the table. In this lesson we call the
+# standard deviation of the return its spread, and **risk** stands for results that are uncertain.
 #
 # ### Bad surprises may weigh more
 # Multiply the TD error by a weight that depends on it (Delétang et al., 2021):
@@ -148,26 +148,30 @@ figures.weights_figure()
 # \mathrm{E}[R] + \frac{\beta}{2}\, \mathrm{Var}[R]
 # $$
 #
-# the mean, and for $\beta < 0$ a fine for the variance. *Why:* the value rests where $2\sigma(\beta\delta)\,\delta$ is
-# 0 on average. If the value is the one above, then $\delta$, which is $R$ less the value, is normal with the mean
-# $-\frac{\beta}{2}\mathrm{Var}[R]$. Its density is proportional to $e^{-(\delta + \beta \mathrm{Var}[R] / 2)^2 / (2
-# \mathrm{Var}[R])}$. Multiply the square out, and leave out the factor without $\delta$: the density is proportional to
+# the mean, and for $\beta < 0$ a fine for the variance. (The aside below proves it.) Try it, with the mean 0.8 and the
+# standard deviation 0.3:
+
+# %%
+for label, beta in methods.RISKS.items():
+    learned = methods.learned_value(beta, lambda rng: rng.normal(0.8, 0.3))
+    print(f"{label:15}: learned {learned:.3f}, by the formula {0.8 + beta / 2 * 0.3**2:.3f}")
+
+# %% [markdown] tags=["aside"]
+# ### Aside: why it is the mean and a share of the variance
+# The value rests where $2\sigma(\beta\delta)\,\delta$ is 0 on average. We try the value above. Then $\delta$, which is
+# $R$ less this value, is normal. Its mean is $-\frac{\beta}{2}\mathrm{Var}[R]$ and its variance $\mathrm{Var}[R]$, so
+# its density is proportional to $e^{-(\delta + \beta \mathrm{Var}[R] / 2)^2 / (2 \mathrm{Var}[R])}$. Multiply the
+# square out, and leave out the factor without $\delta$: the density is proportional to
 # $e^{-\delta^2 / (2 \mathrm{Var}[R])} \cdot e^{-\beta\delta/2}$. Multiply it by the *weighted error*
-# $2\sigma(\beta\delta)\delta$, and use $\sigma(\beta\delta)\, e^{-\beta\delta/2} = 1 / (e^{\beta\delta/2} +
-# e^{-\beta\delta/2})$:
+# $2\sigma(\beta\delta)\delta$, and use
+# $\sigma(\beta\delta)\, e^{-\beta\delta/2} = 1 / (e^{\beta\delta/2} + e^{-\beta\delta/2})$:
 #
 # $$
 # \text{weighted error} \cdot \text{density} \;\propto\;
 # \delta \cdot \frac{e^{-\delta^2 / (2 \mathrm{Var}[R])}}{e^{\beta\delta/2} + e^{-\beta\delta/2}}
 # $$
 #
-# The fraction is the same for $\delta$ and $-\delta$. So each bad surprise cancels a good one, and the mean is 0. Try
-# it, with the mean 0.8 and the standard deviation 0.3:
-
-# %%
-for label, beta in methods.RISKS.items():
-    learned = methods.learned_value(beta, lambda rng: rng.normal(0.8, 0.3))
-    print(f"{label:15}: learned {learned:.3f}, by the formula {0.8 + beta / 2 * 0.3**2:.3f}")
+# The fraction is the same for $\delta$ and $-\delta$. So each bad surprise cancels a good one, and the mean is 0.
 
 # %% [markdown]
 # ## The experiment: three players
@@ -182,12 +186,12 @@ for label, beta in methods.RISKS.items():
 # | evaluation | 20 greedy games every 30 000 steps; at the end every player plays 10 000 greedy steps |
 # | repetitions | 30; bands, and the lines at the dots, are 95 % intervals |
 #
-# Two black lines show what is possible for a player who sees exactly where the ball lies: the optimum (dashed), and the
-# return of the best ε-soft policy (dotted, in the right panel only), the best one that takes a random swing with
-# probability $\varepsilon$. Both are computed from the exact dynamics.
+# Two black lines show what is possible for a player who sees exactly where the ball lies. The dashed one is the
+# optimum. The dotted one, in the right panel only, is the best return of a player who takes a random swing with
+# probability $\varepsilon$ (the best *ε-soft* policy). Both are computed from the exact dynamics.
 #
-# The cell after the next is the whole experiment. `repeat` makes each player 30 times, trains it, and lets it play 20 greedy
-# games every 30 000 steps. (Further down `methods.learn` makes this call, with other settings.)
+# The cell below your prediction is the whole experiment. `repeat` makes each player 30 times, trains it, and lets it
+# play 20 greedy games every 30 000 steps. (Later cells call `methods.learn`, which does the same with other settings.)
 #
 # **Predict.** Which player has the highest *mean* return in the end, without exploring?
 
@@ -232,8 +236,8 @@ highest.measured(seen)
 # **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. What it gets for
 # that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
 # seeking one about 3 in 100, and the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
-# neutral player did not pay here. (In the left curves the two lines lie on each other. While exploring, the seeking
-# player is a little ahead.)
+# neutral player did not pay here. (In the left panel of the learning curves the lines of these two lie on each other.
+# In the right one, while exploring, the seeking player is a little ahead.)
 #
 # The last lines say more about each player.
 #
@@ -372,8 +376,8 @@ for label, (low, high) in between.items():
 # %% [markdown]
 # This is what risk sensitivity does: it does not make a player bad, it *moves the level* at which the player stops
 # taking the risk. The averse one stops near 0.016, the neutral one near 0.019, and the seeking one only near 0.051, far
-# to the right of the figure. (On the left the chip is no safe start: with little noise the best way to go on is a
-# drive, from closer to the far edge. So the averse player drives there too.)
+# to the right of the figure. (At low levels, on the left, the averse player drives too. A chip first would be no safer
+# there: the best way to go on is then a drive, which ends closer to the far edge.)
 #
 # At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. "What noise does
 # to learning" comes back to that.
@@ -521,7 +525,7 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # **Measured.** With the rest of the game known, by far. So here bad luck with drives is the smaller reason, although it
 # is the one that comes to mind first. With both changes all runs drive. (That is not so everywhere. At level 0.0165 the
 # drive is ahead by 0.05 only. There bad luck alone is enough: also with the rest of the game known, only 28 % of 60 runs
-# drive.)
+# drive. With smaller steps as well, $\alpha = 0.005$, 88 % do.)
 #
 # The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. Probably that has the same
 # reasons, and a lost ball weighs nearly twice as much with it.
@@ -530,8 +534,8 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # What can an agent do about it that has nobody to play the rest of the game? It can let its values start at 1, so that
 # what was not tried looks good, take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
-# player *patient*. And we say that a run *takes the risk* if it loses more than 1 ball in 100, so if it drives sooner or
-# later in most games. Here the patient player has 10 repetitions.
+# player *patient*. And we say that a run *takes the risk* if it loses more than 1 ball in 100. Only a player who drives
+# in most games, first or later, loses so many. Here the patient player has 10 repetitions.
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -540,13 +544,14 @@ for label, one in (("as in the experiment", played[methods.NEUTRAL]), ("patient"
     print(f"neutral, {label:20}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk")
 
 # %% [markdown]
-# All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the other
-# combinations. With one of the three, or with longer training and one of the other two, about two thirds of the runs
-# take the risk. With good first values and smaller steps all of them do. But their mean is 0.82: they are not done
-# learning. So the price of noise is all three: good first values, smaller steps, and more of them.
+# All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the
+# other combinations. With one change alone, about two thirds of the runs take the risk. With longer training and one of
+# the other two it is as many. With good first values and smaller steps, but no longer training, all runs do, and their
+# mean is 0.82: they are not done learning. So the price of noise is all three: good first values, smaller steps, and
+# more of them.
 
-# %% [markdown]
-# ### "Risk-seeking pays"?
+# %% [markdown] tags=["aside"]
+# ### Aside: "Risk-seeking pays"?
 # In the paper's game (Moerland et al., 2023) the agent does not see its hits: the same row of the table serves for the
 # first hit and the ninth. (We take 100 repetitions here, since a few runs are far from the others.)
 #
@@ -605,8 +610,8 @@ for condition, players in {
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
 # another fault.
 
-# %% [markdown]
-# ### Is risk the variance?
+# %% [markdown] tags=["aside"]
+# ### Aside: is risk the variance?
 # The formula of the section "The idea" has the variance in it. Now take two lotteries with the same mean, 0, and the
 # same variance, 0.36. The first mostly wins a little and rarely loses much. The second is its mirror image.
 #
@@ -648,8 +653,8 @@ lotteries.measured("both equally, within 0.02" if abs(difference) < 0.02 else hi
 # whole game. So "risk" here means surprises, one by one, and not the variance of the return.
 # </details>
 
-# %% [markdown]
-# ### The learning rate, on another slippery ground
+# %% [markdown] tags=["aside"]
+# ### Aside: the learning rate, on another slippery ground
 # FrozenLake is an environment of Gymnasium. The agent walks over a frozen lake of 4 by 4 cells to a goal, which pays 1.
 # In some cells the ice has a hole, and a fall ends the episode without a reward. If the lake is *slippery*, the agent
 # goes where it wants with probability 1/3 only, and else to one of the two sides. (The settings: Q-learning, $\gamma =
@@ -686,8 +691,9 @@ rate.measured(seen)
 # **Measured.** It hardly ever arrives. (The bands are wide, as there are 6 runs only.) With $\alpha = 1$ a value is the
 # *last* target, and not a mean. Where nothing is random, the last target is the best one. On slippery ice it is one
 # draw of a lottery, and the greedy action changes with every draw. A learning rate below 1 takes a mean, and that takes
-# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. That is the exchange which chance
-# forces on every learner: fast, or accurate.
+# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. With a constant learning rate chance
+# forces this exchange on a learner: fast, or accurate. (A rate that falls, such as one over the number of visits, is
+# fast first and accurate later; Sutton and Barto, section 2.5.)
 # </details>
 
 # %% [markdown]
@@ -705,12 +711,14 @@ from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1,
 # ### Exercise 1: change a parameter
 # Allow 5 hits instead of 10. Then each hit more costs 0.2 instead of 0.1: the fast plan returns 0.8, and the safe plan
 # 0.6. Up to which level is the drive from the tee worth at least as much as the chip now? Set `level` to that number,
-# rounded to four decimals. Before you compute: what does the estimate by hand say? (`from statistics import NormalDist`;
-# `-NormalDist().inv_cdf(p / 2)` gives the number of standard deviations.)
+# rounded to four decimals. Before you compute: what does the estimate by hand say?
+# (`from statistics import NormalDist`; `-NormalDist().inv_cdf(p / 2)` gives the number of standard deviations; each
+# side has half of the probability.)
 #
 # <details><summary>Hint</summary><code>exact.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
 # swing from the tee at level 0.015, as a dictionary: <code>["drive"]</code> and <code>["chip"]</code> are its entries.
-# Try some levels, or write a loop that starts at 0.01 (a level of 0 is not allowed).</details>
+# Leave out the <code>cell=0.25</code> of the cells above: it is faster, and too coarse for four decimals. Try some
+# levels, or write a loop that starts at 0.01 (a level of 0 is not allowed).</details>
 
 # %%
 level = 0.0187  # with 10 hits
@@ -780,8 +788,7 @@ for name in ("drive from 5 to 20 cells, chip beyond 2.8", "no drive, chip beyond
 # than the error of the simulation.) The last two lines print two rules that are far off: one still drives when the flag
 # is 5 cells away, the other putts when it could chip. (The first of them lies outside the panel, to the right.) One
 # player on the frontier lies below the panel: the one that only putts. It loses every game, as 10 putts are not enough,
-# and so it has a spread of 0.
-# A small spread alone is not safety.
+# and so its spread is 0: a small spread alone is not safety.
 #
 # The averse player of the experiment is close to the safe end, but below it, as 8 of its 30 runs start with a putt. The
 # seeking one is beaten by the fast plan, in both numbers. The neutral one is near the frontier, between the ends, like
@@ -803,8 +810,8 @@ for name in ("drive from 5 to 20 cells, chip beyond 2.8", "no drive, chip beyond
 # that of Q-learning, with no future after a terminal state. Read the numbers from `self`: `self.learning_rate` is
 # $\alpha$, `self.discount` is $\gamma$, `self.kappa` is $\kappa$.
 #
-# The race below shows your agent with $\kappa = 0.5$ and with $\kappa = -0.5$, beside the three of the experiment.
-# Before you run the check: where will they be?
+# The race below shows your agent with $\kappa = 0.5$ and with $\kappa = -0.5$, beside the three players of the
+# experiment. Before you run the check: which of the three will each of them be like?
 #
 # <details><summary>Hint</summary>Compute <code>delta</code> first, then the weight, and then change
 # <code>self.Q[state, action]</code>. The largest value of the next state is <code>max(self.Q[next_state])</code>.
@@ -973,17 +980,19 @@ check(project_8, my_program)
 # - Noise made learning slow. It spreads experience over many cells, whose first values were too low, and it brings bad
 #   luck. Here the first was the larger obstacle: with the rest of the game known most runs drove. Good first values,
 #   smaller steps and more of them, all three together, mended both.
-# - Risk-seeking paid only where the neutral player had learned to be too careful. Against a patient one it gained
+# - Risk-seeking (in an aside) paid only where the neutral player had learned to be too careful. Against a patient one it
+#   gained
 #   nothing, and where the risk was not worth it, it cost.
-# - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake.
+# - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake (in an
+#   aside).
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
-# of them, and so learning takes a small step size and many visits. A mean does not tell how far the results lie apart.
-# Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal rewards adds $\beta/2$
-# times the variance to the mean. So it moves the point at which a risk stops being worth taking. Safety has a price in
-# the mean. An exact risk-seeker never earns more on average than the best neutral player; a learned one can, if it
-# happens to make up for another fault.
+# of them, and so learning takes many visits, and with a constant step size a small one. A mean does not tell how far
+# the results lie apart. Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal
+# rewards adds $\beta/2$ times the variance to the mean. So it moves the point at which a risk stops being worth taking.
+# Safety has a price in the mean. An exact risk-seeker never earns more on average than the best neutral player; a
+# learned one can, if it happens to make up for another fault.
 #
 # ### Limits
 # $\beta$ weighs single TD errors, not returns: for rewards that are not normal its value is not mean and variance, and

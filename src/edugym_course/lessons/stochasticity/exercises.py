@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import takewhile
 from types import MappingProxyType
 from typing import Any
 
@@ -49,6 +50,13 @@ def exercise_1(answer: Any, seed: int) -> str:
             "that is the estimate by hand, which takes for granted that both plans do what they should": 0.0220,
             "that is an estimate with a cost of 1.6 for a lost ball; the fast plan returns 0.8 now, so it"
             " costs 1.8": 0.0228,
+            "that is an estimate with the lesson's cost of 1.9 for a lost ball; the fast plan returns 0.8 now, so it"
+            " costs 1.8": 0.0216,
+            "that is an estimate with the water on one side only, and it is on both: p / 2 is for each of them": 0.0287,
+            "that is the probability p of a lost ball; the level is what gives this probability": 0.2 / 1.8,
+            "that is the number of standard deviations, and 3.5 / (100 level) is what it is": 1.593,
+            "that is the crossing with places a quarter of a cell apart (`cell=0.25`), which is too coarse here: leave"
+            " `cell` out": crossing(0.02, 0.025, cell=0.25, max_hits=HITS),
             "that is the standard deviation of a drive, 100 times the level": 100 * expected,
             "the sign is wrong": -expected,
         },
@@ -78,6 +86,11 @@ def _unbeaten(players: Mapping[str, Pair], beats: Callable[[Pair, Pair], bool]) 
     }
 
 
+def _until_beaten(players: Mapping[str, Pair]) -> set[str]:
+    """Return the names before the first player that is beaten."""
+    return {*takewhile(_unbeaten(players, _beats).__contains__, players)}
+
+
 FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
     "a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower"
     " mean; one of the two may be equal": lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] < b[1]),
@@ -86,6 +99,11 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
     ),
     "every player is as good as itself, so it must not beat itself: one of the two numbers must be really better": (
         lambda players: set()
+    ),
+    "after the first player that is beaten nobody is taken: is a variable set to True there, and never back to"
+    " False?": _until_beaten,
+    "the first player alone is looked at: `return` ends the loop, so write it below, as far to the left as `for`": (
+        lambda players: _unbeaten(players, _beats) & {next(iter(players))}
     ),
     "an equal mean is left out: a player with the same mean and a larger spread is beaten too": (
         lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] <= b[1])
@@ -146,13 +164,13 @@ FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (18, 11), (18, 11), (20, 15), (9, 5), 
 
 
 def made_up_players(seed: int) -> list[dict[str, Pair]]:
-    """Make players up: two cases by hand, the second with a player that beats all others, and one by chance."""
+    """Make players up: a case by hand, again with a player that beats all others, one by chance, and one alone."""
     rng = np.random.default_rng(seed)
     few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
     cases = []
-    for pairs in (FRONTIER_CASE, ((22, 1), *FRONTIER_CASE), few):
+    for pairs in (FRONTIER_CASE, ((22, 1), *FRONTIER_CASE), few, few[:1]):
         scale = float(rng.choice([0.003, 0.004]))  # so small that two digits do not tell them apart
-        order = rng.permutation(len(pairs))
+        order = sorted(rng.permutation(len(pairs)), key=lambda k: k > 1)  # the first two in front, not to be beaten
         players = [(round(0.6 + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]
         cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
     return cases
@@ -195,7 +213,8 @@ def _names(answer: Callable[..., Any], players: Mapping[str, Pair]) -> set[str]:
         raise WrongAnswer(f"{call} should hold names such as {next(iter(players))!r}, but holds {strange[0]!r}")
     if len(names) != len({*names}):
         raise WrongAnswer(
-            f"{call} holds {max(names, key=names.count)!r} more than once: is it appended in the inner loop?"
+            f"{call} holds {max(names, key=names.count)!r} more than once, and once is enough: is it appended in the"
+            " inner loop, or by two lists that are added?"
         )
     return {*names}
 
@@ -251,6 +270,8 @@ def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: 
         "squared": (good if delta > 0 else bad) ** 2,
         "only bad": 0.0 if delta > 0 else bad,
         "only good": good if delta > 0 else 0.0,
+        "both": good + bad if delta > 0 else bad,
+        "with the size": 1 - kappa * delta,
     }.get(weigh)
     if weight is None:  # "on the target": w (R + ...) - Q(S, A)
         weight, delta = 1.0, (good if delta > 0 else bad) * target - old
@@ -285,6 +306,8 @@ WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "nothing is learned from good surprises; they weigh 1 − κ": {"weigh": "only bad"},
     "nothing is learned from bad surprises; they weigh 1 + κ": {"weigh": "only good"},
     "the weight belongs to the whole δ, not to the target alone": {"weigh": "on the target"},
+    "a good surprise is learned from twice, with both weights: is an `else` missing?": {"weigh": "both"},
+    "the weight is 1 − κδ; it should depend on the sign of δ only, whatever its size": {"weigh": "with the size"},
 }
 TWO_WEIGHTS = Update(
     rule=two_weights_update,

@@ -44,6 +44,22 @@ def agent(
     return RiskSensitiveQLearning.create(shape, risk=risk, learning_rate=learning_rate, discount=discount)
 
 
+class NothingSubtracted(RiskSensitiveQLearning):
+    """The agent without - Q(S, A) at the end of an episode: `R if terminated else R + ... - Q` has no brackets."""
+
+    __slots__ = ()
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Learn from δ = R at the end."""
+        old = float(self.Q[state, action]) if terminated else 0.0
+        super().learn(state, action, reward + old, next_state, terminated)
+
+
+def without_brackets(shape: tuple[int, int]) -> RiskSensitiveQLearning:
+    """Make this agent with the settings of the project."""
+    return NothingSubtracted.create(shape, risk=RISK, learning_rate=LEARNING_RATE, discount=DISCOUNT)
+
+
 def neutral(shape: tuple[int, int]) -> QLearning:
     """Make an agent that does not mind risk."""
     return QLearning.create(shape, learning_rate=LEARNING_RATE, discount=DISCOUNT)
@@ -58,7 +74,11 @@ RULE = Rule(
         "the weight is half as large as it should be: 2σ(βδ) is 1 where δ = 0": Learner(
             partial(agent, learning_rate=LEARNING_RATE / 2)
         ),
+        "− Q(S, A) is missing at the end of an episode: put brackets around `... if terminated else ...`": Learner(
+            without_brackets
+        ),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(agent, discount=0.0)),
+        f"α is 0.1, or some other number far below {LEARNING_RATE:g}": Learner(partial(agent, learning_rate=0.1)),
     },
     EPSILON,
     otherwise="; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it",

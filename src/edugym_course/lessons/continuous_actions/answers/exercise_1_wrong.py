@@ -137,3 +137,45 @@ def preferences(joints, bins, cells):
 #   `//`, without `/`, `2.0` or `math.pow`
 def preferences(joints, bins, cells):
     return np.prod(np.full(joints, cells)) * np.prod(np.full(joints, bins)) * 2
+
+
+# %% m^n actions
+# says: base and exponent of the bins have changed places: n^m, not m^n
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * joints**bins
+
+
+# %% m^c cells
+# says: base and exponent of the cells have changed places: c^m, not m^c
+def preferences(joints, bins, cells):
+    return 2 * joints**cells * bins**joints
+
+
+# %% times, twice
+# says: both are powers: m joints have c^m cells and n^m actions, not c m and n m
+def preferences(joints, bins, cells):
+    return 2 * cells * joints * bins * joints
+
+
+# %% held in the action too
+# says: holding the box belongs to the state alone, not to the action: one factor of 2
+def preferences(joints, bins, cells):
+    return (2 * cells**joints) * (2 * bins**joints)
+
+
+# %% the table of the lesson
+# says: those are the numbers of the lesson's table: use `joints`, `bins` and `cells`
+def preferences(joints, bins, cells):
+    return 2 * 30**2 * 5**2
+
+
+# %% a caret
+# says: `^` is no power in Python, that is `**`
+def preferences(joints, bins, cells):
+    return 2 * cells ^ joints * bins ^ joints
+
+
+# %% carets in brackets
+# says: `^` is no power in Python, that is `**`, here as well
+def preferences(joints, bins, cells):
+    return 2 * (cells ^ joints) * (bins ^ joints)

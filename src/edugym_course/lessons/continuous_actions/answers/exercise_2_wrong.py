@@ -210,3 +210,57 @@ def my_scores(a, mu, sigma):
 # says: a, mu and sigma
 class my_scores:
     pass
+
+
+# %% a distance
+# says: the sign of a − μ counts, so take no absolute value
+def my_scores(a, mu, sigma):
+    return abs(a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% whole numbers
+# says: `//` cuts off what is behind the decimal point; divide by `/`
+def my_scores(a, mu, sigma):
+    return (a - mu) // sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% minus sigma
+# says: the derivative of − ln σ with respect to ln σ is −1, not −σ
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - sigma
+
+
+# %% minus ln sigma
+# says: the derivative of − ln σ with respect to ln σ is −1, not −ln σ
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - np.log(sigma)
+
+
+# %% divided by sigma
+# says: the derivative with respect to σ is divided by σ; multiply it by σ
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, ((a - mu) ** 2 / sigma**3 - 1 / sigma) / sigma
+
+
+# %% twice times sigma
+# says: the derivative with respect to σ is multiplied by σ²; multiply it by σ
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, sigma**2 * ((a - mu) ** 2 / sigma**3 - 1 / sigma)
+
+
+# %% one minus too many
+# says: the minus before (a − μ)² / (2σ²) and that of the exponent −2 make a plus
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, -((a - mu) ** 2) / sigma**2 - 1
+
+
+# %% of ln of the variance
+# says: that is the derivative with respect to ln σ²; with respect to ln σ it is twice as large
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, ((a - mu) ** 2 / sigma**2 - 1) / 2
+
+
+# %% a 2 too many
+# says: the exponent −2 of σ and the 2 in 2σ² cancel; here the 2 is too many
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, 2 * (a - mu) ** 2 / sigma**2 - 1

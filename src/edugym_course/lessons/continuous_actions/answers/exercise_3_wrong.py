@@ -999,3 +999,124 @@ def update(self, n):
         for a in range(len(self.probabilities)):
             score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
             self.preferences[state, a] += 0.4 * self.discount**t * delta * score
+
+
+# %% the mean reward
+# says: the baseline is V(S_t), not the mean of the rewards
+def update(self, n):
+    mean = np.mean(self.rewards[:n])
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - mean
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.probabilities[a]
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% steps to go
+# says: the power of γ counts the steps to the *end*; t counts from the start
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.probabilities[a]
+            self.preferences[s, a] += self.learning_rate * self.discount ** (n - t) * delta * score
+
+
+# %% times t
+# says: the factor is γ^t, discount**t, and not γ t
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.probabilities[a]
+            self.preferences[s, a] += self.learning_rate * self.discount * t * delta * score
+
+
+# %% V discounted too
+# says: γ^t belongs to the preferences alone; V moves by α^w δ
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * self.discount**t * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.probabilities[a]
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the others go up
+# says: the others get −π, not +π: it is 1{a = A} − π(a|S)
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = 1 - self.probabilities[a] if a == self.actions[t] else self.probabilities[a]
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% preferences in the score
+# says: the score takes the probabilities π, not the preferences: 1{a = A} − π(a|S)
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.preferences[s, a]
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% a row for an entry
+# says: preferences has two indices, the state and the action: self.preferences[a] is the whole row of state a
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.probabilities[a]
+            self.preferences[a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% t for the state
+# says: that is the number of the step; its state is self.states[t]
+def update(self, n):
+    for t in range(n - 2, -1, -1):
+        self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = t
+        delta = self.rewards[t] - self.V[s]
+        self.V[s] += self.value_learning_rate * delta
+        self.look(s)
+        for a in range(len(self.probabilities)):
+            score = (a == self.actions[t]) - self.probabilities[a]
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * score

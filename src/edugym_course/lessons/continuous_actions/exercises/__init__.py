@@ -12,8 +12,9 @@ from edugym.envs.trashbot.task import Trashbot
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import allowance, compare, exact, given, number
+from edugym_course.grading.values import CARET, allowance, exact, given, number
 from edugym_course.lessons.continuous_actions.exercises.episodes import check_update
 from edugym_course.lessons.continuous_actions.methods import gaussian, tiles_on_the_wrist
 
@@ -25,18 +26,18 @@ def exercise_1(answer: Any, seed: int) -> str:
     require_function("preferences", answer, "joints, bins and cells")
     rng = np.random.default_rng(seed)
     cases = [(3, 5, 10 + int(rng.integers(5))), (2, 3, 7), (3, 4, 6), (1, 9, 12), (4, 3, 5 + int(rng.integers(3)))]
+    found = []
     for joints, bins, cells in cases:
-        call = f"preferences({joints}, {bins}, {cells})"
+        call, right = f"preferences({joints}, {bins}, {cells})", 2 * cells**joints * bins**joints
         with student_code(call):
-            found = answer(joints, bins, cells)
-        right = 2 * cells**joints * bins**joints
-        mistakes = {why: float(n) for why, n in _size_mistakes(joints, bins, cells).items() if n != right}
-        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+            size = answer(joints, bins, cells)
+        found.append(NumberCase(call, number(call, size), float(right), _size_mistakes(joints, bins, cells)))
+    compare_all(found, otherwise=UNUSUAL)
     joints, bins, cells = 8, 3, 2000  # more than 64 bits, and few enough actions to list them
     call = f"preferences({joints}, {bins}, {cells})"
     with student_code(call):
-        found = answer(joints, bins, cells)
-    exact(call, found, 2 * (cells * bins) ** joints)
+        size = answer(joints, bins, cells)
+    exact(call, size, 2 * (cells * bins) ** joints)
     many = 2 * (30 * 5) ** 6
     return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
 
@@ -62,6 +63,13 @@ def _size_mistakes(m: int, n: int, c: int) -> dict[str, float]:
         "cells and bins multiply, they do not add: every row has all columns": 2 * c**m + n**m,
         "the box is held by the arm, not by each joint: the factor is 2, not 2^m": 2**m * c**m * n**m,
         "base and exponent have changed places: n^m, not m^n": 2 * m**c * m**n,
+        "base and exponent of the bins have changed places: n^m, not m^n": 2 * c**m * m**n,
+        "base and exponent of the cells have changed places: c^m, not m^c": 2 * m**c * n**m,
+        "both are powers: m joints have c^m cells and n^m actions, not c m and n m": 2 * (c * m) * (n * m),
+        "holding the box belongs to the state alone, not to the action: one factor of 2": 4 * c**m * n**m,
+        "those are the numbers of the lesson's table: use `joints`, `bins` and `cells`": 2 * 30 * 30 * 5**2,
+        CARET: (2 * c) ^ (m * n) ^ m,
+        f"{CARET}, here as well": 2 * (c ^ m) * (n ^ m),
         "the 2 multiplies the rows, it is not added to them": (2 + c**m) * n**m,
         "the box is a part of the state: multiply by 2, do not square": (c**m) ** 2 * n**m,
         "holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used": 3 * c**m * n**m,
@@ -144,6 +152,8 @@ OF_MEAN: Mapping[str, Any] = MappingProxyType(
             (a - m) / s**2 * np.exp(-((a - m) ** 2) / (2 * s**2)) / (s * np.sqrt(2 * np.pi))
         ),
         "set brackets: a − μ is divided as a whole": lambda a, m, s: a - m / s**2,
+        "the sign of a − μ counts, so take no absolute value": lambda a, m, s: abs(a - m) / s**2,
+        "`//` cuts off what is behind the decimal point; divide by `/`": lambda a, m, s: (a - m) // s**2,
     }
 )
 """The score of the mean, and by the sentence that tells of it, what the usual mistakes give."""
@@ -160,6 +170,23 @@ OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
         "the sign is wrong: σ should grow for actions that are far out": lambda a, m, s: 1 - (a - m) ** 2 / s**2,
         "the derivative of − ln σ is −1, not +1": lambda a, m, s: (a - m) ** 2 / s**2 + 1,
         "the derivative of − ln σ with respect to ln σ is −1, not −1/σ": lambda a, m, s: (a - m) ** 2 / s**2 - 1 / s,
+        "the derivative of − ln σ with respect to ln σ is −1, not −σ": lambda a, m, s: (a - m) ** 2 / s**2 - s,
+        "the derivative of − ln σ with respect to ln σ is −1, not −ln σ": lambda a, m, s: (
+            (a - m) ** 2 / s**2 - np.log(s)
+        ),
+        "that is the derivative with respect to ln σ²; with respect to ln σ it is twice as large": lambda a, m, s: (
+            ((a - m) ** 2 / s**2 - 1) / 2
+        ),
+        "the exponent −2 of σ and the 2 in 2σ² cancel; here the 2 is too many": lambda a, m, s: (
+            2 * (a - m) ** 2 / s**2 - 1
+        ),
+        "the derivative with respect to σ is divided by σ; multiply it by σ": lambda a, m, s: (
+            (a - m) ** 2 / s**4 - 1 / s**2
+        ),
+        "the derivative with respect to σ is multiplied by σ²; multiply it by σ": lambda a, m, s: (a - m) ** 2 / s - s,
+        "the minus before (a − μ)² / (2σ²) and that of the exponent −2 make a plus": lambda a, m, s: (
+            -((a - m) ** 2) / s**2 - 1
+        ),
         "σ is divided by once too little: (a − μ)² is divided by σ²": lambda a, m, s: (a - m) ** 2 / s - 1,
         "the exponent −2 of σ gives a factor of 2, which cancels the 2 in 2σ²": lambda a, m, s: (
             (a - m) ** 2 / (2 * s**2) - 1

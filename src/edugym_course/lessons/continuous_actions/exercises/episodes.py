@@ -97,14 +97,19 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
         if change.get("visits") == "one" and state in seen:
             continue
         seen.add(state)
+        if change.get("state") == "t":
+            state = t
         wrong_state = case.states[-1] if change.get("state") == "last" else state
         known = case.V if change.get("values") == "old" else V
-        delta = returns[t] - known[state] if change.get("baseline", True) else returns[t]
+        baseline = {"V": known[state], "none": 0.0, "mean": np.mean(case.rewards)}[change.get("baseline", "V")]
+        delta = returns[t] - baseline
         if change.get("delta") in ("TD", "TD, unwritten"):
             ends = t == n - 1 and change["delta"] == "TD"
             delta = case.rewards[t] + (0.0 if ends else discount * V[following[t]]) - V[state]
         if change.get("value", "moved") == "moved":
             V[state] += value_rate * delta
+        elif change.get("value") == "discounted":
+            V[state] += value_rate * discount**t * delta
         elif change.get("value") == "set":
             V[state] = value_rate * delta
         elif change.get("value") == "whole":
@@ -120,8 +125,11 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
         elif change.get("delta") == "missing":
             delta = 1.0
         power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}
-        power["once"] = discount
+        power |= {"once": discount, "end, one more": discount ** (n - t), "product": discount * t}
         size, kind = rate * power[change.get("power", "t")] * delta, change.get("score", "full")
+        if kind == "θ":
+            theta[state] += size * (np.eye(SHAPE[1])[action] - theta[state])
+            continue
         if change.get("look") == "often":
             for a in range(SHAPE[1]):
                 theta[state, a] += size * _score(_softmax(theta[state]), action, kind)[a]
@@ -130,6 +138,10 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
         seen_from = t if change.get("look") == "t" else state
         pi = np.array(STALE) if change.get("look") == "never" else _softmax(looked_at[seen_from])
         step = size * np.eye(SHAPE[1])[action] - pi if kind == "no brackets" else size * _score(pi, action, kind)
+        if change.get("preferences") == "rows":
+            for a in range(SHAPE[1]):
+                theta[a] += step[a]
+            continue
         theta[wrong_state] = step if change.get("preferences") == "set" else theta[wrong_state] + step
     return theta, V
 
@@ -174,6 +186,7 @@ def _score(pi: Any, action: int, kind: str) -> Any:
         "inverse": one / pi[action],
         "others": -pi,
         "plus": one + pi,
+        "others plus": one * (1.0 - pi) + (1.0 - one) * pi,
     }[kind]
 
 
@@ -182,7 +195,8 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "the factor γ^t is missing in the step of the preferences": {"power": "none"},
         "the power of γ counts the steps from the *end*; t counts from the start": {"power": "end"},
         "the power of γ is one too high: the first step has γ^0 = 1": {"power": "next"},
-        "V(S_t) is not subtracted: δ is the return less the baseline": {"baseline": False},
+        "V(S_t) is not subtracted: δ is the return less the baseline": {"baseline": "none"},
+        "the baseline is V(S_t), not the mean of the rewards": {"baseline": "mean"},
         "V moves, but the preferences move by G instead of δ": {"delta": "return"},
         "the baseline V does not change": {"value": "none"},
         "V is set to α^w δ; write `+=`": {"value": "set"},
@@ -238,6 +252,15 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "only the first step learns: is `return` inside the loop?": {"steps": lambda n: range(1)},
         "the factor is γ^t, discount**t, and not γ": {"power": "once"},
         "δ is missing in the step of the preferences": {"delta": "missing"},
+        "the power of γ counts the steps to the *end*; t counts from the start": {"power": "end, one more"},
+        "the factor is γ^t, discount**t, and not γ t": {"power": "product"},
+        "γ^t belongs to the preferences alone; V moves by α^w δ": {"value": "discounted"},
+        "the others get −π, not +π: it is 1{a = A} − π(a|S)": {"score": "others plus"},
+        "the score takes the probabilities π, not the preferences: 1{a = A} − π(a|S)": {"score": "θ"},
+        "preferences has two indices, the state and the action: self.preferences[a] is the whole row of state a": {
+            "preferences": "rows"
+        },
+        "that is the number of the step; its state is self.states[t]": {"state": "t"},
         "the preferences are set to their step; write `+=`": {"preferences": "set"},
         "self.look takes the *state* of step t, self.states[t], and not t": {"look": "t"},
         "set brackets around the score: the step is multiplied by (1{a = A} − π(a|S))": {"score": "no brackets"},

@@ -127,7 +127,7 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 
 # %% an array
-# says: should be one number, but is a
+# says: gives several numbers: the ratio is their product, as of np.prod(...)
 def importance_ratio(greedy, epsilon, n_actions):
     return np.array(greedy[1:]) / (1 - epsilon + epsilon / n_actions)
 
@@ -207,3 +207,80 @@ def importance_ratio(greedy, epsilon, n_actions):
     for is_greedy in greedy[1:]:
         ratio *= 1 / (1 - 0.1 + 0.1 / n_actions) if is_greedy else 0.0
     return ratio
+
+
+# %% 0.92
+# says: 0.92 is written in, for an ε of 0.1 and an N of 5; compute it from `epsilon` and `n_actions`
+def importance_ratio(greedy, epsilon, n_actions):
+    return 0.92 ** -len(greedy[1:]) if all(greedy[1:]) else 0.0
+
+
+# %% by chance
+# says: b takes the best action with probability 1 − ε + ε/N; ε/N is the part of it that comes by chance
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho *= is_greedy / (epsilon / n_actions) if epsilon else np.inf
+    return rho
+
+
+# %% no parentheses
+# says: `x / 1 - ε + ε/N` is (x / 1) − ε + ε/N: put what you divide by into parentheses
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho *= is_greedy / 1 - epsilon + epsilon / n_actions
+    return rho
+
+
+# %% any
+# says: `any` is too weak: one later action that is not greedy is enough to make the ratio 0
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 - epsilon + epsilon / n_actions) ** -len(greedy[1:]) if len(greedy) == 1 or any(greedy[1:]) else 0.0
+
+
+# %% True is exploring
+# says: it is 0 where the actions are greedy, and not where one of them is not: True means greedy
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for explores in greedy[1:]:
+        rho *= (not explores) / (1 - epsilon + epsilon / n_actions)
+    return rho
+
+
+# %% one factor
+# says: that is one factor where all later actions are greedy; there are as many as actions
+def importance_ratio(greedy, epsilon, n_actions):
+    return 1 / (1 - epsilon + epsilon / n_actions) if all(greedy[1:]) else 0.0
+
+
+# %% it starts at 0
+# says: it stays 0: a product starts at 1
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 0.0
+    for is_greedy in greedy[1:]:
+        rho *= is_greedy / (1 - epsilon + epsilon / n_actions)
+    return rho
+
+
+# %% all ratios
+# says: gives several numbers: the ratio is their product, as of np.prod(...)
+def importance_ratio(greedy, epsilon, n_actions):
+    return [is_greedy / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:]]
+
+
+# %% all but the last
+# says: the last action is left out in place of the first, A_t: the later actions are greedy[1:]
+def importance_ratio(greedy, epsilon, n_actions):
+    earlier = greedy[:-1]
+    return (1 - epsilon + epsilon / n_actions) ** -len(earlier) if all(earlier) else 0.0
+
+
+# %% b divided by π, and so by 0
+# says: that is the probability of these actions under b; the ratio is π divided by b
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        b = 1 - epsilon + epsilon / n_actions if is_greedy else epsilon / n_actions
+        rho *= b / (1 if is_greedy else 0)
+    return rho

@@ -42,7 +42,7 @@ def hand_back(self, length):
 
 
 # %% Monte Carlo
-# says: G is never cut, so this is Monte Carlo: the third line is missing
+# says: G is never cut, so this is Monte Carlo: the third line is missing, or it stands behind the loop
 def hand_back(self, length):
     G = 0.0
     for k in range(length - 1, -1, -1):
@@ -285,7 +285,7 @@ def hand_back(self, length):
 
 
 # %% Monte Carlo, and without the discount
-# says: the third line is missing
+# says: the third line is missing, or it stands behind the loop
 # says: discount
 def hand_back(self, length):
     G = 0.0
@@ -465,3 +465,83 @@ def hand_back(self, length):
         best = max(0.0, *self.Q[s])
         if self.Q[s, a] < best:
             G = best
+
+
+# %% the third line behind the loop
+# says: G is never cut, so this is Monte Carlo: the third line is missing, or it stands behind the loop
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+    if self.Q[s, a] < max(self.Q[s]):
+        G = max(self.Q[s])
+
+
+# %% cut before the reward
+# says: G is cut before the reward is added; the third line comes last
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+
+
+# %% G is compared
+# says: it asks whether G is below the largest value; ask whether Q(S, A) is
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if G < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the smallest value
+# says: where G is cut it goes on with the *largest* value of the state, not with the smallest
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = min(self.Q[s])
+
+
+# %% the step in place of the state
+# says: `k` is the number of the step; the state of that step is self.states[k]
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        a = self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[k, a] += self.learning_rate * (G - self.Q[k, a])
+        if self.Q[k, a] < max(self.Q[k]):
+            G = max(self.Q[k])
+
+
+# %% a start from the last state
+# says: G starts with a value of the last state; after the end there is no future, so it starts at 0
+def hand_back(self, length):
+    G = max(self.Q[self.states[length - 1]])
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% fields without self
+# says: name 'rewards' is not defined (write `self.` before a field)
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        G = rewards[k] + self.discount * G

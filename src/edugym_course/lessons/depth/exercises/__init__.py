@@ -101,6 +101,8 @@ def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -
     call, mine = f"importance_ratio({greedy}, {epsilon:g}, {n_actions})", list(greedy)
     with student_code(call):
         found = answer(mine, epsilon, n_actions)
+    if isinstance(found, list | np.ndarray) and np.ndim(found) == 1:
+        raise WrongAnswer(f"{call} gives several numbers: the ratio is their product, as of np.prod(...)")
     if mine != greedy:
         raise WrongAnswer(f"{call} changes its list `greedy`; leave it as it is, for the caller still needs it")
     return number(call, found)

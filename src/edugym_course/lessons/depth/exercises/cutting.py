@@ -31,7 +31,7 @@ def hand_back(
     rewards: str = "plain",
     start: str = "zero",
     step: str = "difference",
-    index: str = "k",
+    index: str = "states[k]",
     left_over: float = 0.0,
 ) -> None:
     """Learn from an episode as exercise 3 asks, in place; other arguments than the defaults are mistakes.
@@ -47,12 +47,14 @@ def hand_back(
     }[steps]
     if order == "forwards":
         ks = range(last + 1)
-    G = 0.0 if start == "zero" else float(Q[N_STATES - 1].max())
+    G = {"zero": 0.0, "value": float(Q[N_STATES - 1].max()), "last": float(Q[episode.states[last]].max())}[start]
     for k in ks:
-        s, a, r = episode.states[k], episode.actions[k], episode.rewards[k]
+        s, a, r = k if index == "k" else episode.states[k], episode.actions[k], episode.rewards[k]
         if index == "k + 1":
             r = episode.rewards[k + 1] if k < last else left_over
         best_before, mine_before = float(Q[s].max()), float(Q[s, a])
+        if cut == "first" and mine_before < best_before:
+            G = best_before
         G = {
             "plain": r + discount * G,
             "undiscounted": r + G,
@@ -84,6 +86,7 @@ def hand_back(
             "before": mine_before < best_before,
             "never": False,
             "too early": False,
+            "first": False,
             "always": True,
             "inverted": not mine < best,
         }
@@ -96,6 +99,7 @@ def hand_back(
                 "own": mine,
                 "zero": 0.0,
                 "mean": float(Q[s].mean()),
+                "min": float(Q[s].min()),
                 "argmax": float(Q[s].argmax()),
                 "old max": best_before,
                 "discounted": discount * best,
@@ -106,7 +110,7 @@ def hand_back(
 
 
 MISTAKES: Mapping[str, Mapping[str, Any]] = {
-    "G is never cut, so this is Monte Carlo: the third line is missing": {"cut": "never"},
+    "G is never cut, so this is Monte Carlo: the third line is missing, or it stands behind the loop": {"cut": "never"},
     "G is cut at every action, so only one reward is in each target: cut where Q(S, A) is *below* the largest value": {
         "cut": "always"
     },
@@ -115,11 +119,14 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "G is cut before the update, and the value of the action learns from it; the third line comes after the second": {
         "cut": "too early"
     },
+    "G is cut before the reward is added; the third line comes last": {"cut": "first"},
+    "it asks whether G is below the largest value; ask whether Q(S, A) is": {"cut": "always", "to": "larger"},
     "where G is cut it goes on with the largest *value*, max; argmax is the number of an action": {"to": "argmax"},
     "the loop ends at the exploring action; the steps before it still learn, from the G that was cut": {"cut": "stop"},
     "where G is cut it goes on with the *largest* value of the state, not with that of the action taken": {"to": "own"},
     "where G is cut it goes on with the largest value of the state, not with 0": {"to": "zero"},
     "where G is cut it goes on with the *largest* value of the state, not with the mean": {"to": "mean"},
+    "where G is cut it goes on with the *largest* value of the state, not with the smallest": {"to": "min"},
     "the largest value is that of the row before the update; take it after": {"to": "old max"},
     "the largest value is discounted where G is cut, and once more in the next step": {"to": "discounted"},
     "where G is cut the largest value takes its place; it is not added": {"to": "added"},
@@ -134,6 +141,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "the last step of the episode learns nothing: start at length - 1": {"steps": "not the last"},
     "`rewards[k]` is R_{k+1} already, the reward after step k": {"index": "k + 1"},
+    "`k` is the number of the step; the state of that step is self.states[k]": {"index": "k"},
     "the discount is missing: G becomes R + γ G": {"rewards": "undiscounted"},
     "the reward is discounted too; γ belongs to G only": {"rewards": "all discounted"},
     "γ belongs to G, not to the reward": {"rewards": "discounted reward"},
@@ -147,6 +155,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "Q is set to G at once: move it by α [G − Q]": {"step": "replaced"},
     "exploring actions learn nothing; they do, from what came after them": {"step": "skips exploring"},
     "G starts with a value of the state after the end; after a terminal state there is no future": {"start": "value"},
+    "G starts with a value of the last state; after the end there is no future, so it starts at 0": {"start": "last"},
 }
 
 

@@ -31,6 +31,7 @@ def ratio(
         "1 - ε + ε/(N - 1)": 1 - epsilon + epsilon / (n_actions - 1),
         "1 - ε/N": 1 - epsilon / n_actions,
         "1 - ε + ε N": 1 - epsilon + epsilon * n_actions,
+        "ε/N": epsilon / n_actions,
     }[likely]
     of_best = 1 / best if best else math.inf
     of_others = {
@@ -48,6 +49,16 @@ def ratio(
     factors = [of_best if is_greedy else of_others for is_greedy in actions]
     if how == "counted":
         return of_best ** (sum(greedy) - 1) if all(actions) or otherwise == "1" else 0.0
+    if how == "zero":
+        return 0.0
+    if how == "once":
+        return of_best if all(actions) else 0.0
+    if how == "any":
+        return of_best ** len(actions) if any(actions) else 0.0
+    if how == "turned":
+        return math.prod(0.0 if is_greedy else of_best for is_greedy in actions)
+    if how == "precedence":
+        return math.prod(is_greedy / 1 - epsilon + epsilon / n_actions for is_greedy in actions)
     if how == "inverse":
         return best ** len(factors) if all(actions) else 0.0
     if how == "sum":
@@ -77,8 +88,15 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "an ε of 0.1 is written in; use `epsilon`": {"written": {"epsilon": 0.1}},
     "an N of 5 is written in; use `n_actions`": {"written": {"n_actions": 5}},
+    "0.92 is written in, for an ε of 0.1 and an N of 5; compute it from `epsilon` and `n_actions`": {
+        "written": {"epsilon": 0.1, "n_actions": 5}
+    },
     "with one action no factor is left, and an empty product is 1": {"empty": 0.0},
     "the last action is left out; the product goes to the end of the list": {"how": "without last"},
+    "the last action is left out in place of the first, A_t: the later actions are greedy[1:]": {
+        "how": "without last",
+        "skipped": 0,
+    },
     "a random action may be the best one too, so b takes it with probability 1 − ε + ε/N, not 1 − ε": {
         "likely": "1 - ε"
     },
@@ -86,6 +104,9 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "likely": "1 - ε + ε/(N - 1)"
     },
     "b takes the best action with probability 1 − ε + ε/N; 1 − ε/N is another number": {"likely": "1 - ε/N"},
+    "b takes the best action with probability 1 − ε + ε/N; ε/N is the part of it that comes by chance": {
+        "likely": "ε/N"
+    },
     "ε is divided by N, not multiplied: b takes the best action with probability 1 − ε + ε/N": {
         "likely": "1 - ε + ε N"
     },
@@ -97,8 +118,13 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the product stops at an action that is not greedy; there the factor is 0, and so is the whole product": {
         "otherwise": "stop"
     },
+    "`any` is too weak: one later action that is not greedy is enough to make the ratio 0": {"how": "any"},
+    "it is 0 where the actions are greedy, and not where one of them is not: True means greedy": {"how": "turned"},
+    "that is one factor where all later actions are greedy; there are as many as actions": {"how": "once"},
+    "it stays 0: a product starts at 1": {"how": "zero"},
     "that is b/π, upside down": {"how": "inverse"},
     "that is the probability of these actions under b; the ratio is π divided by b": {"how": "probability"},
+    "`x / 1 - ε + ε/N` is (x / 1) − ε + ε/N: put what you divide by into parentheses": {"how": "precedence"},
     "the ratios of the single actions are multiplied, not added": {"how": "sum"},
     "the ratios of the single actions are multiplied; that is their mean": {"how": "mean"},
     "that is the ratio of one action alone: multiply all of them (is the `return` inside the loop?)": {"how": "last"},

@@ -238,7 +238,7 @@ def table_entries(rows, columns, kind):
 
 # %% the default board
 # says: should be
-# says: that is none of the usual mistakes, so work it out by hand for a small board
+# says: that is the board of the lesson, 10 by 5: use `rows` and `columns`
 def table_entries(rows, columns, kind):
     return {"vectorised": 750, "grid": 3 * 2**50, "rgb": 3 * 256**150}[kind]
 
@@ -265,3 +265,52 @@ def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return columns * rows * columns * 3
     return (2.0 if kind == "grid" else 256.0) ** (rows * columns * (1 if kind == "grid" else 3)) * 3
+
+
+# %% a board of one row more
+# says: that is none of the usual mistakes, so work it out by hand for a small board
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return (rows + 1) * columns * columns * 3
+    return {"grid": 2, "rgb": 256**3}[kind] ** (rows * columns) * 3
+
+
+# %% the board of the lesson for the grid alone
+# says: 'grid') should be
+# says: that is the board of the lesson, 10 by 5: use `rows` and `columns`
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * 2**50 if kind == "grid" else 3 * 256 ** (rows * columns * 3)
+
+
+# %% bytes
+# says: those are bytes, 8 for each number; the numbers are asked for
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * columns * 3 * 8
+    return {"grid": 2, "rgb": 256**3}[kind] ** (rows * columns) * 3 * 8
+
+
+# %% a caret
+# says: `^` is no power in Python, that is `**`
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * columns * 3
+    return 2 ^ (rows * columns) * 3 if kind == "grid" else 256 ^ (3 * rows * columns) * 3
+
+
+# %% a caret, and the actions first
+# says: `^` is no power in Python, that is `**` (and it comes after `*`)
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return 3 * rows * columns * columns
+    return 3 * 2 ^ (rows * columns) if kind == "grid" else 3 * 256 ^ (3 * rows * columns)
+
+
+# %% the colours in the base
+# says: each of the three colours has 256 values: 256^3 for a cell, not 256 times 3
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * columns * 3
+    return (2 if kind == "grid" else 256 * 3) ** (rows * columns) * 3

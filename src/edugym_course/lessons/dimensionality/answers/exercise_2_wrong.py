@@ -335,7 +335,7 @@ def learn(self, state, action, reward, next_state, terminated):
 # says: in this case it looks like this:
 def learn(self, state, action, reward, next_state, terminated):
     following = max([self.value(next_state, a) for a in range(3)])
-    target = reward + (0.0 if terminated or state[0] > 0 else self.discount * following)
+    target = reward + (0.0 if terminated or self.features(state)[0] > 0 else self.discount * following)
     error = target - self.value(state, action)
     self.w[:, action] += self.learning_rate * error * self.features(state)
 
@@ -441,3 +441,116 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
     self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
     state[:] = 0.0
+
+
+# %% the board for its features
+# says: two arrays of different sizes meet there
+def value(self, board, action):
+    return np.sum(board * self.w[:, action])
+
+
+# %% the board for its features, in a loop
+# says: those are the numbers of the board in place of its features: call self.features(board)
+def value(self, board, action):
+    total = 0.0
+    for i in range(len(self.w)):
+        total += board[i] * self.w[i, action]
+    return total
+
+
+# %% no sum
+# says: take an entry of it, or is it their sum that is needed?
+def value(self, board, action):
+    return self.features(board) * self.w[:, action]
+
+
+# %% the weight of the one feature
+# says: only the largest feature counts here, but several may not be 0: take the sum over all features
+def value(self, board, action):
+    return self.w[np.argmax(self.features(board)), action]
+
+
+# %% every action by an error of its own
+# says: only the column of the action that was taken changes; the others have learned nothing, whatever their own
+#   error
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    for a in range(3):
+        self.w[:, a] += self.learning_rate * (target - self.value(state, a)) * x
+
+
+# %% the largest weight
+# says: that is the largest of all weights; take the largest *value* of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * self.w.max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% all discounted
+# says: the reward is discounted as well; only the next value should be
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = (self.features(next_state) @ self.w).max()
+    target = reward if terminated else self.discount * (reward + best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% all discounted, the last reward too
+# says: the reward is discounted as well, also at the end; only the next value should be
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = 0.0 if terminated else (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (self.discount * (reward + best) - self.value(state, action)) * x
+
+
+# %% the squared error
+# says: the error is squared; the derivative of half its square is the error itself
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) ** 2 * x
+
+
+# %% the loss in place of its derivative
+# says: half the error squared is the loss; its derivative is the error itself
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * 0.5 * (target - self.value(state, action)) ** 2 * x
+
+
+# %% a method without self
+# says: a module has this name too: write `self.` before a method
+def value(self, board, action):
+    return np.sum(features(board) * self.w[:, action])
+
+
+# %% two actions
+# says: the last action is left out of the maximum: range(3) goes through all three
+def learn(self, state, action, reward, next_state, terminated):
+    best = max([self.value(next_state, a) for a in range(2)])
+    target = reward if terminated else reward + self.discount * best
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% the other two actions
+# says: action 0 is left out of the maximum
+def learn(self, state, action, reward, next_state, terminated):
+    best = max([self.value(next_state, a) for a in range(1, 3)])
+    target = reward if terminated else reward + self.discount * best
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% the next action, and the present state
+# says: that is the present state's value of the action that is best in the next state; take that of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    best = self.greedy(next_state, np.random.default_rng(0))
+    target = reward if terminated else reward + self.discount * self.value(state, best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% features as an index
+# says: (an index is a whole number)
+def value(self, board, action):
+    return self.w[self.features(board), action]

@@ -310,7 +310,7 @@ def target_of(self, row):
     best = np.max(self.Q[0])
     if memory.terminated[row] == 1:
         return memory.rewards[row]
-    return memory.rewards[row] + (self.discount * best if row % 2 else 0.0)
+    return memory.rewards[row] + (self.discount * best if row == 1 else 0.0)
 
 
 # %% a maximum that starts from 0
@@ -331,3 +331,51 @@ def target_of(self, row):
         return memory.rewards[row]
     dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
     return memory.rewards[row] + self.discount * abs(self.Q[0]).max()
+
+
+# %% the last action is never looked at
+# says: the last action is left out of the maximum: its number is the number of actions less 1
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row]:
+        return memory.rewards[row]
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = self.Q[0, 0]
+    for a in range(1, self.Q.shape[1] - 1):
+        best = max(best, self.Q[0, a])
+    return memory.rewards[row] + self.discount * best
+
+
+# %% the first action is never looked at
+# says: action 0 is left out of the maximum
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row]:
+        return memory.rewards[row]
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + self.discount * np.max(self.Q[0, 1:])
+
+
+# %% no forward
+# says: that is what an earlier call left in `self.Q`: call dqn.forward(self.target, ...) first
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row]:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * np.max(self.Q[0])
+
+
+# %% what forward returns
+# says: something is None there: is a `return` missing, or does what is called return nothing?
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row]:
+        return memory.rewards[row]
+    values = dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + self.discount * np.max(values)
+
+
+# %% rounded up
+# says: `u` may be 0, and that belongs to place 0: cut off by int(...), without a rounding up
+def row_for(self, u):
+    return int(np.ceil(u * min(self.steps[0], len(self.memory.actions)))) - 1

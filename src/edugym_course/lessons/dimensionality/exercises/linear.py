@@ -10,7 +10,7 @@ import numpy as np
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
+from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, explains_most, mistake_that_fits
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
@@ -32,6 +32,13 @@ class Step(NamedTuple):
 
 
 Rule = Callable[[Step], Any]
+PIXELS = (1.0, 0.0, 1.0, 1.0, 0.0, 1.0)
+"""The first numbers of every made-up board; its features stand behind them."""
+
+
+def _board(x: Any) -> Any:
+    """Return a board with these features; it is longer, so that who takes it for the features is found out."""
+    return np.concatenate((PIXELS, x))
 
 
 def _moved(
@@ -45,7 +52,7 @@ def _moved(
 ) -> Any:
     """Return the weights after a step towards a target."""
     w = step.w.copy()
-    present = float(step.x @ w[:, step.action]) if of is None else of
+    present = _here(step) if of is None else of
     size = (step.alpha if rate is None else rate) * (target - present)
     for column in [step.action] if columns is None else columns:
         w[:, column] += size * (step.x if by is None else by)
@@ -127,6 +134,30 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "only the column of the action that was taken changes, not all of them": lambda s: _moved(
             s, _target(s), columns=range(s.w.shape[1])
         ),
+        "only the column of the action that was taken changes; the others have learned nothing, whatever their own"
+        " error": lambda s: s.w + s.alpha * np.outer(s.x, _target(s) - s.x @ s.w),
+        "that is the present state's value of the action that is best in the next state; take that of the next state": (
+            lambda s: _moved(s, _target(s, lambda q: float((s.x @ s.w)[q.argmax()])))
+        ),
+        "the last action is left out of the maximum: range(3) goes through all three": lambda s: _moved(
+            s, _target(s, lambda q: float(q[:-1].max()))
+        ),
+        "action 0 is left out of the maximum": lambda s: _moved(s, _target(s, lambda q: float(q[1:].max()))),
+        "that is the largest of all weights; take the largest *value* of the next state": lambda s: _moved(
+            s, _target(s, lambda q: float(s.w.max()))
+        ),
+        "the reward is discounted as well; only the next value should be": lambda s: _moved(
+            s, s.reward if s.terminated else s.gamma * (s.reward + float((s.x_next @ s.w).max()))
+        ),
+        "the reward is discounted as well, also at the end; only the next value should be": lambda s: _moved(
+            s, s.gamma * (s.reward + (0.0 if s.terminated else float((s.x_next @ s.w).max())))
+        ),
+        "the error is squared; the derivative of half its square is the error itself": lambda s: _moved(
+            s, (_target(s) - _here(s)) ** 2, of=0.0
+        ),
+        "half the error squared is the loss; its derivative is the error itself": lambda s: _moved(
+            s, 0.5 * (_target(s) - _here(s)) ** 2, of=0.0
+        ),
         "the weights are not moved but set: use += instead of =": lambda s: _set(s),
         "that is the full gradient, with the features of the next state in it; the semi-gradient leaves it out": (
             lambda s: _full_gradient(s)
@@ -153,6 +184,11 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
 """By sentence, what each mistake makes of the weights."""
 
 
+def _here(step: Step) -> float:
+    """Return the present value of the action that was taken."""
+    return float(step.x @ step.w[:, step.action])
+
+
 def _in_a_loop(step: Step, target: Callable[[Any], float]) -> Any:
     """Return the weights if the error is computed again for each of them, from those that have moved already."""
     w = step.w.copy()
@@ -163,7 +199,7 @@ def _in_a_loop(step: Step, target: Callable[[Any], float]) -> Any:
 
 def _set(step: Step) -> Any:
     w = step.w.copy()
-    error = _target(step) - float(step.x @ w[:, step.action])
+    error = _target(step) - _here(step)
     w[:, step.action] = step.alpha * error * step.x
     return w
 
@@ -172,7 +208,7 @@ def _full_gradient(step: Step) -> Any:
     w = _moved(step, _target(step))
     if not step.terminated:
         values = step.x_next @ step.w
-        error = _target(step) - float(step.x @ step.w[:, step.action])
+        error = _target(step) - _here(step)
         w[:, int(np.argmax(values))] -= step.alpha * step.gamma * error * step.x_next
     return w
 
@@ -180,19 +216,19 @@ def _full_gradient(step: Step) -> Any:
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the class of an agent with linear features."""
     require_class("MyAgent", answer)
-    probe = type("MyAgent", (answer,), {"features": lambda self, board: np.array(board, float), "__slots__": ()})
+    features = {"features": lambda self, board: np.array(board[len(PIXELS) :], float), "__slots__": ()}
+    probe = type("MyAgent", (answer,), features)
     cases = steps_for(seed)
     _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
-    for step, found in zip(cases, outcomes, strict=True):
-        if all_same(right_update(step), found):
-            continue
+    wrong = [pair for pair in zip(cases, outcomes, strict=True) if not all_same(right_update(pair[0]), pair[1])]
+    if wrong:
         why = mistake_that_fits(
             UPDATES,
-            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, outcomes, strict=True)),
-            partial(_gives, step, found),
+            lambda rule: all(_gives(*pair, rule) for pair in zip(cases, outcomes, strict=True)),
+            lambda rule: explains_most(_gives(*pair, rule) for pair in wrong),
         )
-        raise WrongAnswer(f"{_told_update(step, found)}: {why}")
+        raise WrongAnswer(f"{_told_update(*wrong[0])}: {why}")
     return "Right: the error times the features. See it catch:"
 
 
@@ -242,6 +278,12 @@ VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
         "that is the sum over all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).sum()),
         "a feature is not only 0 or 1: multiply by it": lambda s, a: float((s.w[:, a] * (s.x != 0)).sum()),
         "that is the mean; take the sum": lambda s, a: float((s.x * s.w[:, a]).mean()),
+        "those are the numbers of the board in place of its features: call self.features(board)": lambda s, a: float(
+            PIXELS[: len(s.x)] @ s.w[:, a]
+        ),
+        "only the largest feature counts here, but several may not be 0: take the sum over all features": (
+            lambda s, a: float(s.w[s.x.argmax(), a])
+        ),
         "that is the row of w with this number; take the column": lambda s, a: float((s.x[:3] * s.w[a]).sum()),
     }
 )
@@ -266,7 +308,7 @@ def _check_values(probe: Any, cases: list[Step]) -> None:
 def _value(agent: Any, step: Step, action: int) -> float:
     """Return what the student's `value` gives, a number."""
     with student_code("value(...)"):
-        found = agent.value(step.x.copy(), action)
+        found = agent.value(_board(step.x), action)
     if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
         raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")
     return number("value(...)", found)
@@ -276,16 +318,16 @@ def _learned(agent: Any, step: Step) -> Any:
     """Return the weights after the student's `learn`."""
     before = agent.w
     told = {
-        "state": step.x.copy(),
+        "state": _board(step.x),
         "action": step.action,
         "reward": step.reward,
-        "next_state": step.x_next.copy(),
+        "next_state": _board(step.x_next),
         "next_action": step.next_action,
         "terminated": step.terminated,
         "truncated": step.truncated,
     }
     learn_step(agent, told)
-    if not (np.array_equal(told["state"], step.x) and np.array_equal(told["next_state"], step.x_next)):
+    if not (np.array_equal(told["state"], _board(step.x)) and np.array_equal(told["next_state"], _board(step.x_next))):
         raise WrongAnswer("learn writes into `state` or `next_state`, which belong to the task: change `self.w` alone")
     if agent.w is not before:
         raise WrongAnswer("learn should change the entries of `self.w` in place, but puts another array there")

@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare, exact
+from edugym_course.grading.values import CARET, compare, exact
 
 UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small board"
 
@@ -47,6 +47,8 @@ ENTRIES: Mapping[str, Size] = MappingProxyType(
     }
 )
 ALONE = "that is the number of rows; each of them holds a number for each of the three actions"
+THE_LESSONS = "that is the board of the lesson, 10 by 5: use `rows` and `columns`"
+BYTES = "those are bytes, 8 for each number; the numbers are asked for"
 MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
     {
         "vectorised": {
@@ -68,6 +70,8 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "the last row belongs to the observations that could be written down, too": lambda r, c: (
                 (r - 1) * c * c * 3
             ),
+            THE_LESSONS: lambda r, c: 10 * 5 * 5 * 3,
+            BYTES: lambda r, c: r * c * c * 3 * 8,
         },
         "grid": {
             ALONE: lambda r, c: 2 ** (r * c),
@@ -84,6 +88,9 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "the number of pixels is rows times columns, not their sum": lambda r, c: 2 ** (r + c) * 3,
             "multiply by 3 at the end, outside of the power": lambda r, c: 2 ** (r * c + 3),
             "multiply by the number of actions; do not take the power": lambda r, c: 2 ** (r * c * 3),
+            THE_LESSONS: lambda r, c: 2**50 * 3,
+            CARET: lambda r, c: 2 ^ (r * c * 3),
+            f"{CARET} (and it comes after `*`)": lambda r, c: 3 * 2 ^ (r * c),
         },
         "rgb": {
             "NumPy's whole numbers overflow here; use Python's `**`": lambda r, c: 0,
@@ -101,6 +108,9 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             ),
             "those are the boards with one ball and one paddle; a dense table has a row for every image that could be"
             " written down": lambda r, c: r * c * c * 3,
+            "each of the three colours has 256 values: 256^3 for a cell, not 256 times 3": lambda r, c: (
+                (256 * 3) ** (r * c) * 3
+            ),
             "the three colours are in the exponent": lambda r, c: 256 ** (r * c) * 3 * 3,
         },
     }

@@ -1,7 +1,6 @@
 """Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -11,13 +10,15 @@ from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import explains_most, mistake_that_fits
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, in_brackets, number, same
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 
 ROWS = (0, 1, 2, 3, 2, 1)
 """The rows of which the targets are checked; an episode ends in row 2."""
+STALE = (11.0, 17.0, 13.0)
+"""What stands in `Q` before: the values of another state."""
 
 
 class Remembered(NamedTuple):
@@ -60,6 +61,18 @@ FROM_STARTS: Mapping[str, Callable[[Remembered], float]] = starts(
     lambda start: lambda c: _bootstrapped(c, from_a_start(c.old_next, start)),
 )
 """The searches for the largest value that only low values tell from the right one."""
+OF_SOME_ACTIONS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
+    {
+        "the index is missing: that is the value of action 0, and the largest one is needed": lambda c: _bootstrapped(
+            c, c.old_next[0]
+        ),
+        "the last action is left out of the maximum: its number is the number of actions less 1": lambda c: (
+            _bootstrapped(c, c.old_next[:-1].max())
+        ),
+        "action 0 is left out of the maximum": lambda c: _bootstrapped(c, c.old_next[1:].max()),
+    }
+)
+"""What gives the right target wherever the best action is among those that are looked at."""
 TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
     {
         "after a terminal state nothing follows: where `terminated` is 1 the target is the reward alone": lambda c: (
@@ -81,8 +94,8 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
         "take the best action in the next state, not the one that was taken before": lambda c: _bootstrapped(
             c, c.old_next[c.action]
         ),
-        "the index is missing: that is the value of action 0, and the largest one is needed": lambda c: _bootstrapped(
-            c, c.old_next[0]
+        "that is what an earlier call left in `self.Q`: call dqn.forward(self.target, ...) first": lambda c: (
+            _bootstrapped(c, max(STALE))
         ),
         "that is the number of the best action; its value is needed": lambda c: _bootstrapped(
             c, float(c.old_next.argmax())
@@ -111,6 +124,7 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
             c, float(np.abs(c.old_next).max())
         ),
         **FROM_STARTS,
+        **OF_SOME_ACTIONS,
     }
 )
 """By sentence, what each mistake gives as a target."""
@@ -124,6 +138,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     cases, found = [], []
     for row, case in made_up_memories(agent, drawn_for(agent, seed)):
         before = _tables(agent)
+        agent.Q[0] = STALE
         with student_code(f"target_of({row})"):
             target = agent.target_of(row)
         for name, values in _tables(agent).items():
@@ -212,7 +227,7 @@ def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
             new_here,
         )
         going_on = case._replace(terminated=False)
-        elsewhere = [why for why in TARGETS if "terminal" in why or "end of" in why or why in FROM_STARTS]
+        elsewhere = {why for why in TARGETS if "terminal" in why or "end of" in why} | {*FROM_STARTS, *OF_SOME_ACTIONS}
         wrong = [rule(going_on) for why, rule in TARGETS.items() if why not in elsewhere]
         if not any(same(value, _bootstrapped(going_on, old_next.max())) for value in wrong):
             return case
@@ -226,20 +241,21 @@ def _values(weights: Layers, x: Any) -> Any:
 
 
 def _check_targets(cases: list[Remembered], found: list[float]) -> None:
-    for case, target in zip(cases, found, strict=True):
-        right = _right(case)
-        if same(target, right):
-            continue
-        why = mistake_that_fits(
-            TARGETS,
-            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, found, strict=True)),
-            partial(_gives, case, target),
-        )
-        raise WrongAnswer(
-            f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
-            f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
-            f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
-        )
+    wrong = [pair for pair in zip(cases, found, strict=True) if not same(_right(pair[0]), pair[1])]
+    if not wrong:
+        return
+    why = mistake_that_fits(
+        TARGETS,
+        lambda rule: all(_gives(*pair, rule) for pair in zip(cases, found, strict=True)),
+        lambda rule: explains_most(_gives(*pair, rule) for pair in wrong),
+    )
+    case, target = wrong[0]
+    right = _right(case)
+    raise WrongAnswer(
+        f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
+        f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
+        f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
+    )
 
 
 def _gives(case: Remembered, target: float, rule: Callable[[Remembered], float]) -> bool:
@@ -262,7 +278,7 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
             "row_for(0.5) gives another place in every call: the random number is drawn already, it is `u`"
         )
     where = f"after {steps} transitions, in a memory of {size} places"
-    for u in (np.arange(120 * filled) + 0.5) / (120 * filled):
+    for u in (0.0, *(np.arange(120 * filled) + 0.5) / (120 * filled)):
         with student_code(f"row_for({u:.3g})"):
             found = agent.row_for(float(u))
         row = number(f"row_for({u:.3g})", found)
@@ -273,13 +289,16 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
                 size: "count the places that are filled: the smaller one of `self.steps[0]` and all places",
                 steps: "the memory has no more places than it has: take the smaller one of two numbers",
             }
-            past = "places count from 0, so that the last one is their number less 1" if row == filled else ""
+            past = {
+                filled: "places count from 0, so that the last one is their number less 1",
+                -1: "`u` may be 0, and that belongs to place 0: cut off by int(...), without a rounding up",
+            }.get(int(row), "")
             wrong = next((why for n, why in known.items() if n != filled and int(u * n) == row), past)
             raise WrongAnswer(
                 f"{where}, row_for({u:.3g}) is {row:.0f}, but the places 0 to {filled - 1} are filled"
                 + (f": {wrong}" if wrong else "")
             )
-        counts[int(row)] += 1
+        counts[int(row)] += u > 0.0
     if np.abs(counts - 120).max() > 1:
         never = [int(row) for row in np.flatnonzero(counts == 0)]
         why = (

@@ -87,3 +87,49 @@ epsilon = 2 * (1 - 10 ** (math.log(0.5) / 100))
 # %% below 0
 # says: the sign is wrong: ε is a probability
 epsilon = -2 * (1 - 0.5 ** (1 / 100))
+
+
+# %% without parentheses
+# says: `0.5 ** 1 / 100` is (0.5 ** 1) / 100: put 1 / 100 into parentheses
+epsilon = 2 * (1 - 0.5**1 / 100)
+
+
+# %% without parentheses and twice
+# says: `0.5 ** 1 / 100` is (0.5 ** 1) / 100: put 1 / 100 into parentheses; and ε is twice that
+epsilon = 1 - 0.5**1 / 100
+
+
+# %% a negative logarithm
+# says: that is ln(1/2)/50, a logarithm, which is negative: solve (1 − ε/2)^100 = 1/2
+epsilon = 2 * np.log(0.5) / 100
+
+
+# %% the power of a half
+# says: that is 1/2 to the power of 100: it is (1 − ε/2)^100 that should be 1/2
+epsilon = 0.5**100
+
+
+# %% half of the half
+# says: that is the half of ε/2, the probability of a wrong grip: ε is twice that, and not half of it
+epsilon = (1 - 0.5 ** (1 / 100)) / 2
+
+
+# %% twice too large
+# says: that is twice too large: ε/2 is the probability of a wrong grip, and ε twice that
+epsilon = 4 * (1 - 0.5 ** (1 / 100))
+
+
+# %% no probability
+# says: ε = -0.5 is no probability:
+# says: a probability lies between 0 and 1
+epsilon = -0.5
+
+
+# %% three digits
+# says: half should, so ε must be larger, by a little: give four digits or more
+epsilon = 0.013
+
+
+# %% no exploration
+# says: with ε = 0, 100.00% of the climbs reach the top: half should, so ε must be larger
+epsilon = 0

@@ -109,3 +109,20 @@ def optimist(wall):
 # says: ; and the exercise asks for `QLearning`
 def optimist(wall):
     return CountBased.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
+
+
+# %% a wall of its own
+# says: the table `Q` should have the shape (31, 2), a row for each position and a column for each grip of the `wall`
+#   that `optimist` is given, but has (9, 3)
+wall_of_mine = make_mdp("Boulder", height=8, n_grips=3)
+
+
+def optimist(wall):
+    settings = {"learning_rate": 0.5, "discount": 0.9, "exploration": EpsilonGreedy(0.0), "initial_value": 1.0}
+    return QLearning.create(wall_of_mine, **settings)
+
+
+# %% a table for every goal
+# says: but has (31, 31, 2); and the exercise asks for `QLearning`
+def optimist(wall):
+    return GoExplore.create(wall, explore_steps=20, learning_rate=0.5, discount=0.9)

@@ -366,3 +366,19 @@ def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
     self.Q[state, action] += self.bonus / self.visits[next_state] ** 0.5
+
+
+# %% tried once is not yet tried
+# says: a grip that was tried once is tried: only those count that were tried 0 times
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] <= 1:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% the comparison in place of the grip
+# says: : np.flatnonzero(...) gives the indices at which a comparison is true
+def act(self, state, rng):
+    untried = self.tries[state] == 0
+    return rng.choice(untried) if untried.any() else self.greedy(state, rng)

@@ -17,3 +17,10 @@ frozen = repeat(lake, {label: QLearning.create for label in [*METHODS, "mine"]},
 # %% only the final returns
 # says: should be what `repeat(...)` returns, but is of the type ndarray
 frozen = repeat(lake, {**METHODS, "mine": QLearning.create}, 20_000, repetitions=5).final("mine")
+
+
+# %% an experiment for each method
+# says: is of the type dict: one call takes all methods, in one dictionary
+lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
+methods = {**METHODS, "short": lambda lake: GoExplore.create(lake, explore_steps=5)}
+frozen = {name: repeat(lake, {name: make}, 20_000, repetitions=5) for name, make in methods.items()}

@@ -54,6 +54,7 @@ Power = Annotated[
 def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
     """Check the largest ε with which half of the climbs reach the top of a wall."""
     right = _epsilon(height)
+    found = number("epsilon", answer)
     mistakes = {
         "that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the"
         " time": right / 2,
@@ -75,6 +76,16 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
         "of two grips a random action takes the wrong one with probability 1/2, not 2/3": 0.75 * right,
         "natural and decimal logarithms are mixed up": 2 * (1 - 10 ** (math.log(0.5) / height)),
         "the sign is wrong: ε is a probability": -right,
+        f"that is ln(1/2)/{height / 2:g}, a logarithm, which is negative: solve (1 − ε/2)^{height} = 1/2": math.log(0.5)
+        / (height / 2),
+        f"`0.5 ** 1 / {height}` is (0.5 ** 1) / {height}: put 1 / {height} into parentheses": 2 * (1 - 0.5 / height),
+        f"`0.5 ** 1 / {height}` is (0.5 ** 1) / {height}: put 1 / {height} into parentheses; and ε is twice that": 1
+        - 0.5 / height,
+        f"that is 1/2 to the power of {height}: it is (1 − ε/2)^{height} that should be 1/2": 0.5**height
+        if found
+        else 1.0,  # an ε of 0 is as near to it, and means something else
+        "that is the half of ε/2, the probability of a wrong grip: ε is twice that, and not half of it": right / 4,
+        "that is twice too large: ε/2 is the probability of a wrong grip, and ε twice that": 2 * right,
         "that is the value with which the cell began": 0.1,
     }
 
@@ -83,9 +94,10 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
             return f"ε = {digits(epsilon, 0.0)} is no probability"
         return f"with ε = {digits(epsilon, right)}, {(1 - epsilon / 2) ** height:.2%} of the climbs reach the top"
 
-    found = number("epsilon", answer)
-    close = abs(found / right - 1) < 0.02
+    close = abs(found / right - 1) < 0.07
     otherwise = "half should, so ε must be " + ("smaller" if found > right else "larger")
+    if not 0 <= found <= 1:
+        otherwise = "a probability lies between 0 and 1"
     compare(
         "epsilon",
         answer,
@@ -113,10 +125,15 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
         wall = make_mdp("Boulder", height=height, n_grips=n_grips, layout_seed=int(rng.integers(1000)))
         make = partial(agent_made_by, "optimist(wall)", answer, wall)
         made, other = make(), make()
-        Q = table_of(made, "Q", (height + 1, n_grips))
+        Q = table_of(made, "Q", None)
+        other_kind = "" if isinstance(made, QLearning) else "; and the exercise asks for `QLearning`"
+        if Q.shape != (height + 1, n_grips):
+            raise WrongAnswer(
+                f"the table `Q` should have the shape {(height + 1, n_grips)}, a row for each position and a column for"
+                f" each grip of the `wall` that `optimist` is given, but has {Q.shape}{other_kind}"
+            )
         if np.shares_memory(Q, other.Q):
             raise WrongAnswer("two calls of optimist(wall) share one table: make a new one in every call")
-        other_kind = "" if isinstance(made, QLearning) else "; and the exercise asks for `QLearning`"
         for state, value in ((int(Q.argmin() // n_grips), Q.min()), (int(Q.argmax() // n_grips), Q.max())):
             compare(
                 f"every value in Q[{state}]",

@@ -15,6 +15,7 @@ from edugym_course.grading.updates import Tables, Transition, Update
 DRAWS = 20
 LAST_STATE = 4
 """The top of the lowest wall of the check."""
+TRIED_ONCE = "a grip that was tried once is tried: only those count that were tried 0 times"
 UNTRIED = "a grip that was never tried comes first, whatever Q says of it"
 
 
@@ -147,7 +148,7 @@ def check_act(agent: Any, n_grips: int) -> None:
             {"once all grips were tried the best one counts, and it takes the worst": but_first},
         ),
         (
-            [7, *range(1, n_grips)],
+            [7, *range(2, 1 + n_grips)],
             [2.0] + [1.0] * others,
             first,
             {
@@ -160,6 +161,20 @@ def check_act(agent: Any, n_grips: int) -> None:
         ),
         (
             [1, *range(5, 5 + others)],
+            [1.0] + [2.0] * others,
+            but_first,
+            {
+                TRIED_ONCE: first,
+                "ties should be broken at random, and it takes the first of equals": [
+                    0.0,
+                    1.0,
+                    *[0.0] * (others - 1),
+                ],
+                "ties should be broken at random, and it takes the last of equals": last,
+            },
+        ),
+        (
+            [2, *range(5, 5 + others)],
             [-0.5] + [-0.25] * others,
             but_first,
             {

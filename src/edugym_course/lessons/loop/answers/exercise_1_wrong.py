@@ -204,8 +204,9 @@ def discounted_return(rewards, discount):
     return G
 
 
-# %% it ends at a reward of 0
+# %% it ends at a reward of 0, and is not taken for the first reward alone
 # says: discounted_return([3.0, 0.0, -4.0, 0.0, 2.0], 0.5)
+# says: that is none of the usual mistakes, so work it out once more by hand
 def discounted_return(rewards, discount):
     G, weight = 0.0, 1.0
     for reward in rewards:
@@ -228,3 +229,58 @@ def discounted_return(rewards, discount):
     for reward in reversed(rewards):
         G = reward + discount * G
     raise NotImplementedError("write your code here")
+
+
+# %% a discount of the lesson
+# says: 0.99, a discount of the lesson, stands where `discount` should
+def discounted_return(rewards, discount):
+    G = 0.0
+    for reward in reversed(rewards):
+        G = reward + 0.99 * G
+    return G
+
+
+# %% squares the weight
+# says: the weight is squared in each step; multiply it by γ
+def discounted_return(rewards, discount):
+    G, weight = rewards[0], discount
+    for reward in rewards[1:]:
+        G += weight * reward
+        weight *= weight
+    return G
+
+
+# %% adds the discount
+# says: the discount is added; multiply the return by it
+def discounted_return(rewards, discount):
+    G = 0
+    for reward in reversed(rewards):
+        G = reward + discount + G
+    return G
+
+
+# %% starts at the last reward
+# says: the last reward counts twice: let `G` start at 0, or leave it out of the loop
+def discounted_return(rewards, discount):
+    G = rewards[-1]
+    for reward in reversed(rewards):
+        G = reward + discount * G
+    return G
+
+
+# %% rounds
+# says: the result is rounded; return the number as it is
+def discounted_return(rewards, discount):
+    return round(sum(discount**k * reward for k, reward in enumerate(rewards)))
+
+
+# %% a whole number
+# says: what is behind the decimal point is cut off; return the number as it is
+def discounted_return(rewards, discount):
+    return int(sum(discount**k * reward for k, reward in enumerate(rewards)))
+
+
+# %% divided by powers, and 0 for a discount of 0
+# says: in this case it looks like this: the rewards are divided by γ^k; multiply
+def discounted_return(rewards, discount):
+    return sum(reward / discount**k for k, reward in enumerate(rewards) if discount)

@@ -159,3 +159,58 @@ def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
     return rng.choice(np.flatnonzero(values >= values.max() - 0.001))
+
+
+# %% any action where several are equal
+# says: where several have the highest value it takes any action; take one of *these*
+def choose(values, epsilon, rng):
+    best = np.flatnonzero(values == values.max())
+    if rng.random() < epsilon or len(best) > 1:
+        return rng.integers(len(values))
+    return best[0]
+
+
+# %% a share of epsilon
+# says: it explores with probability ε/n: a random action is drawn with probability ε, and each has ε/n then
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon / len(values):
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% without the sign
+# says: it takes the largest value without its sign
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    sizes = np.abs(values)
+    return rng.choice(np.flatnonzero(sizes == sizes.max()))
+
+
+# %% 0.1 and the first of equals
+# says: , should choose action 0 in 8% and action 1 in 77%
+# says: in this case it looks like this: it explores with ε = 0.1, whatever `epsilon` is
+def choose(values, epsilon, rng):
+    if rng.random() < 0.1:
+        return rng.integers(len(values))
+    return np.argmax(values)
+
+
+# %% the comparison
+# says: : np.flatnonzero(...) gives the indices at which a comparison is true
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(values == values.max())
+
+
+# %% a search from 0
+# says: nothing is left to choose from: for which values does that happen?
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    highest = 0
+    for value in values:
+        if value > highest:
+            highest = value
+    return rng.choice(np.flatnonzero(values == highest))

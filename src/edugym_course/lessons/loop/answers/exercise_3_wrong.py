@@ -266,3 +266,33 @@ def learn(self, state, action, reward, next_state, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(-1000.0, *self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% brackets too early
+# says: α stands before the reward alone: put the whole bracket into parentheses
+def learn(self, state, action, reward, next_state, terminated):
+    future = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * reward + self.discount * future - self.Q[state, action]
+
+
+# %% the discount before a difference
+# says: Q(S, A) is discounted as well: γ belongs to the value of the next state only
+def learn(self, state, action, reward, next_state, terminated):
+    future = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * (future - self.Q[state, action]))
+
+
+# %% no else
+# says: at the end of an episode it learns twice: is an `else` missing?
+def learn(self, state, action, reward, next_state, terminated):
+    if terminated:
+        self.Q[state, action] += self.learning_rate * (reward - self.Q[state, action])
+    target = reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the maximum of one value
+# says: that is a single number, and a row, a list or range(...) is needed there
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state, action])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])

@@ -108,3 +108,15 @@ my_program = ...
 # in: ε-greedy written out
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state].argmin())
+
+# %% the mean
+# says: the mean over the actions of the next state stands where the maximum should
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if terminated else reward + 0.99 * Q[next_state].mean()
+
+# %% another discount
+# says: the discount is too small: it is 0.99 in the text
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if terminated else reward + 0.9 * Q[next_state].max()

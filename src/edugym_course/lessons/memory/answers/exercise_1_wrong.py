@@ -85,7 +85,7 @@ def table_rows(num_doors, length):
 
 # %% exclusive or
 # says: should be
-# says: that is none of the usual mistakes, so work it out by hand for a small case
+# says: `^` is no power in Python, that is `**`
 def table_rows(num_doors, length):
     return (num_doors + 1) ^ (length * (length - 1) // 2 + 1)
 
@@ -107,3 +107,67 @@ def table_rows(num_doors, length):
 #   `//`, without `/`, `2.0` or `math.pow`
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) / 2 + 1)
+
+
+# %% the base for three doors
+# says: 4 is the base for three doors alone; write it with N, the number of doors
+def table_rows(num_doors, length):
+    return 4 ** (length * (length - 1) // 2 + 1)
+
+
+# %% one row less
+# says: that is none of the usual mistakes, so work it out by hand for a small case
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2 + 1) - 1
+
+
+# %% no brackets in the law
+# says: set brackets: L * L - 1 // 2 multiplies and divides before it subtracts
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * length - 1 // 2 + 1)
+
+
+# %% no brackets in the base
+# says: set brackets around N + 1: a power is taken before the sum
+def table_rows(num_doors, length):
+    k = length * (length - 1) // 2 + 1
+    return num_doors + 1**k
+
+
+# %% with the actions between them
+# says: the window shows observations alone here, so the actions do not multiply the rows
+def table_rows(num_doors, length):
+    k = length * (length - 1) // 2 + 1
+    return (num_doors + 1) ** k * num_doors ** (k - 1)
+
+
+# %% bytes
+# says: those are the bytes of the values; the rows are asked for
+def table_rows(num_doors, length):
+    return 3 * 8 * (num_doors + 1) ** (length * (length - 1) // 2 + 1)
+
+
+# %% shorter windows too
+# says: the windows of all lengths are added up; an episode starts with copies of its first observation, so all have
+#   the full length
+def table_rows(num_doors, length):
+    k = length * (length - 1) // 2 + 1
+    return sum((num_doors + 1) ** shorter for shorter in range(1, k + 1))
+
+
+# %% the corridor before
+# says: that is the window for corridor L - 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** ((length - 1) * (length - 2) // 2 + 1)
+
+
+# %% one more
+# says: L(L-1)/2 observations and the present one make L(L-1)/2 + 1; here is one more
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2 + 2)
+
+
+# %% the window of the prediction
+# says: 7 is the window of corridor 4 alone; compute it from the length
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** 7

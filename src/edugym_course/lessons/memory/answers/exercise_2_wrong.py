@@ -117,12 +117,14 @@ def row(self, window):
 
 
 # %% a sum
+# says: that is the sum of the entries, which many windows share
 # says: actions, but different windows need different rows:
 def row(self, window):
     return sum(window)
 
 
 # %% one base for all digits
+# says: an action has n_actions values, not n_observations
 # says: should be from 0 to
 # says: values and an action one with
 def row(self, window):
@@ -133,8 +135,7 @@ def row(self, window):
 
 
 # %% the digit is added too early
-# says: multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,
-#   n_actions at odd ones
+# says: each digit is multiplied as well: multiply the number so far, and add the digit after that
 def row(self, window):
     number = 0
     for i in range(len(window)):
@@ -144,6 +145,7 @@ def row(self, window):
 
 
 # %% the lesson's numbers
+# says: use self.n_observations and self.n_actions in place of 4 and 3: the check takes others
 # says: : an observation is a digit with
 def row(self, window):
     number = 0
@@ -260,3 +262,87 @@ def push(self, window, action, seen):
 # says: : the window is an array
 def push(self, window, action, seen):
     return str(window)
+
+
+# %% from 1
+# says: the number starts from 1; start from 0
+def row(self, window):
+    row = 1
+    for i, digit in enumerate(window):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + digit
+    return row
+
+
+# %% the last one forgotten
+# says: the last entry is left out: range(len(window)) goes through all of them
+def row(self, window):
+    row = 0
+    for i in range(len(window) - 1):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + window[i]
+    return row
+
+
+# %% the first one forgotten
+# says: the first entry is left out: indices begin with 0
+def row(self, window):
+    row = 0
+    for i in range(1, len(window)):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + window[i]
+    return row
+
+
+# %% an early return
+# says: only the first entry counts: is the `return` inside the loop?
+def row(self, window):
+    row = 0
+    for i, digit in enumerate(window):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + digit
+        return row
+
+
+# %% overwritten
+# says: only the last entry counts: is something overwritten in the loop?
+def row(self, window):
+    for i, digit in enumerate(window):
+        row = 0 * (self.n_observations if i % 2 == 0 else self.n_actions) + digit
+    return row
+
+
+# %% exchanged bases
+# says: the two numbers of values have changed places: n_observations belongs to even indices
+def row(self, window):
+    row = 0
+    for i, digit in enumerate(window):
+        row = row * (self.n_actions if i % 2 == 0 else self.n_observations) + digit
+    return row
+
+
+# %% the base of actions for all
+# says: an observation has n_observations values, not n_actions
+def row(self, window):
+    row = 0
+    for digit in window:
+        row = row * self.n_actions + digit
+    return row
+
+
+# %% a decimal number
+# says: the digits are those of a decimal number: 10 is no number of values here
+def row(self, window):
+    return int("".join(map(str, window.tolist())))
+
+
+# %% observations, the newest first
+# says: they differ in an action only, so the action makes no difference to the row
+def row(self, window):
+    return sum(int(digit) * self.n_observations**i for i, digit in enumerate(window[::2]))
+
+
+# %% powers of both
+# says: multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,
+#   n_actions at odd ones
+def row(self, window):
+    row = 0
+    for i, digit in enumerate(window):
+        row += digit * (self.n_observations if i % 2 == 0 else self.n_actions) ** (i // 2)
+    return row

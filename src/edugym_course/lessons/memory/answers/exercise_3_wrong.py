@@ -140,3 +140,106 @@ def update(self, notes, place, seen, action):
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 2 if seen == self.num_doors else 0
+
+
+# %% the note of the place before
+# says: the door belongs to `notes[place]`, not to `notes[place - 1]`
+def update(self, notes, place, seen, action):
+    notes[place - 1] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% the note of the next place
+# says: the door belongs to `notes[place]`, not to `notes[place + 1]`
+def update(self, notes, place, seen, action):
+    notes[place + 1] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% index and value
+# says: it writes the place to `notes[action]`: index and value have changed places
+def update(self, notes, place, seen, action):
+    notes[action] = place
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% doors from 1
+# says: it notes the door plus 1; doors count from 0, and N stands for nothing
+def update(self, notes, place, seen, action):
+    notes[place] = action + 1
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% seen is a number
+# says: `if seen` is true for every door but 0; compare with self.num_doors
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    if seen:
+        return place + 1
+    return 0
+
+
+# %% seen is a mark
+# says: `if seen` is true for every door but 0, and for no mark as well; compare with self.num_doors
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return 0 if seen else place + 1
+
+
+# %% stays there
+# says: the finger stays at the marked place; there the corridor starts again, so the next place is 0
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    if seen == self.num_doors:
+        place += 1
+    return place
+
+
+# %% a remainder
+# says: a corridor may be longer than its number of doors: no remainder is needed, a mark shows the last place
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return (place + 1) % self.num_doors
+
+
+# %% no self
+# says: write `self.` before a field or a method
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == num_doors else 0
+
+
+# %% a list's method
+# says: an array keeps its size: write into an entry of it
+def update(self, notes, place, seen, action):
+    notes.append(action)
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% back to -1
+# says: the first place is 0; −1 is the last line of an array
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else -1
+
+
+# %% the last door
+# says: doors are 0 to N - 1, and N itself is no mark: compare with self.num_doors, not with one less
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors - 1 else 0
+
+
+# %% one note
+# says: the other notes are wiped out, and they are still needed: write into `notes[place]` alone
+def update(self, notes, place, seen, action):
+    notes[:] = self.num_doors
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% all lines from here on
+# says: the lines behind the place are written as well: the index is the place alone
+def update(self, notes, place, seen, action):
+    notes[place:] = action
+    return place + 1 if seen == self.num_doors else 0

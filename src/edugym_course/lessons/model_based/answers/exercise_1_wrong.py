@@ -98,3 +98,45 @@ def smallest_error(v):
 # says: solve (e − 1)/(1 − γ) = v for e
 def smallest_error(v, gamma):
     return 1 + (1 - gamma) * v / 2
+
+
+# %% arguments swapped
+# says: v and γ have changed places: the function is called with v first
+def smallest_error(gamma, v):
+    return 1 + (1 - gamma) * v
+
+
+# %% the sum begins with γ
+# says: the sum of the bumps begins with x and not with γ x: the first bump is not discounted
+def smallest_error(v, gamma):
+    return 1 + (1 - gamma) / gamma * v
+
+
+# %% no brackets
+# says: brackets are missing: v times all of (1 − γ)
+def smallest_error(v, gamma):
+    return 1 + v * 1 - gamma
+
+
+# %% a fixed γ
+# says: it takes 0.95 for γ: use the `gamma` that the function is given
+def smallest_error(v, gamma):
+    return 1 + v * (1 - 0.95)
+
+
+# %% a fixed v
+# says: it takes 40 for v: use the `v` that the function is given
+def smallest_error(v, gamma):
+    return 1 + 40 * (1 - gamma)
+
+
+# %% a hundred bumps
+# says: only 100 bumps are counted, and there is no end to them
+def smallest_error(v, gamma):
+    return 1 + v / sum(gamma**k for k in range(100))
+
+
+# %% rounded
+# says: is it rounded? Give the number as it is, without round(), int() or //
+def smallest_error(v, gamma):
+    return round(1 + (1 - gamma) * v, 1)

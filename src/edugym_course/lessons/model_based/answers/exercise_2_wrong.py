@@ -353,7 +353,7 @@ class DynaPlus(NamedTuple):
 
 
 # %% one more, another way
-# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+# says: : which of the three is another one in your code?
 def imagine(self, s, a):
     return self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * self.Q[s].max() + 1.0
 
@@ -376,5 +376,52 @@ def imagine(self, s, a):
     if self.last[s, a] <= 1:
         reward, next_state, ended = 0.0, s, False
     bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% no kappa
+# says: κ is missing: the bonus is κ√τ
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the end the wrong way round
+# says: the test of `ends` is the wrong way round: the value of the next state counts where it is 0
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = max(self.Q[next_state]) if ended else 0.0
+    return reward + bonus + self.discount * value
+
+
+# %% never the wrong way round
+# says: the test of whether the pair was tried is the wrong way round: `self.last[s, a] == 0` means never
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] > 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% a logarithm
+# says: it should add up the reward,
+# says: , the bonus,
+# says: , and the discounted value that follows,
+# says: : which of the three is another one in your code?
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * np.log(1 + self.clock[0] - self.last[s, a])
     value = 0.0 if ended else max(self.Q[next_state])
     return reward + bonus + self.discount * value

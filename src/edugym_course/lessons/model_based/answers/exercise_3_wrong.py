@@ -437,3 +437,172 @@ def sweep(self):
                 largest = max(largest, abs(new - self.Q[s, a]))
                 self.Q[s, a] = new
     return largest
+
+
+# %% break
+# says: `break` leaves out all actions after the first that is not known: write `continue` there
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 0:
+                break
+            value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+            new = self.rewards[s, a] + self.discount * value
+            largest = max(largest, abs(new - self.Q[s, a]))
+            self.Q[s, a] = new
+    return largest
+
+
+# %% return where nothing is known
+# says: the sweep ends at the first pair that is not known: leave out this pair alone, and go on
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 0:
+                return largest
+            value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+            new = self.rewards[s, a] + self.discount * value
+            largest = max(largest, abs(new - self.Q[s, a]))
+            self.Q[s, a] = new
+    return largest
+
+
+# %% the end the wrong way round
+# says: the test of `ends` is the wrong way round: the value of the next state counts where it is 0
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = max(self.Q[self.next_states[s, a]]) if self.ends[s, a] == 1 else 0.0
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% the maximum of the table
+# says: the maximum is taken over the whole table instead of the row of the next state
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else self.Q.max()
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% no discount
+# says: the value of the next state is not discounted: multiply it by γ
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% the last state is left out
+# says: state 5 is never swept: are all rows of Q?
+# says: is never swept: are all rows of Q?
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0] - 1):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% only falls
+# says: values rise as well as fall, and a rise counts too: `abs(new - old)`
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, self.Q[s, a] - new)
+                self.Q[s, a] = new
+    return largest
+
+
+# %% a learning rate
+# says: : Q(s, a) *becomes* the target at once; there is no learning rate
+# says: after one sweep Q[
+# says: ], a pair that ends the episode, should be
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] += 0.1 * (new - self.Q[s, a])
+    return largest
+
+
+# %% known the wrong way round
+# says: nothing is remembered, and the pair is new: `learn` should do nothing only where self.known[state, action] is 1
+def learn(self, state, action, reward, next_state, terminated):
+    if not self.known[state, action]:
+        return
+    self.rewards[state, action] = reward
+    self.next_states[state, action] = next_state
+    self.ends[state, action] = 1 if terminated else 0
+    self.known[state, action] = 1
+    self.plan()
+
+
+# %% known asks for the state
+# says: nothing is remembered, and the pair is new: `learn` should do nothing only where self.known[state, action] is 1
+def learn(self, state, action, reward, next_state, terminated):
+    if max(self.known[state]) == 1:
+        return
+    self.rewards[state, action] = reward
+    self.next_states[state, action] = next_state
+    self.ends[state, action] = 1 if terminated else 0
+    self.known[state, action] = 1
+    self.plan()
+
+
+# %% no plan at the end
+# says: so `learn` should call self.plan(), which sweeps until nothing changes
+# says: terminated=True
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 1:
+        return
+    self.rewards[state, action] = reward
+    self.next_states[state, action] = next_state
+    self.ends[state, action] = 1 if terminated else 0
+    self.known[state, action] = 1
+    if not terminated:
+        self.plan()
+
+
+# %% the terminal state is 0
+# says: a pair that is not known stays at U, so `learn` leaves Q to self.plan()
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 1:
+        return
+    self.rewards[state, action] = reward
+    self.next_states[state, action] = next_state
+    self.ends[state, action] = 1 if terminated else 0
+    self.known[state, action] = 1
+    if terminated:
+        self.Q[next_state] = 0.0
+    self.plan()

@@ -58,3 +58,21 @@ lake_results = repeat(
     3_000,
     repetitions=5,
 )
+
+# %% R-max after one try
+# says: with known_after=
+# says: it estimates each probability from so few tries; on slippery ice an action needs more
+lake_results = repeat(
+    lake, {**methods, "mine": partial(RMax.create, planning_steps=20)}, 3_000, repetitions=5, evaluation_episodes=10
+)
+
+# %% a short sight
+# says: its values average over many outcomes already, so look at its other settings: a discount far below 1 hides a goal
+#   that is some steps away, a tiny learning rate takes long, and so do few updates
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=0.1, discount=0.1)},
+    3_000,
+    repetitions=5,
+    evaluation_episodes=10,
+)

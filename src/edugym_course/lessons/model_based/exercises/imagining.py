@@ -37,6 +37,7 @@ def imagined(
     tau = {"now − last": case.now - last, "last": last, "now": case.now, "one more": case.now - last + 1}[since]
     bonus = {
         "√τ": kappa * tau**power,
+        "no κ": tau**power,
         "τ": kappa * tau,
         "κ inside": np.sqrt(kappa * tau),
         "minus": -kappa * tau**power,
@@ -47,6 +48,7 @@ def imagined(
     stored = case.rewards[s, a], case.next_states[s, a], case.ends[s, a] == 1
     known = {
         "pair": tried,
+        "the wrong way round": not tried,
         "state": case.last[s].any(),
         "reward": stored[0] != 0.0,
         "next state": stored[1] != 0,
@@ -60,7 +62,7 @@ def imagined(
     row = case.Q[next_state]
     value: Any = {"max": row.max(), "mean": row.mean(), "own": case.Q[s].max(), "same": row[a], "none": 0.0}
     value = {**value, **{f"from {start}": from_a_start(row, start) for start in STARTS}}[backup]
-    future = 0.0 if ended and ends == "heeded" else value
+    future = value if ends == "ignored" or ended == (ends == "inverted") else 0.0
     return float(
         {
             "all": reward + bonus + discount * future,
@@ -78,6 +80,7 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "the bonus is missing": {"root": "none"},
         "the root is missing: the bonus is κ√τ": {"root": "τ"},
         "κ belongs before the root: κ√τ, not √(κτ)": {"root": "κ inside"},
+        "κ is missing: the bonus is κ√τ": {"root": "no κ"},
         "the bonus is subtracted": {"root": "minus"},
         "only actions that were tried get a bonus, and those that were never tried need it most": {"root": "tried"},
         "only actions that were never tried get a bonus; every action does": {"root": "untried"},
@@ -85,6 +88,12 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "τ is the time since the last try; subtract `last` from the clock": {"since": "now"},
         "τ is one too large": {"since": "one more"},
         "after a terminal state there is no future: leave γ max_a Q(S', a) out where `ends` is 1": {"ends": "ignored"},
+        "the test of `ends` is the wrong way round: the value of the next state counts where it is 0": {
+            "ends": "inverted"
+        },
+        "the test of whether the pair was tried is the wrong way round: `self.last[s, a] == 0` means never": {
+            "asks": "the wrong way round"
+        },
         "an action that was never tried is imagined to lead back to its own state, so γ max_a Q(s, a) belongs to its"
         " target": {"untried": "bonus only"},
         "for an action that was never tried the target has the *largest* value of the state, max_a Q(s, a), and not the"
@@ -151,6 +160,7 @@ def exercise_2(answer: Any, seed: int, power: Power = 0.5) -> str:
             lambda change: all(
                 same(imagined(case, **{**rule, **change}), mine) for case, mine in zip(cases, found, strict=True)
             ),
+            otherwise=_terms(cases[wrong[0]], rule),
         )
         case, mine, expected = cases[wrong[0]], found[wrong[0]], right[wrong[0]]
         s, a = case.state, case.action
@@ -168,6 +178,17 @@ def exercise_2(answer: Any, seed: int, power: Power = 0.5) -> str:
     return (
         "Right: what was not tried for a long time looks better and better, until the agent goes and sees. "
         "See its race:"
+    )
+
+
+def _terms(case: Memory, rule: Mapping[str, Any]) -> str:
+    """Return the three numbers that an imagined target adds up, to look for the one that is wrong."""
+    bonus = imagined(case, **{**rule, "target": "no reward", "backup": "none"})
+    rest = imagined(case, **{**rule, "target": "no reward"}) - bonus
+    reward = imagined(case, **rule) - bonus - rest
+    return (
+        f"it should add up the reward, {reward:g}, the bonus, {bonus:.4g}, and the discounted value that follows,"
+        f" {rest:.4g}: which of the three is another one in your code?"
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from edugym_course.grading.agents import learn_step
 from edugym_course.grading.cases import FAR_BELOW, STARTS, from_a_start, starts
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import UNUSUAL, mistake_that_fits
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
@@ -45,8 +45,12 @@ def swept(
     """Return the values that sweeps of R-max settle at; other arguments than the defaults are mistakes."""
     Q, known = model.Q.copy(), model.known
     for _ in range(SETTLED):
-        before = Q.copy()
+        before, left = Q.copy(), np.zeros(SHAPE[0], bool)
         for s, a in np.ndindex(*SHAPE):
+            if not known[s, a]:
+                left[s : {"break": s + 1, "return": None}.get(unknown, s)] = True
+            if left[s]:
+                continue
             if unknown == "reward" and model.rewards[s, a] == 0.0:
                 continue
             if (not known[s, a] and unknown == "left") or (unknown == "only" and known[s, a]):
@@ -56,14 +60,16 @@ def swept(
                 continue
             row = Q[model.next_states[s, a]]
             value: Any = {"max": row.max(), "mean": row.mean(), "own": Q[s].max(), "same": row[a], "none": 0.0}
+            value["table"] = Q.max()
             value = {**value, **{f"from {start}": from_a_start(row, start) for start in STARTS}}[backup]
-            if model.ends[s, a] == 1 and ends == "heeded":
+            if (model.ends[s, a] == 1) == (ends == "heeded") and ends != "ignored":
                 value = 0.0
             reward = model.rewards[s, a] - cost
             Q[s, a] = {
                 "all": reward + discount * value,
                 "all discounted": discount * (reward + value),
                 "no reward": discount * value,
+                "undiscounted": reward + value,
                 "added": Q[s, a] + reward + discount * value,
                 "minus": reward - discount * value,
             }[target]
@@ -84,6 +90,15 @@ SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
             "unknown": "reward"
         },
         "the test of `known` is the wrong way round": {"unknown": "only"},
+        "`break` leaves out all actions after the first that is not known: write `continue` there": {
+            "unknown": "break"
+        },
+        "the sweep ends at the first pair that is not known: leave out this pair alone, and go on": {
+            "unknown": "return"
+        },
+        "the test of `ends` is the wrong way round: the value of the next state counts where it is 0": {
+            "ends": "inverted"
+        },
         "after a terminal state there is no future: leave γ max_a Q(s', a) out where `ends` is 1": {"ends": "ignored"},
         "the mean over the actions stands where the maximum should": {"backup": "mean"},
         "the maximum is taken over the state itself instead of the next state": {"backup": "own"},
@@ -92,7 +107,9 @@ SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
             lambda start: {"backup": f"from {start}"},
         ),
         "the value of the *same* action stands where the maximum over all actions should": {"backup": "same"},
+        "the maximum is taken over the whole table instead of the row of the next state": {"backup": "table"},
         "the value of the next state is missing": {"backup": "none"},
+        "the value of the next state is not discounted: multiply it by γ": {"target": "undiscounted"},
         "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
         "the reward is missing": {"target": "no reward"},
         "the value of the next state is subtracted": {"target": "minus"},
@@ -125,8 +142,8 @@ def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
 
 def _check_sweep(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
     rng = np.random.default_rng(seed)
-    for _ in range(3):
-        agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng)
+    for rises in (False, True, False):
+        agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng, rises)
         for name, values in model._asdict().items():
             table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
         with student_code("sweep()"):
@@ -137,6 +154,7 @@ def _check_sweep(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
             for _ in range(SETTLED - 1):
                 last = agent.sweep()
         _check_values(agent.Q.copy(), model, rule)
+        _check_first(model.Q + changes, model, rule)
         for name, values in model._asdict().items():
             if name != "Q" and not np.array_equal(getattr(agent, name), values):
                 raise WrongAnswer(f"sweep() changes the table `{name}`: planning changes Q only")
@@ -147,10 +165,11 @@ def _check_sweep(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
         _check_largest(number("sweep()", first), changes, model.known)
 
 
-def _some_model(rng: np.random.Generator) -> Model:
+def _some_model(rng: np.random.Generator, rises: bool) -> Model:
     """Make a model up: all actions of states 0 and 1 are known, and of the other pairs 6.
 
-    A known pair has a reward of 0, and one leads to state 1, where all values end far below 0.
+    A known pair has a reward of 0, and one leads to state 1, where all values end far below 0; if the
+    largest change is one that `rises`, they begin farther below.
     """
     known = rng.permutation(np.repeat([0, 1], [6, 6])).reshape(-1, SHAPE[1])
     known = np.vstack([np.ones((2, SHAPE[1]), np.int64), known])
@@ -161,7 +180,10 @@ def _some_model(rng: np.random.Generator) -> Model:
     rewards[0, 2], rewards[1], ends[1] = 0.0, rewards[1] - FAR_BELOW, 1
     Q = np.full(SHAPE, 100.0)
     Q[known == 1] = rng.choice([-4.0, 2.0, 60.0], 12)
-    Q[0, 0] = 400.0  # it falls by more than any other value rises
+    Q[0, 0] = 400.0  # it falls by more than others but those of state 1 do
+    if rises:
+        Q[1] -= 2.5 * FAR_BELOW
+        Q[(known == 1) & (next_states == 1)] = -3.0 * FAR_BELOW
     return Model(Q, known, rewards, next_states, ends)
 
 
@@ -181,13 +203,28 @@ def _check_values(found: Any, model: Model, rule: Mapping[str, Any]) -> None:
             " `for`"
         )
     else:
-        why = mistake_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model, rule))
+        untouched = np.flatnonzero((~changed | (model.known == 0)).all(axis=1) & (right != model.Q).any(axis=1))
+        why = mistake_that_fits(
+            SWEEP_MISTAKES,
+            partial(_sweeps_to, found, model, rule),
+            otherwise=UNUSUAL if not len(untouched) else f"state {untouched[0]} is never swept: are all rows of Q?",
+        )
     s, a = wrong[0]
     what = "known" if model.known[s, a] else "not known"
     raise WrongAnswer(
         f"after many sweeps with γ = {rule['discount']:g}, Q[{s}, {a}], a pair that is {what}, should be"
         f" {digits(right[s, a], found[s, a])}, but is {digits(found[s, a], right[s, a])}: {why}"
     )
+
+
+def _check_first(found: Any, model: Model, rule: Mapping[str, Any]) -> None:
+    """Check, after a sweep, the known pairs that end the episode: no order of the pairs changes their values."""
+    right = np.where((model.known == 1) & (model.ends == 1), model.rewards - rule["cost"], found)
+    for s, a in np.argwhere(~np.isclose(found, right)):
+        raise WrongAnswer(
+            f"after one sweep Q[{s}, {a}], a pair that ends the episode, should be {right[s, a]:g}, but is"
+            f" {digits(found[s, a], right[s, a])}: Q(s, a) *becomes* the target at once; there is no learning rate"
+        )
 
 
 def _sweeps_to(found: Any, model: Model, rule: Mapping[str, Any], change: Mapping[str, Any]) -> bool:
@@ -204,6 +241,8 @@ def _check_largest(found: float, changes: Any, known: Any) -> None:
     hint = "compare the new value with the old one before you store it, and keep the largest change"
     if same(found, max(changes.max(), 0.0)):
         hint = "values fall as well as rise, and a fall counts too: `abs(new - old)`"
+    elif same(found, max((-changes).max(), 0.0)):
+        hint = "values rise as well as fall, and a rise counts too: `abs(new - old)`"
     elif same(found, sizes.sum()):
         hint = "that is the sum of all changes"
     elif same(found, sizes[known == 1][-1]) or same(found, sizes[-1].max()):
@@ -231,20 +270,25 @@ def _check_learn(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
     low, middle, high = sorted((low, middle, high))
     # Two ways lead to the middle, from both sides, and then all of its actions become known: one sweep is not enough.
     steps = [(low, 1, middle), (high, 0, middle), *((middle, a, others[a % 2]) for a in range(SHAPE[1]))]
-    unplanned = ""  # what to say if no later step changes a value either
+    unplanned = ""  # what to say if the next step changes no value either
     for k, (state, action, next_state) in enumerate([*steps, (low, 1, high)]):
         before = {name: table.copy() for name, table in seen.items()}
         again = k == len(steps)  # a known pair, and something else seems to follow: nothing changes
         ended = k == 3
         reward = float(rng.choice([-1.0, 4.0, 7.0])) if not again else 9.0
         step = {"state": state, "action": action, "reward": reward, "next_state": next_state, "next_action": 0}
-        if again:
-            agent.Q[middle] += 8.0  # what a plan would mend
+        if k:
+            agent.Q[middle if again else steps[0][:2]] += 8.0  # what a plan would mend
         unmended = agent.Q.copy()
         call = learn_step(agent, {**step, "terminated": ended, "truncated": False})
         if not again:
             for name, value in zip(names, (1, reward, next_state, int(ended)), strict=True):
                 seen[name][state, action] = value
+        if not again and all(np.array_equal(getattr(agent, name), before[name]) for name in names):
+            raise WrongAnswer(
+                f"after {call} nothing is remembered, and the pair is new: `learn` should do nothing only where"
+                " self.known[state, action] is 1"
+            )
         for name in names:
             _compare_memory(agent, name, seen[name], call, (state, action), next_state, again)
         if again and not np.array_equal(agent.Q, unmended):
@@ -253,19 +297,21 @@ def _check_learn(answer: Any, seed: int, rule: Mapping[str, Any]) -> None:
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-2))
         if not len(wrong):
             continue
-        s, a = (int(index) for index in wrong[0])
+        s, a = (state, action) if [state, action] in wrong.tolist() else map(int, wrong[0])
         what = f"after {call} Q[{s}, {a}] should be {right[s, a]:g}, but is {agent.Q[s, a]:.4g}: "
-        if np.array_equal(agent.Q, np.full(SHAPE, 100.0)):
+        if not k and np.array_equal(agent.Q, unmended):
             # Either it never plans, or it plans before the new pair is known: the next steps tell.
-            unplanned = unplanned or what
+            unplanned = what
             continue
+        if np.array_equal(agent.Q, unmended):
+            raise WrongAnswer(f"{unplanned or what}{NOT_PLANNED}")
+        if not seen["known"][s, a]:
+            raise WrongAnswer(f"{what}a pair that is not known stays at U, so `learn` leaves Q to self.plan()")
         late = [name for name in names if np.allclose(agent.Q, _planned({**seen, name: before[name]}, rule), atol=1e-2)]
         if late:
             hint = f"`{late[0]}` is set only after self.plan(), which cannot use it then: remember first, and plan last"
             raise WrongAnswer(f"{unplanned or what}{hint}")
         raise WrongAnswer(f"{unplanned or what}{NOT_PLANNED}")
-    if unplanned:
-        raise WrongAnswer(f"{unplanned}{NOT_PLANNED}")
 
 
 def _planned(seen: Mapping[str, Any], rule: Mapping[str, Any]) -> Any:

@@ -41,3 +41,8 @@ negative_reward = -36.5
 negative_reward = -100.0
 while exact.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
     negative_reward += 0.1
+
+
+# %% all rewards for which the fast run is the best
+# says: should be one number, but is a
+negative_reward = [-36.9, -36.8, -36.7]

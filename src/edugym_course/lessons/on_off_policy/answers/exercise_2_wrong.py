@@ -41,7 +41,7 @@ def switch(model):
 
 
 # %% too coarse
-# says: that is close, but look in steps of 0.001 or smaller
+# says: that is close: does the search begin at 0, and go in steps of 0.001 or smaller?
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.01):
@@ -158,3 +158,56 @@ def switch(model):
         if policy_evaluation(model, policy, horizon=50).start > fastest:
             break
     return epsilon
+
+
+# %% the estimate of the lesson
+# says: that is the estimate for the lesson's road; compute the exact value from the `model` that is given
+def switch(model):
+    return 0.03
+
+
+# %% in percent, by a search
+# says: that is in percent
+def switch(model):
+    fastest = policy_evaluation(model, value_iteration(model, horizon=50).greedy_policy(), horizon=50).start
+    for k in range(200):
+        policy = value_iteration(model, epsilon=k / 1000, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return k / 10
+
+
+# %% the number of the step
+# says: that is 1 000 times ε: is it the number of the step, and not the ε of that step?
+def switch(model):
+    fastest = policy_evaluation(model, value_iteration(model, horizon=50).greedy_policy(), horizon=50).start
+    for k, epsilon in enumerate(np.arange(0, 0.2, 0.001)):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return k
+
+
+# %% the first one with the run that is safe at 0.1
+# says: the search ends at its first ε
+def switch(model):
+    safe = policy_evaluation(model, value_iteration(model, epsilon=0.1, horizon=50).greedy_policy(), horizon=50).start
+    for epsilon in np.arange(0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start == safe:
+            return epsilon
+
+
+# %% not called
+# says: an array of numbers is needed there: is a call such as `.greedy_policy()` missing?
+def switch(model):
+    return policy_evaluation(model, value_iteration(model, horizon=50).greedy_policy, horizon=50).start
+
+
+# %% a search that begins too late
+# says: switch(model) for W = 15 and negative_reward = -134 should be 0.02292, but is 0.03: that is close: does the
+#   search begin at 0, and go in steps of 0.001 or smaller?
+def switch(model):
+    fastest = policy_evaluation(model, value_iteration(model, horizon=50).greedy_policy(), horizon=50).start
+    for epsilon in np.arange(0.03, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon

@@ -260,3 +260,48 @@ def learn(self, state, action, reward, next_state, terminated):
         value = (1 - self.target_epsilon) * best + self.target_epsilon * mean
     target = reward + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% epsilon before the maximum
+# says: it uses `epsilon` before the maximum; both numbers are those of the target policy, `target_epsilon`
+def learn(self, state, action, reward, next_state, terminated):
+    here, there = self.Q[state], self.Q[next_state]
+    value = (1 - self.epsilon) * max(there) + self.target_epsilon * np.mean(there)
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% epsilon before the mean
+# says: it uses `epsilon` before the mean; both numbers are those of the target policy, `target_epsilon`
+def learn(self, state, action, reward, next_state, terminated):
+    here, there = self.Q[state], self.Q[next_state]
+    value = (1 - self.target_epsilon) * max(there) + self.epsilon * np.mean(there)
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the mean of the state left
+# says: the mean is that of the state that was left; it belongs to the row of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    here, there = self.Q[state], self.Q[next_state]
+    value = (1 - self.target_epsilon) * max(there) + self.target_epsilon * np.mean(here)
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the maximum of the state left
+# says: the maximum is that of the state that was left; it belongs to the row of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    here, there = self.Q[state], self.Q[next_state]
+    value = (1 - self.target_epsilon) * max(here) + self.target_epsilon * np.mean(there)
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the mean over the states
+# says: the mean is taken over the states, a column of Q; it belongs to the row of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    here, there = self.Q[state], self.Q[next_state]
+    value = (1 - self.target_epsilon) * max(there) + self.target_epsilon * np.mean(self.Q[:, action])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])

@@ -54,3 +54,21 @@ late = 6.6
 # %% the decimal point
 # says: that is ten times as much, or the decimal point is in the wrong place
 late = 590 / 9
+
+# %% fast asleep after a ring that fails
+# says: when the ring fails she is dozing, which is worth 1, and no longer fast asleep, worth 2
+# says: at 8:20 when she is fast asleep, for a ring is worth
+# says: there and silence
+late = (2 + 4 - 0.2) / 0.9
+
+# %% dozing is a cost
+# says: when the ring fails she dozes, which is worth 1: that speaks for the ring, and so it is subtracted
+late = (2 + 4 + 0.1) / 0.9
+
+# %% a ring for nothing
+# says: the ring itself costs 4, and that is missing
+late = (2 - 0.1) / 0.9
+
+# %% never late after a ring
+# says: when the ring fails she is late as well, and that costs `late` once more
+late = 2 + 4 - 0.1

@@ -130,3 +130,64 @@ def shaped_reward(reward, potential, state, next_state, discount, terminated):
 # %% a value
 # says: reward, potential, state, next_state, terminated and discount
 shaped_reward = 1.0
+
+
+# %% nothing at the end
+# says: the reward counts at the end too, when `terminated`
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    if terminated:
+        return 0.0
+    return reward + discount * potential(next_state) - potential(state)
+
+
+# %% no reward at the end
+# says: when `terminated`, only φ(s') is 0; the reward still counts
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    if terminated:
+        return -potential(state)
+    return reward + discount * potential(next_state) - potential(state)
+
+
+# %% gains only
+# says: F may be below 0: what the potential loses is taken back
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else potential(next_state)
+    gain = discount * after - potential(state)
+    return reward + max(gain, 0.0)
+
+
+# %% without its sign
+# says: F may be below 0, and its absolute value is not asked for
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else potential(next_state)
+    gain = discount * after - potential(state)
+    return reward + abs(gain)
+
+
+# %% the state's potential
+# says: φ(s) is subtracted and not added, and γ φ(s') is missing
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + potential(state)
+
+
+# %% all discounted
+# says: only φ(s') is discounted, and not all of it
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else potential(next_state)
+    return discount * (reward + after - potential(state))
+
+
+# %% a product
+# says: F is added to the reward and not multiplied by it
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else potential(next_state)
+    gain = discount * after - potential(state)
+    return reward * gain
+
+
+# %% rounded
+# says: is it rounded? Give the number as it is, without round(), int() or //
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else potential(next_state)
+    gain = discount * after - potential(state)
+    return round(reward + gain, 1)

@@ -272,9 +272,116 @@ def reward(self, state, action, next_state, rng):
 
 
 # %% a quarter
-# says: that is none of the usual mistakes: write down by hand what can happen
+# says: her depth is wrong: in silence, and with a chime that she does not hear, her sleep gets one step deeper with
+#   probability 0.5, and 2 is the deepest
 def transition(self, state, action, rng):
     time, depth, chimes = state
     if rng.random() < 0.25:
         depth = max(depth - 1, 0)
+    return time + 1, depth, chimes
+
+
+# %% too deep
+# says: her depth is wrong: in silence, and with a chime that she does not hear, her sleep gets one step deeper with
+#   probability 0.5, and 2 is the deepest
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = depth + 1 if luck < 0.5 else depth
+    chimes = min(chimes + (action == 1), 2)
+    return time + 1, depth, chimes
+
+
+# %% a chime wakes her
+# says: her depth is wrong: a chime that she hears makes her sleep one step lighter with probability 0.7
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = 0 if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    chimes = min(chimes + (action == 1), 2)
+    return time + 1, depth, chimes
+
+
+# %% a ring is sure
+# says: her depth is wrong: a ring wakes her with probability 0.9, and else makes her sleep one step lighter
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    chimes = min(chimes + (action == 1), 2)
+    return time + 1, depth, chimes
+
+
+# %% two steps of time
+# says: the time, the first number, should grow by 1
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    chimes = min(chimes + (action == 1), 2)
+    return time + 2, depth, chimes
+
+
+# %% another order
+# says: depth and chimes have changed places
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    chimes = min(chimes + (action == 1), 2)
+    return time + 1, chimes, depth
+
+
+# %% chimes count twice
+# says: the third number is wrong: every chime counts, whether she hears it or not, up to 2, and nothing else does
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    chimes = min(chimes + 2 * (action == 1), 2)
+    return time + 1, depth, chimes
+
+
+# %% chimes that work
+# says: the third number is wrong: every chime counts, whether she hears it or not, up to 2, and nothing else does
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    chimes = min(chimes + (action == 1 and luck < 0.3), 2)
     return time + 1, depth, chimes

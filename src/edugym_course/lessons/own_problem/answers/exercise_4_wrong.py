@@ -217,3 +217,32 @@ class Fine(Plant):
 
 
 my_problem = Fine()
+
+
+# %% a pile without a limit
+# says: observation of Dishes must return an element of MultiDiscrete([7 4]), but returned (4, 4) for state (4, 4)
+class Dishes(NamedTuple):
+    """Wash up, or let the dishes pile up: the state is (evening, pile)."""
+
+    evenings: int = 6
+    action_space = property(lambda self: Discrete(2))
+    observation_space = property(lambda self: MultiDiscrete([self.evenings + 1, 4]))
+
+    def initial(self, rng):
+        return 0, 0
+
+    def transition(self, state, action, rng):
+        evening, pile = state
+        return evening + 1, max(pile - action, 0) + int(rng.random() < 0.5)
+
+    def reward(self, state, action, next_state, rng):
+        return -float(state[1]) - 0.8 * action
+
+    def terminal(self, state):
+        return state[0] == self.evenings
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Dishes()

@@ -45,7 +45,7 @@
 # + self.observation_space = spaces.Discrete(8)
 
 # %% a list
-# says: : make an array of it, np.array(..., dtype=np.
+# says: : make an array of its kind of numbers, np.array(..., dtype=np.
 # in: a walk in the wind
 # - self.observation_space = spaces.Discrete(9)
 # + self.observation_space = spaces.MultiDiscrete([9])
@@ -95,7 +95,52 @@
 # + over = bool(self.place[0] in (0, 8))
 
 # %% no reward
-# says: the reward
+# says: ) gives None as the reward, the second of the five: it should be a number
 # in: a walk in the wind
 # - return self.place, -1.0, over, self.steps == 50, {}
 # + return self.place, None, over, self.steps == 50, {}
+
+
+# %% numbers of 64 bits
+# says: : make an array of its kind of numbers, np.array(..., dtype=np.
+import gymnasium
+from gymnasium import spaces
+
+
+class MyEnvironment(gymnasium.Env):
+    def __init__(self):
+        self.observation_space = spaces.Box(0.0, 8.0, (1,))
+        self.action_space = spaces.Discrete(2)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self.place = 4.0
+        return np.array([self.place]), {}
+
+    def step(self, action):
+        wind = self.np_random.random() < 0.2
+        self.place += -1 if (action == 0) != wind else 1
+        return np.array([self.place]), -1.0, self.place in (0, 8), False, {}
+
+
+# %% the reward in an array
+# says: the reward
+# says: should be one number, but is a ndarray of shape (1,)
+import gymnasium
+from gymnasium import spaces
+
+
+class MyEnvironment(gymnasium.Env):
+    def __init__(self):
+        self.observation_space = spaces.Discrete(9)
+        self.action_space = spaces.Discrete(2)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self.place = 4
+        return self.place, {}
+
+    def step(self, action):
+        wind = self.np_random.random() < 0.2
+        self.place += -1 if (action == 0) != wind else 1
+        return self.place, np.array([-1.0]), self.place in (0, 8), False, {}

@@ -314,3 +314,96 @@ def bits_in(joint):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum() * joint[:, y].sum())
     return total
+
+
+# %% needs equally likely
+# says: p(x) is taken to be the same for every need; it is the sum of a row
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p / (joint[:, y].sum() / len(joint)))
+    return total
+
+
+# %% all equally likely
+# says: p(x) and p(y) are taken to be the same for every need and every message; they are sums of the table
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p * joint.size)
+    return total
+
+
+# %% overwritten
+# says: only the last pair counts: is the sum overwritten in the loop?
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total = p * math.log2(p / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% no signs
+# says: a logarithm below 0 counts as well, with its sign
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * abs(math.log2(p / (joint[x].sum() * joint[:, y].sum())))
+    return total
+
+
+# %% one digit
+# says: do not round it
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p / (joint[x].sum() * joint[:, y].sum()))
+    return round(total, 1)
+
+
+# %% means
+# says: that is the mean of a row and of a column; p(x) and p(y) are their sums
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            p = joint[x, y]
+            if p > 0:
+                total += p * math.log2(p / (joint[x].mean() * joint[:, y].mean()))
+    return total
+
+
+# %% likely pairs alone
+# says: pairs that are rarer than p(x) p(y) count too, with their sign; leave out only those that never occur
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(joint.shape[1]):
+            apart = joint[x].sum() * joint[:, y].sum()
+            if joint[x, y] > apart:
+                total += joint[x, y] * math.log2(joint[x, y] / apart)
+    return total
+
+
+# %% a share
+# says: that is a share of the entropy of x; the information itself is asked for
+def bits_in(joint):
+    needs, messages = joint.sum(axis=1), joint.sum(axis=0)
+    entropy = -sum(p * math.log2(p) for p in needs)
+    pairs = [(x, y) for x in range(len(needs)) for y in range(len(messages)) if joint[x, y] > 0]
+    return sum(joint[x, y] * math.log2(joint[x, y] / (needs[x] * messages[y])) for x, y in pairs) / entropy

@@ -1,5 +1,5 @@
 # %% the last action from the message
-# says: , which is none of the usual mistakes
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
 # says: where self.last[0] =
 def act(self, observation, rng):
     votes = np.zeros(4)
@@ -314,5 +314,119 @@ def act(self, observation, rng):
         votes[observation[k] // 4] += 1.0
     if self.last[0] >= 0:
         votes[self.last[0]] = -100.0
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% the next number
+# says: where the last action has most votes, it takes the one with the next number; it should take the one with most
+#   words among them
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    action = pick(votes, rng)
+    if action == self.last[0]:
+        action = (action + 1) % 4
+    self.last[0] = action
+    return action
+
+
+# %% a place in a list
+# says: that is the place of the action in a list of the others, and not the action
+def act(self, observation, rng):
+    others = [a for a in range(4) if a != self.last[0]]
+    votes = np.array([sum(word % 4 == a for word in observation[1:]) for a in others])
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% written before it is left out
+# says: `pick` is called twice, and what was picked first is left out: leave the last action out before you pick, and
+#   pick once
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    self.last[0] = pick(votes, rng)
+    votes[self.last[0]] = -100
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% named or not
+# says: a need that is named twice counts once: += 1 instead of = 1
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for word in observation[1:]:
+        votes[word % 4] = 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% in proportion
+# says: it draws the needs in proportion to their words; it should take one with the most
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = 0
+    if votes.sum() == 0:
+        votes = np.array([float(a != self.last[0]) for a in range(4)])
+    action = int(rng.choice(4, p=votes / votes.sum()))
+    self.last[0] = action
+    return action
+
+
+# %% ten votes less
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
+# says: , takes action
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] -= 10
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% half the votes
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] /= 2
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% remembers the first word
+# says: self.last[0] should be
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+    action = pick(votes, rng)
+    self.last[0] = observation[1] % 4
+    return action
+
+
+# %% ties go to the next one
+# says: , which is none of the usual mistakes
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for i in range(1, len(observation)):
+        votes[observation[i] % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+        votes[(self.last[0] + 1) % 4] += 0.5
     self.last[0] = pick(votes, rng)
     return self.last[0]

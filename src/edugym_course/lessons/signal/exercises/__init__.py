@@ -19,6 +19,7 @@ from edugym_course.lessons.signal.exercises.listener import (
     HEARD,
     LISTENER_MISTAKES,
     check_case,
+    check_left_out,
     check_memory,
     made_by,
     probabilities,
@@ -96,7 +97,7 @@ def exercise_2(answer: Any, seed: int) -> str:
                 " occur"
             )
         value = number(f"bits_in({told})", found)
-        rounded = any(same(value, round(expected, places)) for places in range(2, 6))
+        rounded = any(same(value, round(expected, places)) for places in range(1, 6))
         compare(
             f"bits_in({told})",
             found,
@@ -174,6 +175,19 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
             np.sum(p * np.log2(p / (p_x[:, None] + 0 * joint)[possible]))
         ),
         "p(x) is missing: it divides by p(y) alone": float(np.sum(p * np.log2(p / (p_y + 0 * joint)[possible]))),
+        "p(x) is taken to be the same for every need; it is the sum of a row": float(
+            np.sum(p * np.log2(p * len(p_x) / (p_y + 0 * joint)[possible]))
+        ),
+        "p(x) and p(y) are taken to be the same for every need and every message; they are sums of the table": float(
+            np.sum(p * np.log2(p * joint.size))
+        ),
+        "that is the mean of a row and of a column; p(x) and p(y) are their sums": right + math.log2(joint.size),
+        "pairs that are rarer than p(x) p(y) count too, with their sign; leave out only those that never occur": _sum(
+            joint, joint > np.outer(p_x, p_y)
+        ),
+        "that is a share of the entropy of x; the information itself is asked for": right / entropy_x,
+        "only the last pair counts: is the sum overwritten in the loop?": float(_terms(joint)[possible][-1]),
+        "a logarithm below 0 counts as well, with its sign": float(np.abs(_terms(joint)).sum()),
         "the weight p(x, y) before the logarithm is missing": float(np.sum(np.log2(p / outer))),
         "the weight before the logarithm should be p(x, y), not p(x) p(y)": float(np.sum(outer * np.log2(p / outer))),
         "that is the *mean* over the pairs; the weights p(x, y) are in the sum already, so add them up": right
@@ -204,6 +218,12 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
     }
 
 
+def _terms(joint: Reals) -> Reals:
+    """Return p(x, y) log2(p(x, y) / (p(x) p(y))) for every pair, 0 where it never occurs."""
+    outer = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return np.array(joint * np.log2(np.where(joint > 0, joint / outer, 1.0)))
+
+
 def _part(joint: Reals, rows: slice) -> float:
     """Return the sum over some of the rows."""
     chosen = np.zeros(joint.shape, bool)
@@ -213,8 +233,7 @@ def _part(joint: Reals, rows: slice) -> float:
 
 def _sum(joint: Reals, chosen: Any) -> float:
     """Return the sum over the pairs that are chosen."""
-    outer = np.outer(joint.sum(axis=1), joint.sum(axis=0))
-    return float(np.sum(joint[chosen] * np.log2(joint[chosen] / outer[chosen])))
+    return float(_terms(joint)[chosen].sum())
 
 
 def exercise_3(answer: Any, seed: int) -> str:
@@ -231,10 +250,11 @@ def exercise_3(answer: Any, seed: int) -> str:
         for sentence, change in LISTENER_MISTAKES.items()
         if all(np.abs(probabilities(case, **change) - one).max() < CLOSE for case, one in zip(cases, seen, strict=True))
     }
+    if not everywhere:
+        check_left_out(cases, seen)
     for case in cases:
         check_case(made, case, everywhere)
-    for case in cases:
-        check_memory(made, case)
+    check_memory(made, cases)
     return "Right: message and memory together. See it race:"
 
 

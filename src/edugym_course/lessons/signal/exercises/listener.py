@@ -50,8 +50,10 @@ HEARD = (
     Heard((40, 7, 7, 2), -1),
     Heard((9, 1, 1, 3, 3, 0), 1),
     Heard((61, 3, 2, 3, 0, 0), -1),
+    Heard((70, *13 * (1,), 2, 2), 1),
 )
-"""What is observed in the check: hit points that name another need than the words, synonyms, ties, a first step."""
+"""What is observed in the check: hit points that name another need than the words, synonyms, ties, a first step, and a
+long message that names the last action again and again."""
 
 
 def probabilities(
@@ -73,7 +75,9 @@ def probabilities(
             votes[named] += 1.0
     if most == "least":
         votes = -votes
-    if memory == "excluded" and case.last >= 0:
+    elif most == "named once":
+        votes = np.minimum(votes, 1.0)
+    if memory in ("excluded", "place among the others") and case.last >= 0:
         votes[case.last] = -np.inf
     elif memory == "set to 0" and case.last >= 0:
         votes[case.last] = 0.0
@@ -84,13 +88,28 @@ def probabilities(
     elif memory == "in turn":
         return _only((case.last + 1) % FOUR_NEEDS)
     best = votes == votes.max()
+    shares = np.array(best / best.sum())
     if memory == "redrawn" and case.last >= 0:
-        shares = best / best.sum()
-        elsewhere = np.where(np.arange(FOUR_NEEDS) == case.last, 0.0, shares + shares[case.last] / (FOUR_NEEDS - 1))
-        return np.array(elsewhere)
+        return np.where(np.arange(FOUR_NEEDS) == case.last, 0.0, shares + shares[case.last] / (FOUR_NEEDS - 1))
+    if memory == "the next one" and case.last >= 0:
+        shares[(case.last + 1) % FOUR_NEEDS] += shares[case.last]
+        shares[case.last] = 0.0
+    elif memory == "place among the others" and case.last >= 0:
+        return np.append(np.delete(shares, case.last), 0.0)
+    elif memory == "picked twice":
+        return np.array(sum(share * _without(votes, action) for action, share in enumerate(shares)))
+    if ties == "drawn by votes":
+        counts = np.where(np.isfinite(votes), votes, 0.0)
+        return counts / counts.sum() if counts.any() else shares
     if ties != "random":
         return _only(int(np.flatnonzero(best)[0 if ties == "first" else -1]))
-    return np.array(best / best.sum())
+    return shares
+
+
+def _without(votes: Reals, action: int) -> Reals:
+    """Return the probabilities of the others, if one action is left out of a vote."""
+    others = np.where(np.arange(FOUR_NEEDS) == action, -np.inf, votes)
+    return np.array((others == others.max()) / (others == others.max()).sum())
 
 
 def _only(action: int) -> Reals:
@@ -124,6 +143,15 @@ LISTENER_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "where the last action has most votes, it takes any other; it should take the one with most words among them": {
             "memory": "redrawn"
         },
+        "where the last action has most votes, it takes the one with the next number; it should take the one with most"
+        " words among them": {"memory": "the next one"},
+        "that is the place of the action in a list of the others, and not the action": {
+            "memory": "place among the others"
+        },
+        "`pick` is called twice, and what was picked first is left out: leave the last action out before you pick, and"
+        " pick once": {"memory": "picked twice"},
+        "a need that is named twice counts once: += 1 instead of = 1": {"most": "named once"},
+        "it draws the needs in proportion to their words; it should take one with the most": {"ties": "drawn by votes"},
         "ties should be broken at random, and it takes the first of equals: call pick(votes, rng)": {"ties": "first"},
         "ties should be broken at random, and it takes the last of equals: call pick(votes, rng)": {"ties": "last"},
         "it takes the need with the *fewest* words": {"most": "least"},
@@ -176,16 +204,29 @@ def made_by(answer: Any) -> Any:
     return made
 
 
-def check_memory(made: Any, case: Heard) -> None:
+def check_memory(made: Any, cases: list[Heard]) -> None:
     """Check that the action is remembered."""
-    call = case.call
-    with student_code(call):
-        action = action_of(call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
-    if made.last[0] == action:
-        return
-    if made.last[0] == case.last:
+    wrong = []
+    for case in cases:
+        with student_code(case.call):
+            action = action_of(case.call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
+        if made.last[0] != action:
+            wrong.append((case, action, int(made.last[0])))
+    for case, action, last in wrong:
+        if last != case.last:
+            raise WrongAnswer(f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}")
+    for case, action, _ in wrong:
         raise WrongAnswer(
-            f"{call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before you"
-            " return"
+            f"{case.call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before"
+            " you return"
         )
-    raise WrongAnswer(f"after {call} took action {action}, self.last[0] should be {action}, but is {made.last[0]}")
+
+
+def check_left_out(cases: list[Heard], seen: list[Reals]) -> None:
+    """Check that the last action is never taken again, from how often each action is."""
+    for case, shares in zip(cases, seen, strict=True):
+        if case.last >= 0 and shares[case.last] > 0.0:
+            raise WrongAnswer(
+                f"{case.call}, {case.told}, takes action {case.last} in {shares[case.last]:.0%} of calls, but that is"
+                " the one that was taken last: it should not be taken again, however many words name it"
+            )

@@ -40,3 +40,27 @@ level = 2.32
 # %% a negative level
 # says: the sign is wrong
 level = -0.0232
+
+# %% the estimate with the lesson's cost
+# says: that is an estimate with the lesson's cost of 1.9 for a lost ball; the fast plan returns 0.8 now, so it costs 1.8
+from statistics import NormalDist
+
+level = round(3.5 / (100 * -NormalDist().inv_cdf(0.2 / 1.9 / 2)), 4)
+
+# %% the estimate with one side
+# says: that is an estimate with the water on one side only, and it is on both: p / 2 is for each of them
+from statistics import NormalDist
+
+level = round(3.5 / (100 * -NormalDist().inv_cdf(0.2 / 1.8)), 4)
+
+# %% the probability
+# says: that is the probability p of a lost ball; the level is what gives this probability
+level = (0.8 - 0.6) / 1.8
+
+# %% the number of standard deviations
+# says: that is the number of standard deviations, and 3.5 / (100 level) is what it is
+level = 1.59
+
+# %% coarse places
+# says: that is the crossing with places a quarter of a cell apart (`cell=0.25`), which is too coarse here: leave `cell` out
+level = round(exact.crossing(0.02, 0.025, cell=0.25, max_hits=5), 4)

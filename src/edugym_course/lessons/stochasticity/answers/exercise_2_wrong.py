@@ -124,7 +124,7 @@ def frontier(players):
 
 
 # %% appended in the inner loop
-# says: more than once: is it appended in the inner loop?
+# says: more than once, and once is enough: is it appended in the inner loop, or by two lists that are added?
 def frontier(players):
     best = []
     for n, (m, s) in players.items():
@@ -208,3 +208,35 @@ def frontier(players):
         for name, (mean, spread) in rounded.items()
         if not any(m >= mean and s <= spread and (m > mean or s < spread) for m, s in rounded.values())
     ]
+
+
+# %% the best two
+# says: more than once, and once is enough: is it appended in the inner loop, or by two lists that are added?
+def frontier(players):
+    return [max(players, key=lambda name: players[name][0]), min(players, key=lambda name: players[name][1])]
+
+
+# %% return in the loop
+# says: the first player alone is looked at: `return` ends the loop, so write it below, as far to the left as `for`
+def frontier(players):
+    names = []
+    for name, (mean, spread) in players.items():
+        for m, s in players.values():
+            if m >= mean and s <= spread and (m, s) != (mean, spread):
+                break
+        else:
+            names.append(name)
+        return names
+
+
+# %% the flag stays up
+# says: after the first player that is beaten nobody is taken: is a variable set to True there, and never back to False?
+def frontier(players):
+    names, beaten = [], False
+    for name, (mean, spread) in players.items():
+        for m, s in players.values():
+            if m >= mean and s <= spread and (m, s) != (mean, spread):
+                beaten = True
+        if not beaten:
+            names.append(name)
+    return names

@@ -217,3 +217,72 @@ def learn(self, state, action, reward, next_state, terminated):
     delta = reward + self.discount * value - self.Q[state, action]
     w = 1 - self.kappa if delta > 0 else 0.0
     self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% no brackets, the last part alone loses Q
+# says: − Q(S, A) is missing at the end of an episode: `a if terminated else b - Q` subtracts it from b only, so put brackets
+#   around `a if terminated else b`
+def learn(self, state, action, reward, next_state, terminated):
+    value = self.discount * max(self.Q[next_state])
+    delta = reward if terminated else reward + value - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% no brackets, Q at the end alone
+# says: − Q(S, A) is missing but at the end of an episode: `a if not terminated else b - Q` subtracts it from b only, so put
+#   brackets around `a if not terminated else b`
+def learn(self, state, action, reward, next_state, terminated):
+    value = self.discount * max(self.Q[next_state])
+    delta = reward + value if not terminated else reward - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% no brackets, the reward at the end alone
+# says: Python reads `R + a if terminated else b - Q` as `(R + a) if terminated else (b - Q)`: put brackets around
+#   `a if terminated else b`
+def learn(self, state, action, reward, next_state, terminated):
+    value = self.discount * max(self.Q[next_state])
+    delta = reward + 0.0 if terminated else value - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% no brackets, only Q at the end
+# says: Python reads `R + a if not terminated else b - Q` as `(R + a) if not terminated else (b - Q)`: put brackets around
+#   `a if not terminated else b`
+def learn(self, state, action, reward, next_state, terminated):
+    value = self.discount * max(self.Q[next_state])
+    delta = reward + value if not terminated else 0.0 - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% an else is missing
+# says: a good surprise is learned from twice, with both weights: is an `else` missing?
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    old = self.Q[state, action]
+    if delta > 0:
+        old += self.learning_rate * (1 - self.kappa) * delta
+    old += self.learning_rate * (1 + self.kappa) * delta
+    self.Q[state, action] = old
+
+
+# %% the size of the surprise
+# says: the weight is 1 − κδ; it should depend on the sign of δ only, whatever its size
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    self.Q[state, action] += self.learning_rate * (1 - self.kappa * delta) * delta
+
+
+# %% the row of the next state
+# says: another entry changes than should,
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[next_state, action] += self.learning_rate * w * delta

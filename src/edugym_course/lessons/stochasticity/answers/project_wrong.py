@@ -40,3 +40,16 @@
 # in: the weight in one line
 # - return lambda s: int(Q[s].argmax())
 # + return lambda s: int(Q[s].argmin())
+
+# %% no brackets
+# says: They fit a usual mistake:
+# says: − Q(S, A) is missing at the end of an episode: put brackets around `... if terminated else ...`
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r if over else r + 0.9 * Q[s2].max() - Q[s, a]
+
+# %% a smaller α
+# says: α is 0.1, or some other number far below 0.4
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.1 * 2 / (1 + np.exp(0.5 * delta)) * delta

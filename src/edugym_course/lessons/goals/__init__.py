@@ -1,0 +1,1 @@
+"""Goals (lesson 11)."""

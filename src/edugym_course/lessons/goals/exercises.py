@@ -1,0 +1,303 @@
+"""The exercises of lesson 11: the greedy action for a goal, 'final', and the goals of 'future'."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.cases import FAR_BELOW, starts, telling_draw
+from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import given, in_brackets, same
+
+N_PATTERNS, N_ACTIONS = 5, 3
+
+Values = tuple[Reals, int, int]
+"""A table Q of shape (patterns, patterns, actions), a state and a goal."""
+
+
+def _best(row: Any) -> int:
+    return int(np.argmax(row))
+
+
+def _right(Q: Reals, s: int, g: int) -> int:
+    return _best(Q[s, g])
+
+
+def _taken(rule: Callable[[Reals, int, int], int], case: Values) -> int:
+    return rule(*case)
+
+
+def _from(start: int, Q: Reals, s: int, g: int) -> int:
+    return _best(Q[s, g]) if Q[s, g].max() > -start else 0
+
+
+GREEDY_MISTAKES: Mapping[str, Callable[[Reals, int, int], int]] = {
+    "the indices have changed places: the state comes first, then the goal": lambda Q, s, g: _best(Q[g, s]),
+    "the action with the *lowest* value is taken": lambda Q, s, g: _best(-Q[s, g]),
+    "the goal is left out: the best action for *some* goal is taken": lambda Q, s, g: _best(Q[s].max(axis=0)),
+    "the goal is left out: the values are averaged over all goals": lambda Q, s, g: _best(Q[s].mean(axis=0)),
+    "the state is left out: the values are averaged over all states": lambda Q, s, g: _best(Q[:, g].mean(axis=0)),
+    "the search goes over the values of all goals, and so the number is none of an action": lambda Q, s, g: _best(Q[s]),
+    "it looks up Q[state, state], as if the goal were there already": lambda Q, s, g: _best(Q[s, s]),
+    "it looks up Q[goal, goal]; the first index is the state": lambda Q, s, g: _best(Q[g, g]),
+    "the value that is largest in *size* is taken; −8 is lower than −1": lambda Q, s, g: _best(np.abs(Q[s, g])),
+    "the value closest to 0 is taken, and not the highest": lambda Q, s, g: _best(-np.abs(Q[s, g])),
+    **starts(
+        lambda start: f"the search for the highest value starts from {start}, and all values may be lower",
+        lambda start: partial(_from, start),
+    ),
+}
+"""Which action each mistake takes."""
+
+
+HIGHEST = (3.0, 0.0, -0.5, -5.0, -50.0, -500.0, -FAR_BELOW)
+"""The highest values of made-up rows: a search that starts too high misses those below its start."""
+
+
+def _values(rng: np.random.Generator) -> list[Values]:
+    """Make up tables with other values for every state, goal and action."""
+    made = []
+    for highest in HIGHEST:
+        Q = 0.5 * rng.permutation(N_PATTERNS * N_PATTERNS * N_ACTIONS).reshape(N_PATTERNS, N_PATTERNS, N_ACTIONS)
+        state, goal = rng.choice(N_PATTERNS, 2, replace=False)
+        made.append((Q - Q[state, goal].max() + highest, int(state), int(goal)))
+    return made
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the greedy action for a goal."""
+    require_function("greedy", answer, "Q, state and goal")
+    rules = [partial(_taken, rule) for rule in (_right, *GREEDY_MISTAKES.values())]
+    cases, found, calls = _values(telling_draw(seed, _values, rules)), [], []
+    for Q, state, goal in cases:
+        call = f"greedy(Q, {state}, {goal}), where Q[{state}, {goal}] = {in_brackets(Q[state, goal])},"
+        with student_code(call):
+            action = answer(Q.copy(), state, goal)
+        given(f"greedy(Q, {state}, {goal})", action)
+        if isinstance(action, float | np.floating) and action == Q[state, goal].max():
+            raise WrongAnswer(f"{call} gives {action:g}, the highest value; its action is wanted, so the place of it")
+        if not isinstance(action, int | np.integer):
+            action_of(call, action, N_ACTIONS)  # which refuses it
+        calls.append(call)
+        found.append(int(action))
+    for (Q, state, goal), call, action in zip(cases, calls, found, strict=True):
+        if (expected := _right(Q, state, goal)) != action:
+
+            def everywhere(mistake: Callable[..., int]) -> bool:
+                return all(mistake(*case) == taken for case, taken in zip(cases, found, strict=True))
+
+            why = mistake_that_fits(GREEDY_MISTAKES, everywhere, otherwise=NO_USUAL_ACTION)
+            taken = action if why in GREEDY_MISTAKES else action_of(call, action, N_ACTIONS)
+            raise WrongAnswer(f"{call} should give action {expected}, but gives {taken}: {why}")
+    return "Right: one table for all goals. For another goal the same state has another best action."
+
+
+NO_USUAL_ACTION = "that is none of the usual mistakes, so look at one row Q[state, goal] by hand"
+
+Step = tuple[int, int, int]
+"""A step of an episode: state, action, next state. States are patterns, and so numbers."""
+Transition = tuple[int, int, int, float, int, bool]
+"""State, goal, action, reward, next state, and whether the step terminated."""
+Settings = Mapping[str, str]
+
+
+def relabelled(
+    steps: Sequence[Step],
+    goal: str = "final",
+    reward: str = "right",
+    terminated: str = "right",
+    kept: str = "all",
+) -> list[Transition]:
+    """Return an episode as if its last pattern had been the goal; other arguments than the defaults are mistakes."""
+    made = []
+    last = len(steps) - 1
+    for t, (state, action, next_state) in enumerate(steps):
+        wanted = {
+            "final": steps[last][2],
+            "before": steps[last][0],
+            "first": steps[0][2],
+            "start": steps[0][0],
+            "own": next_state,
+        }[goal]
+        reached = next_state == wanted
+        pays = {
+            "right": 0.0 if reached else -1.0,
+            "old": -1.0,
+            "zero": 0.0,
+            "one": 1.0 if reached else -1.0,
+            "one and zero": float(reached),
+            "last": 0.0 if t == last else -1.0,
+            "state": 0.0 if state == wanted else -1.0,
+            "inverted": -1.0 if reached else 0.0,
+            "cost": 0.0 if reached else 1.0,
+        }[reward]
+        ends = {
+            "right": reached,
+            "never": False,
+            "last": t == last,
+            "always": True,
+            "state": state == wanted,
+            "inverted": not reached,
+        }[terminated]
+        made.append((state, wanted, action, pays, next_state, ends))
+    return {"all": made, "not the last": made[:-1], "only the last": made[-1:], "backwards": made[::-1]}[kept]
+
+
+FINAL_MISTAKES: Mapping[str, Settings] = {
+    "the rewards are the old ones, of a goal that was missed: ask for each step anew whether it reaches the *new*"
+    " goal": {"reward": "old"},
+    "every step is paid 0; only one that reaches the goal is": {"reward": "zero"},
+    "a step that reaches its goal is paid 0, not 1: hindsight keeps the reward of the task": {"reward": "one"},
+    "the task pays 0 at the goal and −1 elsewhere, not 1 and 0": {"reward": "one and zero"},
+    "an earlier step may reach the same pattern: look for the reward at every next state, not at the last one only": {
+        "reward": "last"
+    },
+    "the reward depends on the *next* state, not on the state before the step": {"reward": "state"},
+    "the rewards are the wrong way round: −1 costs, 0 is for the goal": {"reward": "inverted"},
+    "a step that misses costs 1: its reward is −1": {"reward": "cost"},
+    "no step terminates; with the new goal the episode would have ended there, and nothing comes after it": {
+        "terminated": "never"
+    },
+    "only the last step terminates; an earlier one that reaches the same pattern does as well": {"terminated": "last"},
+    "every step terminates; only one that reaches the goal does": {"terminated": "always"},
+    "a step terminates when its *next* state is the goal, not its state": {"terminated": "state"},
+    "`terminated` is the wrong way round: True where the goal is reached": {"terminated": "inverted"},
+    "the goal is the last *next* state, not the state before the last step": {"goal": "before"},
+    "the goal is what the *last* step achieved, not the first": {"goal": "first"},
+    "the goal is the start of the episode; take what its last step achieved": {"goal": "start"},
+    "each step has another goal, the one that it achieves itself; 'final' has one goal for the whole episode": {
+        "goal": "own"
+    },
+    "the last step is missing": {"kept": "not the last"},
+    "only the last step is there; the others are learned for the new goal too": {"kept": "only the last"},
+    "the steps come in reverse order; keep the order of the episode": {"kept": "backwards"},
+}
+NO_USUAL_EPISODE = "that is none of the usual mistakes, so go through the episode by hand, step by step"
+EPISODES = (
+    [(0, 0, 4), (4, 1, 6), (6, 0, 2), (2, 0, 6), (6, 2, 7), (7, 2, 6)],  # it reaches its last pattern three times
+    [(5, 1, 7), (7, 0, 3), (3, 0, 7), (7, 1, 5)],  # its last pattern is that of its start
+    [(1, 2, 0)],
+    [(3, 0, 7), (7, 1, 5), (5, 2, 4)],
+    [(6, 2, 7), (7, 0, 3), (3, 0, 7), (7, 2, 6), (6, 1, 4), (4, 1, 6), (6, 0, 2)],  # tells all mistakes of 'future'
+)
+"""Episodes with three switches; the patterns are numbered as binary numbers."""
+
+
+def episodes_of(seed: int) -> list[list[Step]]:
+    """Return the episodes with some switches turned, so that other seeds have other numbers."""
+    turned = int(np.random.default_rng(seed).integers(8))
+    return [[(s ^ turned, a, then ^ turned) for s, a, then in steps] for steps in EPISODES]
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the relabelling 'final'."""
+    require_function("final", answer, "steps")
+    cases = episodes_of(seed)
+    found = [_transitions(answer, steps) for steps in cases]
+    for steps, mine in zip(cases, found, strict=True):
+        right = relabelled(steps)
+        if mine != right:
+            why = _why(cases, found)
+            if len(mine) != len(right):
+                raise WrongAnswer(f"final({steps}) should give {len(right)} transitions, but gives {len(mine)}: {why}")
+            t = next(t for t in range(len(right)) if mine[t] != right[t])
+            raise WrongAnswer(f"final({steps}) should give {right[t]} for step {t}, but gives {mine[t]}: {why}")
+    return (
+        "Right: the steps are those that were taken, and the reward function is that of the task. Only the goal is new."
+    )
+
+
+def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
+    """Return what a student's function gives, as transitions.
+
+    Raises:
+        WrongAnswer: it is something else.
+    """
+    call, mine = f"final({steps})", [*steps]
+    with student_code(call):
+        found = answer(mine)
+        given(call, found)
+        found = [*found] if isinstance(found, Iterable) else [found]
+    if mine != steps:
+        raise WrongAnswer(f"{call} changes its list `steps`; make a new list")
+    for one in found:
+        if not isinstance(one, tuple | list | np.ndarray) or len(one) != 6:
+            raise WrongAnswer(
+                f"{call} should give a list of transitions (state, goal, action, reward, next_state, terminated), but"
+                f" one of them is {one!r}"
+            )
+    with student_code(call):
+        return [(int(s), int(g), int(a), float(r), int(then), bool(end)) for s, g, a, r, then, end in found]
+
+
+def _why(cases: Sequence[Sequence[Step]], found: Sequence[list[Transition]]) -> str:
+    """Return the mistake that explains all episodes, or two mistakes together."""
+
+    def fits(change: Settings) -> bool:
+        return all(relabelled(steps, **change) == mine for steps, mine in zip(cases, found, strict=True))
+
+    for sentence, change in FINAL_MISTAKES.items():
+        if fits(change):
+            return sentence
+    for (one, first), (two, second) in combinations(FINAL_MISTAKES.items(), 2):
+        if not first.keys() & second.keys() and fits({**first, **second}):
+            return f"{one}; and {two}"
+    return NO_USUAL_EPISODE
+
+
+FUTURE_MISTAKES: Mapping[str, Callable[[Sequence[Step], int], Sequence[int]]] = {
+    "steps before t are drawn too; what was achieved before a step is not its future": lambda steps, t: [
+        then for _, _, then in steps
+    ],
+    "the step t itself is never drawn; it achieves a pattern too": lambda steps, t: [
+        then for _, _, then in steps[t + 1 :]
+    ],
+    "the last step is never drawn: `rng.integers(t, n)` leaves n out, not n − 1": lambda steps, t: [
+        then for _, _, then in steps[t:-1]
+    ],
+    "the pattern *before* the step that was drawn is taken; the step achieves its next state": lambda steps, t: [
+        state for state, _, _ in steps[t:]
+    ],
+    "that is 'final': always what the last step achieved": lambda steps, t: [steps[-1][2]],
+    "it is always what step t itself achieved; draw one of the steps from t on": lambda steps, t: [steps[t][2]],
+    "every *pattern* is as likely, and every *step* should be": lambda steps, t: [*{then for _, _, then in steps[t:]}],
+    "that is the number of the step that was drawn; its next state is wanted": lambda steps, t: [*range(t, len(steps))],
+    "only steps up to t are drawn: what was achieved until then, and not from then on": lambda steps, t: [
+        then for _, _, then in steps[: t + 1]
+    ],
+}
+"""Among which patterns, each as likely, each mistake draws the goal."""
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the goals of 'future'."""
+    require_function("future_goal", answer, "steps, t and rng")
+    *_, short, _, long = episodes_of(seed)
+    for steps, t in ((long, 2), (long, 0), (long, 5), (long, len(long) - 1), (short, 0)):
+        expected = shares_of([then for _, _, then in steps[t:]])
+        wrong = {why: shares_of(draws(steps, t)) for why, draws in FUTURE_MISTAKES.items() if draws(steps, t)}
+        check_choices(
+            f"future_goal(steps, {t}, rng)",
+            partial(answer, [*steps], t),
+            expected,
+            {why: shares for why, shares in wrong.items() if not all(map(same, shares, expected))},
+            tables={},
+            where=f"where steps = {steps}",
+            noun="pattern",
+        )
+    return (
+        "Right: every step from t on is as likely. The pattern that it reached is a goal that step t was on the way to."
+    )
+
+
+def shares_of(patterns: Sequence[int]) -> list[float]:
+    """Return the probability of each of the eight patterns, if each of those given is as likely."""
+    shares: list[float] = (np.bincount(patterns, minlength=8) / max(len(patterns), 1)).tolist()
+    return shares

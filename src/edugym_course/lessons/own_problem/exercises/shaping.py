@@ -1,0 +1,109 @@
+"""Exercise 2: potential-based shaping."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+from edugym.mdp.protocol import Random
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import number
+
+Numbers = tuple[float, float, float, bool, float]
+"""A reward, φ(s), φ(s'), whether the episode has terminated, and γ."""
+
+
+def _shaped(r: float, a: float, b: float, end: bool, g: float) -> float:
+    """Return a reward with potential-based shaping."""
+    return r + (0.0 if end else g * b) - a
+
+
+SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
+    "the potential of the next state counts γ φ(s'), with the discount": lambda r, a, b, end, g: r + b * (not end) - a,
+    "after a terminal state there is nothing: its potential is 0 when `terminated`": lambda r, a, b, end, g: (
+        r + g * b - a
+    ),
+    "both mistakes: γ is missing before φ(s'), and the potential of a terminal state is 0": lambda r, a, b, end, g: (
+        r + b - a
+    ),
+    "the sign is wrong: it is what the potential *gains*, γ φ(s') − φ(s)": lambda r, a, b, end, g: (
+        r - g * b * (not end) + a
+    ),
+    "φ(s) is not subtracted: that is a bonus which can be farmed": lambda r, a, b, end, g: r + g * b * (not end),
+    "that is a bonus for the next state, without discount and without the bill φ(s)": lambda r, a, b, end, g: r + b,
+    "that is the shaping reward alone; add the reward": lambda r, a, b, end, g: g * b * (not end) - a,
+    "at the end the bill still has to be paid: − φ(s) counts also when `terminated`": lambda r, a, b, end, g: (
+        r if end else r + g * b - a
+    ),
+    "when `terminated`, φ(s') is 0, and not φ(s)": lambda r, a, b, end, g: r + g * b - a * (not end),
+    "`terminated` is the wrong way round: φ(s') counts when it is False": lambda r, a, b, end, g: r + g * b * end - a,
+    "both: when `terminated` is True it is φ(s') that is 0, and not φ(s) when it is False": lambda r, a, b, end, g: (
+        r + g * b - a * end
+    ),
+    "the reward counts at the end too, when `terminated`": lambda r, a, b, end, g: 0.0 if end else r + g * b - a,
+    "when `terminated`, only φ(s') is 0; the reward still counts": lambda r, a, b, end, g: -a if end else r + g * b - a,
+    "F may be below 0: what the potential loses is taken back": lambda r, a, b, end, g: (
+        r + max(g * b * (not end) - a, 0.0)
+    ),
+    "F may be below 0, and its absolute value is not asked for": lambda r, a, b, end, g: r + abs(g * b * (not end) - a),
+    "φ(s) is subtracted and not added, and γ φ(s') is missing": lambda r, a, b, end, g: r + a,
+    "only φ(s') is discounted, and not all of it": lambda r, a, b, end, g: g * (r + b * (not end) - a),
+    "F is added to the reward and not multiplied by it": lambda r, a, b, end, g: r * (g * b * (not end) - a),
+    "that is the reward alone, without shaping": lambda r, a, b, end, g: r,
+    "only φ(s') is discounted, not φ(s)": lambda r, a, b, end, g: r + g * (b * (not end) - a),
+    "γ belongs before φ(s'), not before φ(s)": lambda r, a, b, end, g: r + b * (not end) - g * a,
+    "the reward itself is not discounted": lambda r, a, b, end, g: g * (r + b * (not end)) - a,
+    "the two states have changed places": lambda r, a, b, end, g: r + g * a * (not end) - b,
+    "γ φ(s') is missing; it counts unless `terminated`": lambda r, a, b, end, g: r - a,
+    "+ φ(s) stands where − φ(s) should": lambda r, a, b, end, g: r + g * b * (not end) + a,
+}
+"""By the sentence that tells of it, what each mistake gives for the same numbers."""
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that adds potential-based shaping to a reward."""
+    of = "reward, potential, state, next_state, terminated and discount"
+    require_function("shaped_reward", answer, of)
+    rules = [partial(_by_rule, rule) for rule in (_shaped, *SHAPING_MISTAKES.values())]
+    compare_all(
+        [
+            NumberCase(
+                *_shaped_by(answer, told),
+                _shaped(*told),
+                {why: mistake(*told) for why, mistake in SHAPING_MISTAKES.items()},
+            )
+            for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))
+        ]
+    )
+    return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
+
+
+def _by_rule(rule: Callable[..., float], told: Numbers) -> float:
+    return rule(*told)
+
+
+def shaping_numbers(rng: Random) -> list[Numbers]:
+    """Make numbers up for three steps; the second one is the last of its episode."""
+    made = []
+    for terminated, discount in ((False, 0.5), (True, 0.75), (False, 0.75)):
+        before, after = float(rng.integers(2, 9)), 11.0 + 2.0 * float(rng.integers(4))
+        made.append((40.0 + float(rng.integers(1, 6)), before, after, terminated, discount))
+    return made
+
+
+def _shaped_by(answer: Callable[..., Any], told: Numbers) -> tuple[str, float]:
+    """Call a student's function on made-up numbers; return the call, and what came."""
+    reward, before, after, terminated, discount = told
+    call = (
+        f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
+        f" {before:g} and potential('door') = {after:g}"
+    )
+
+    def potential(state: str) -> float:
+        return {"bed": before, "door": after}[state]
+
+    with student_code(call):
+        found = answer(reward, potential, "bed", "door", terminated, discount)
+    return call, number(call, found)

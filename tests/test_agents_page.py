@@ -1,0 +1,54 @@
+"""The page of the agents: it says what the stored profiles say, and which parts are missing."""
+
+import importlib.util
+from pathlib import Path
+from typing import Any
+
+import pandas
+import pytest
+
+from edugym import Profile
+from edugym.experiments.profiles.ladders import LADDERS
+from edugym.experiments.profiles.scores import COLUMNS
+
+FILE = Path(__file__).parents[1] / "docs" / "agents.py"
+LADDER = LADDERS[0]._replace(strengths=(8, 10))
+
+
+def loaded() -> Any:
+    """The program that writes the page."""
+    spec = importlib.util.spec_from_file_location("agents_page", FILE)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize(
+    ("scores", "cells"),
+    [
+        ((1.0, 1.0), ("**1.00 ± 0.00**", "never", "good")),
+        ((1.0, 0.0), ("**0.50 ± 0.00**", "9", "good")),
+        ((0.4, 0.4), ("0.40 ± 0.00", "at once", "nobody is good; the best score is 0.40, of good")),
+        ((-0.1, 0.0), ("-0.05 ± 0.00", "at once", "nobody")),
+    ],
+)
+def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells: tuple[str, str, str]) -> None:
+    """The score, in bold for who is to be taken; where it breaks; whom to take; and who cannot enter, and why."""
+    rows = [
+        dict.fromkeys(COLUMNS, 0.0)
+        | {"agent": "good", "challenge": "Boulder", "strength": strength, "repetition": k, "score": score}
+        for strength, score in zip(LADDER.strengths, scores, strict=True)
+        for k in range(3)
+    ]
+    profile = Profile(
+        pandas.DataFrame(rows), (LADDER,), ("good", "blank", "new"), {"blank": {"Boulder": "it is afraid"}}
+    )
+    page = loaded().page(profile, {"blank": ["Boulder"]}).replace("\N{NO-BREAK SPACE}", " ")
+    score, broken, take = cells
+    for line in (f"| good | {score} |", f"| good | {broken} |", f"| {take} |", "| blank | – |", "| new | ? |"):
+        assert line in page
+    assert "Boulder, blank: it is afraid." in page
+    assert "made from earlier code: blank: Boulder" in page
+    assert "no ladder for Roadrunner" in page
