@@ -15,6 +15,7 @@ import edugym
 from edugym.compiled import execution
 from edugym.compiled.javascript import operations
 from edugym.compiled.javascript import program as javascript
+from edugym.compiled.javascript.kinds import Untranslatable
 from tests.compiled.cells import LEARNER, WALK, cell
 from tests.compiled.javascript_engine import NODE, Node
 from tests.compiled.late_programs import bits, method_program, outcome, task_program
@@ -240,7 +241,7 @@ def test_flat(node: Node) -> None:
     assert added_up(9, here) == javascript.translated(added_up, (there,), node)(9, there)
     assert here.tobytes() == there.tobytes()
     for loop, values in ((added_up, np.ones((3, 3))), (copied, np.ones(3))):
-        with pytest.raises(javascript.Untranslatable, match=r"it uses \.flat"):
+        with pytest.raises(Untranslatable, match=r"it uses \.flat"):
             javascript.translated(loop, (values,), node)
 
 
