@@ -296,7 +296,7 @@ def hand_back(self, length):
 
 
 # %% self forgotten
-# says: write `self.` before a field
+# says: write `self.` before a field or a method
 def hand_back(self, length):
     G = 0.0
     for k in range(length - 1, -1, -1):
@@ -540,7 +540,7 @@ def hand_back(self, length):
 
 
 # %% fields without self
-# says: name 'rewards' is not defined (write `self.` before a field)
+# says: name 'rewards' is not defined (write `self.` before a field or a method)
 def hand_back(self, length):
     G = 0.0
     for k in range(length - 1, -1, -1):
