@@ -15,6 +15,7 @@ from edugym_course.lessons.dimensionality import (
     figures,
     methods,
     networks,
+    project,
     sharing,
     sizes,
     tasks,
@@ -23,8 +24,11 @@ from edugym_course.lessons.dimensionality import (
 from edugym_course.lessons.dimensionality.boards import Offset
 from edugym_course.lessons.dimensionality.layers import SmallCNN
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
+from edugym_course.lessons.dimensionality.project import RIDDLES, Move
 from edugym_course.lessons.model_based.figures import steps_to
+from tests.course.lessons.answers import Answer, verdict
 from tests.course.lessons.made_up import Curve, made_up, measured
+from tests.course.lessons.test_answers import ANSWERS, checked_by, exercises_of
 from tests.experiments.figures.samples import heights, new_axes
 
 
@@ -185,3 +189,75 @@ def test_the_run_in_the_middle(curves: list[Curve], median: float, monkeypatch: 
     assert steps_to(results, "one", 0.99) == median
     monkeypatch.setattr(methods, "learn", lambda task, label, *more, **how: made_up({label: curves}, 60))
     assert {*methods.steps_to_solve(3).values()} == {median}
+
+
+LESSON, DISCOUNT = "04_dimensionality", 0.9
+
+
+def program() -> Answer:
+    """The lesson's own program, and the one in PyTorch."""
+    return Answer(LESSON, 0, True, "program", (), checked_by(Answer(LESSON, 0, True, "", (), "")).solution)
+
+
+def value(move: Move, follows: bool = True, masked: bool = True, truncated_ends: bool = False) -> float:
+    """The target of a move when the good image is worth 1 and the bad one −1."""
+    ends = masked and (move.terminated or (truncated_ends and move.truncated))
+    return move.reward + (0.0 if ends else DISCOUNT * follows * (1.0 if move.image == project.GOOD else -1.0))
+
+
+@pytest.mark.parametrize(
+    ("mistake", "solved"),
+    [
+        ({}, [True, True, True, True]),
+        ({"follows": False}, [True, False, True, False]),
+        ({"masked": False}, [True, True, False, True]),
+        ({"truncated_ends": True}, [True, True, True, False]),
+    ],
+)
+def test_what_a_riddle_asks_for(mistake: dict[str, bool], solved: list[bool]) -> None:
+    """With right targets the right action is the best one; with a mistake not in the riddles that ask for it."""
+    found = [value(riddle.right, **mistake) > value(riddle.wrong, **mistake) for riddle in RIDDLES]
+    assert found == solved
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_an_album(seed: int) -> None:
+    """The same seed gives the same riddle; every action is right for a question, and chance takes a third of them."""
+    album, again = (project.Album(RIDDLES[0], seed) for _ in range(2))
+    first, second = ([one.reset(seed=number)[0].tobytes() for number in range(60)] for one in (album, again))
+    assert first == second
+    assert len(set(first)) == project.QUESTIONS + 2
+    right = set()
+    for number in range(200):
+        album.reset(seed=number)
+        album.step(number % 3)
+        right |= {action for action, is_right in album.answers if is_right}
+    assert right == {0, 1, 2}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize(
+    "answer",
+    [program(), *(answer for answer in ANSWERS if answer.lesson == LESSON and answer.exercise == 0)],
+    ids=lambda answer: answer.name,
+)
+def test_an_answer_at_another_seed(answer: Answer, seed: int) -> None:
+    """Right ones pass, and wrong ones are told as the same mistake; the quick tests have seed 0."""
+    asked = checked_by(answer)
+    asked = asked._replace(check=asked.check.replace("my_program)", f"my_program, seed={seed}, quiet=True)"))
+    said = verdict(answer, asked, exercises_of(LESSON)[0])
+    assert (said == "") == answer.right, said
+    assert answer.right or all(words in said for words in answer.says)
+
+
+@pytest.mark.parametrize(
+    "check", ["check_riddle(my_torch_program, RIDDLES[1], 0)", pytest.param("", marks=pytest.mark.slow)]
+)
+def test_pytorch(check: str) -> None:
+    """The program in PyTorch solves a riddle, and in the slow tests it passes."""
+    pytest.importorskip("torch").set_num_threads(1)
+    asked = checked_by(program())
+    imports = "from edugym_course.lessons.dimensionality.project import RIDDLES, check_riddle\n"
+    asked = asked._replace(check=imports + check if check else asked.check.replace("my_program", "my_torch_program"))
+    assert verdict(program(), asked, exercises_of(LESSON)[0]) == ""

@@ -948,6 +948,135 @@ def my_agent(task):
 CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
+# ### From a blank file: a network that catches
+# Write a program with a network that plays Catch from pixels: the whole of it, in plain Python with NumPy and
+# Gymnasium, with no agent of this package. The state $S$ is an image with pixels $x$. With the network and the target of this
+# lesson, the derivatives of the squared error $\frac{1}{2} \delta^2$ of one transition are, by the chain rule,
+#
+# $$
+# \text{by } W_2[A, j]: \; \delta\, h_j, \qquad
+# \text{by } W_1[j, i]: \; g_j\, x_i \quad \text{with } g_j = \delta\, W_2[A, j] \text{ if } h_j > 0, \text{ else } 0.
+# $$
+#
+# Here $\delta = Q(S, A; \theta) - y$. The derivatives by the biases $b_2[A]$ and $b_1[j]$ are $\delta$ and $g_j$. With
+# a batch of images as the rows of a matrix, each of these is one line of NumPy. (The notebook with the solutions has a
+# program in NumPy, and beside it the same in PyTorch, which finds the gradient itself. Your program may use PyTorch, too.)
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode
+# after episode, and learns the values of actions. In the end it returns its *policy*, a function from an image to the
+# best action. All else is up to you: a memory or none, Q-learning or SARSA, any optimiser.
+#
+# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1. The actions are the whole numbers
+#   from 0 to `environment.action_space.n - 1`.
+# - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random. Adam with a learning
+#   rate of 0.001 is a good choice, with a batch of 32 from memory at every step. So is plain gradient descent with 0.05,
+#   from each step once.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch needs
+#   `torch.manual_seed(seed)` besides.)
+#
+# The check first gives your program four riddles, each in three runs of 2 000 steps. A riddle is a task with six images
+# that asks for one part of the method. Then the program learns Catch in three runs of 10 000 steps, on a board of 5 by 5
+# pixels that is darkened by a new factor at every step. The policy of the middle run has to catch 70 % of the balls. The
+# check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. And a mistake
+# that does no harm in these tasks, it does not find.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def forward(theta, x):
+    """Return the hidden units and the action values of images, one in each row of x."""
+    W1, b1, W2, b2 = theta
+    h = np.maximum(0.0, x @ W1 + b1)
+    return h, h @ W2 + b2
+
+
+def gradients(theta, x, actions, y):
+    """Return the gradient of the mean squared error of a batch, for each array of theta."""
+    rows = np.arange(len(x))
+    h, values = forward(theta, x)
+    error = np.zeros_like(values)
+    error[rows, actions] = (values[rows, actions] - y) / len(x)
+    back = (error @ theta[2].T) * (h > 0)
+    return x.T @ back, back.sum(axis=0), h.T @ error, error.sum(axis=0)
+
+
+def my_program(environment, n_steps, seed):
+    """Learn Q-learning with a network for `n_steps` steps, and return the greedy policy."""
+    gamma, epsilon, alpha, n_hidden, batch_size, copy_every = 0.9, 0.1, 0.001, 64, 32, 100
+    rng = np.random.default_rng(seed)
+    n_pixels, n_actions = int(np.prod(environment.observation_space.shape)), int(environment.action_space.n)
+    W1 = rng.normal(0.0, np.sqrt(2 / n_pixels), (n_pixels, n_hidden))
+    W2 = rng.normal(0.0, np.sqrt(1 / n_hidden), (n_hidden, n_actions))
+    theta = [W1, np.zeros(n_hidden), W2, np.zeros(n_actions)]
+    old = copy.deepcopy(theta)
+    means, squares = ([np.zeros_like(weights) for weights in theta] for _ in range(2))  # of the gradients, for Adam
+    memory = []
+
+    def best(image):
+        """Return the action with the highest value."""
+        return int(forward(theta, np.ravel(image))[1].argmax())
+
+    state, _ = environment.reset(seed=seed)
+    for t in range(1, n_steps + 1):
+        action = int(rng.integers(n_actions)) if rng.random() < epsilon else best(state)
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        memory.append((np.ravel(state), action, reward, np.ravel(next_state), terminated))
+        state = environment.reset()[0] if terminated or truncated else next_state
+        batch = [memory[k] for k in rng.integers(len(memory), size=batch_size)]
+        x, actions, rewards, next_x, ended = map(np.array, zip(*batch, strict=True))
+        y = rewards + gamma * (1 - ended) * forward(old, next_x)[1].max(axis=1)
+        for weights, gradient, mean, square in zip(theta, gradients(theta, x, actions, y), means, squares, strict=True):
+            mean += 0.1 * (gradient - mean)
+            square += 0.001 * (gradient**2 - square)
+            weights -= alpha * mean / (1 - 0.9**t) / (np.sqrt(square / (1 - 0.999**t)) + 1e-8)
+        if t % copy_every == 0:
+            old = copy.deepcopy(theta)
+    return best
+
+
+def my_torch_program(environment, n_steps, seed):
+    """Do the same in PyTorch; check it with `check(project_4, my_torch_program)` where PyTorch is installed."""
+    import torch
+    from torch.nn import Flatten, Linear, ReLU, Sequential, functional
+
+    torch.manual_seed(seed)
+    rng = np.random.default_rng(seed)
+    n_pixels, n_actions = int(np.prod(environment.observation_space.shape)), int(environment.action_space.n)
+    net = Sequential(Flatten(), Linear(n_pixels, 64), ReLU(), Linear(64, n_actions))
+    old, optimiser, memory = copy.deepcopy(net), torch.optim.Adam(net.parameters(), lr=0.001), []
+
+    def best(image):
+        return int(net(torch.as_tensor(image)[None]).argmax())
+
+    state, _ = environment.reset(seed=seed)
+    for t in range(1, n_steps + 1):
+        action = int(rng.integers(n_actions)) if rng.random() < 0.1 else best(state)
+        next_state, reward, terminated, truncated, _ = environment.step(action)
+        memory.append((state, action, np.float32(reward), next_state, np.float32(terminated)))
+        state = environment.reset()[0] if terminated or truncated else next_state
+        batch = [memory[k] for k in rng.integers(len(memory), size=32)]
+        x, actions, rewards, next_x, ended = (torch.as_tensor(np.array(part)) for part in zip(*batch, strict=True))
+        with torch.no_grad():
+            y = rewards + 0.9 * (1 - ended) * old(next_x).amax(dim=1)
+        loss = functional.mse_loss(net(x)[torch.arange(32), actions], y)
+        optimiser.zero_grad()
+        loss.backward()
+        optimiser.step()
+        if t % 100 == 0:
+            old.load_state_dict(net.state_dict())
+    return best
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.dimensionality.project import project_4
+
+check(project_4, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - A dense table over 50 pixels needs 27 petabytes. A hashed table of boards learns exactly as a table of positions.

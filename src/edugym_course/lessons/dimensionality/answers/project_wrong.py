@@ -1,0 +1,130 @@
+# %% up the slope
+# says: It takes the same action for every image: are its values NaN, since a learning rate is too large or a minus sign is missing? Or are all first weights 0, so that no pixel counts?
+# in: a memory in arrays
+# - self.W[1] -= 0.2 * h.T @ d / len(x)
+# - self.W[0] -= 0.2 * x.T @ back / len(x)
+# + self.W[1] += 0.2 * h.T @ d / len(x)
+# + self.W[0] += 0.2 * x.T @ back / len(x)
+
+# %% the worst
+# says: It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?
+# in: a memory in arrays
+# - return int(self.layers(image.reshape(1, -1))[2].argmax())
+# + return int(self.layers(image.reshape(1, -1))[2].argmin())
+
+# %% reward with a minus
+# says: It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?
+# in: SARSA from each step once
+# - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
+# + delta = -r - Q[a] if terminated else -r + 0.9 * q(x2)[1][a2] - Q[a]
+
+# %% too fast
+# says: It takes the same action for every image: are its values NaN, since a learning rate is too large or a minus sign is missing? Or are all first weights 0, so that no pixel counts?
+# in: SARSA from each step once
+# - W += 0.05 * delta * np.outer(g, x)
+# + W += 5.0 * delta * np.outer(g, x)
+
+# %% too slow
+# says: in a riddle of six images, the policy of
+# says:  takes the right action in
+# says:  of the questions after
+# says:  steps; by chance it would be 33%.
+# says: , so it learns too slowly: likely a learning rate that is too small, or too few updates
+# in: a memory in arrays
+# - self.W[1] -= 0.2 * h.T @ d / len(x)
+# - self.W[0] -= 0.2 * x.T @ back / len(x)
+# + self.W[1] -= 0.002 * h.T @ d / len(x)
+# + self.W[0] -= 0.002 * x.T @ back / len(x)
+
+# %% weights of 0
+# says: It takes the same action for every image: are its values NaN, since a learning rate is too large or a minus sign is missing? Or are all first weights 0, so that no pixel counts?
+# in: SARSA from each step once
+# - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
+# - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
+# + W, b = np.zeros((64, n)), np.zeros(64)
+# + V, c = np.zeros((k, 64)), np.zeros(k)
+
+# %% rewards only
+# says: the right action brings nothing but a better next image: the target is R + γ max Q(S', a), and S' is the state of the next step
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i]
+
+# %% no end
+# says: after the right action the episode is terminated, and so it is after another one: what comes then is worth 0, whatever the last image shows, so the target is R alone
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i] + 0.9 * old.layers(S2[i])[2].max(axis=1)
+
+# %% a truncated end
+# says: after the right action the episode is truncated: the clock was stopped, and the image that step gave (not that of reset) still has its value, so only `terminated` makes R alone the target
+# in: a memory in arrays
+# - S[t], A[t], R[t], S2[t], goes_on[t] = s.ravel(), a, r, s2.ravel(), not terminated
+# + S[t], A[t], R[t], S2[t], goes_on[t] = s.ravel(), a, r, s2.ravel(), not (terminated or truncated)
+
+# %% the image of reset
+# says: after the right action the episode is truncated: the clock was stopped, and the image that step gave (not that of reset) still has its value, so only `terminated` makes R alone the target
+# in: a memory in arrays
+# - S[t], A[t], R[t], S2[t], goes_on[t] = s.ravel(), a, r, s2.ravel(), not terminated
+# - s = s2
+# + last = s.ravel()
+# + s = environment.reset()[0] if terminated or truncated else s2
+# + S[t], A[t], R[t], S2[t], goes_on[t] = last, a, r, s.ravel(), not terminated
+# - if terminated or truncated:
+# -     s, _ = environment.reset()
+
+# %% the first state for ever
+# says: while it learned, it caught
+# says:  in the end. A policy sees a new image at each step. Does the program, too, or is `state = next_state` missing?
+# in: a memory in arrays
+# - s = s2
+
+# %% all actions
+# says: In this riddle,
+# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken, and is each image stored with its own action and reward?
+# in: a memory in arrays
+# - d = np.where(np.arange(q.shape[1]) == a[:, None], q - y[:, None], 0.0).clip(-1, 1)
+# + d = (q - y[:, None]).clip(-1, 1)
+
+# %% a target that is never brought up to date
+# says: the right action brings nothing but a better next image: the target is R + γ max Q(S', a), and S' is the state of the next step
+# in: a memory in arrays
+# - if t % 50 == 0:
+# + if t == 0:
+
+# %% a random policy
+# says: While it learned, it did: does the policy compute the values of the image that it is given, without ε?
+# in: a memory in arrays
+# - return network.best
+# + return lambda image: int(rng.integers(k))
+
+# %% a table of images
+# says: it solves the riddles, but in the middle one of
+# says:  runs on Catch in changing light it catches
+# says:  of the balls, and it should be 70% or more: in steady light it catches
+# says: : it knows the images that it met, as a table does, and here none comes twice
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    Q = {}
+
+    def row(s):
+        return Q.setdefault(s.tobytes(), np.zeros(environment.action_space.n))
+
+    def best(s):
+        return int(rng.choice(np.flatnonzero(row(s) == row(s).max())))
+
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        a = int(rng.integers(environment.action_space.n)) if rng.random() < 0.1 else best(s)
+        s2, r, terminated, truncated, _ = environment.step(a)
+        y = r if terminated else r + 0.9 * row(s2).max()
+        row(s)[a] += 0.3 * (y - row(s)[a])
+        s = environment.reset()[0] if terminated or truncated else s2
+    return best
+
+
+# %% no seed
+# says: does not repeat itself
+# in: SARSA from each step once
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng()
