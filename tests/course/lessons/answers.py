@@ -18,6 +18,7 @@ from edugym_course.grading import WrongAnswer
 
 NAME = re.compile(r"(exercise_(?P<exercise>\d+)|project)_(?P<verdict>right|wrong)")
 SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
+SOLUTION = "the solution of "
 EDIT = re.compile(r"((?:^# - .+\n)+)((?:^# \+ .+\n)*)", flags=re.MULTILINE)
 
 
@@ -58,7 +59,11 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
             code = SAYS.sub("", body).strip() + "\n"
             if code.startswith("# in: "):
                 of, _, edits = code.removeprefix("# in: ").partition("\n")
-                programs = {answer.name: answer.code for answer in answers if answer[1:3] == (exercise, True)}
+                if of.startswith(SOLUTION):
+                    functions = functions_of(read_exercises(build.lesson_sources()[lesson])[1][exercise - 1].solution)
+                    programs = {of: "\n\n".join(functions[part] for part in of.removeprefix(SOLUTION).split(", "))}
+                else:
+                    programs = {answer.name: answer.code for answer in answers if answer[1:3] == (exercise, True)}
                 assert of in programs, f"{path}: {name!r}: no right answer to this exercise is called {of!r}"
                 code = _edited(programs[of], edits, f"{path}: {name!r}")
             answers.append(Answer(lesson, exercise, right, name, says, code))
@@ -70,13 +75,26 @@ def _edited(program: str, edits: str, where: str) -> str:
     assert not EDIT.sub("", edits).strip(), f"{where}: only lines '# - ...' and '# + ...' follow '# in: ...'"
     for pair in EDIT.findall(edits):
         old, new = (re.sub(r"^# [-+] ", "", lines, flags=re.MULTILINE) for lines in pair)
-        place = r"^( *)" + r"\n\1".join(map(re.escape, old.splitlines())) + r"\n"
+        place = r"^(?P<indent> *)" + r"\n(?P=indent)".join(map(re.escape, old.splitlines())) + r"\n"
         found = [*re.finditer(place, program, flags=re.MULTILINE)]
         assert len(found) == 1, f"{where}: the right answer has these lines {len(found)} times, not once:\n{old}"
         program = program[: found[0].start()] + textwrap.indent(new, found[0][1]) + program[found[0].end() :]
     return program
 
 
+def functions_of(solution: str) -> dict[str, str]:
+    """Return the functions and methods of a solution by name, at the left margin and without their docstrings."""
+    found, lines = dict[str, str](), solution.splitlines(keepends=True)
+    for node in ast.walk(ast.parse(solution)):
+        if isinstance(node, ast.FunctionDef):
+            first = node.body[0] if ast.get_docstring(node) else None
+            described = range(first.lineno - 1, first.end_lineno or 0) if first else ()
+            kept = (lines[k] for k in range(node.lineno - 1, node.end_lineno or 0) if k not in described)
+            found[node.name] = textwrap.dedent("".join(kept)).rstrip("\n") + "\n"
+    return found
+
+
+@cache
 def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
     """Return the imports of a lesson, and its exercises in order."""
     cells = [cell for cell in build.read_lesson(lesson).cells if is_code(cell)]

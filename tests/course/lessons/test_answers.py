@@ -14,7 +14,15 @@ import pytest
 from edugym.training.train import train
 from edugym_course.grading import agents, choices, curves, mistakes, programs, replay, results, updates, values
 from edugym_course.grading.one_step import Q_LEARNING
-from tests.course.lessons.answers import Answer, Exercise, read_answers, read_exercises, read_project, verdict
+from tests.course.lessons.answers import (
+    Answer,
+    Exercise,
+    functions_of,
+    read_answers,
+    read_exercises,
+    read_project,
+    verdict,
+)
 
 LESSONS = [*build.lesson_sources()]
 ANSWERS = [answer for lesson in LESSONS for answer in read_answers(lesson)[1]]
@@ -149,9 +157,20 @@ def test_an_edit_of_a_right_answer(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert code == "def walk(n):\n    for _ in range(n):\n        if go():\n            step()\n"
 
 
+def test_functions_of_a_solution() -> None:
+    """Methods stand at the left margin; docstrings are left out, and the other lines are as they were."""
+    method = '    def act(self):\n        """Choose,\n        at random."""\n        return 3  # for now\n'
+    found = functions_of(f"x = 1\n\n\nclass Agent:\n{method}\n\ndef make():\n    return Agent()\n")
+    assert found == {"act": "def act(self):\n    return 3  # for now\n", "make": "def make():\n    return Agent()\n"}
+
+
 @pytest.mark.parametrize(
     ("edits", "says"),
     [
+        (
+            "# in: a walk\n# - step()\n# + 1 + step()\n# - 1 + step()\n# - sleep()\n",
+            "0 times, not once:\n1 + step()\nsleep",
+        ),
         ("# in: a run\n# - step()\n", "no right answer to this exercise is called 'a run'"),
         ("# in: a walk\n# - step()\nleap()\n", "only lines '# - ...' and '# + ...'"),
         ("# in: a walk\n# + leap()\n# - step()\n", "only lines '# - ...' and '# + ...'"),

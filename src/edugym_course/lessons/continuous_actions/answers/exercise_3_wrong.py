@@ -13,497 +13,213 @@ def update(self, n):
 # %% no γ^t
 # says: the factor γ^t is missing in the step of the preferences
 # says: and preferences[
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * delta * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * delta * score
 
 
 # %% γ from the end
 # says: the power of γ counts the steps from the *end*; t counts from the start
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount ** (n - 1 - t) * delta * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * self.discount ** (n - 1 - t) * delta * score
 
 
 # %% one power too many
 # says: the power of γ is one too high: the first step has γ^0 = 1
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount ** (t + 1) * delta * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * self.discount ** (t + 1) * delta * score
 
 
 # %% no baseline
 # says: V(S_t) is not subtracted: δ is the return less the baseline
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - delta = self.rewards[t] - self.V[state]
+# + delta = self.rewards[t]
 
 
 # %% G for δ in the policy
 # says: V moves, but the preferences move by G instead of δ
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * self.rewards[t] * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * self.discount**t * self.rewards[t] * score
 
 
 # %% V stays
 # says: the baseline V does not change
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
 
 
 # %% V set
 # says: V is set to α^w δ; write `+=`
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] = self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] = self.value_learning_rate * delta
 
 
 # %% V by the whole δ
 # says: V moves by the whole δ; multiply it by α^w
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += delta
 
 
 # %% V by G
 # says: V moves by α^w G instead of α^w δ
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * self.rewards[t]
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += self.value_learning_rate * self.rewards[t]
 
 
 # %% δ after V
 # says: δ is computed again after V has changed; use the one from before
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        delta = self.rewards[t] - self.V[state]
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += self.value_learning_rate * delta
+# + delta = self.rewards[t] - self.V[state]
 
 
 # %% the rates exchanged
 # says: the two learning rates have changed places
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.value_learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += self.learning_rate * delta
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.value_learning_rate * self.discount**t * delta * score
 
 
 # %% one rate
 # says: V has a learning rate of its own, value_learning_rate
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += self.learning_rate * delta
 
 
 # %% rewards for returns
 # says: that is the reward R_{t+1}, not the return G_t
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: the solution of update
+# - self.rewards[t] = G  # from here on: the return from step t
 
 
 # %% not discounted
 # says: the return is not discounted: G_t = R_{t+1} + γ G_{t+1}
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - G = self.rewards[t] + self.discount * G
+# + G = self.rewards[t] + G
 
 
 # %% the return of the whole episode
 # says: every step gets the return of the whole episode; it should be the one from step t on
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = G - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - delta = self.rewards[t] - self.V[state]
+# + delta = G - self.V[state]
 
 
 # %% without its own reward
 # says: the return G_t begins with the reward R_{t+1} = rewards[t], which is missing
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        reward = self.rewards[t]
-        self.rewards[t] = self.discount * G
-        G = reward + self.discount * G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: the solution of update
+# - G = self.rewards[t] + self.discount * G
+# - self.rewards[t] = G  # from here on: the return from step t
+# + reward = self.rewards[t]
+# + self.rewards[t] = self.discount * G
+# + G = reward + self.discount * G
 
 
 # %% from the start
 # says: it adds the rewards from the start up to step t; the return adds those from step t on
-def update(self, n):
-    G = 0.0
-    for t in range(n):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for t in range(n - 1, -1, -1):
+# + for t in range(n):
 
 
 # %% the reward discounted too
 # says: the reward R_{t+1} itself is discounted; only what follows it should be
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.discount * (self.rewards[t] + G)
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - G = self.rewards[t] + self.discount * G
+# + G = self.discount * (self.rewards[t] + G)
 
 
 # %% no π
 # says: π is missing in the score: it is 1{a = A} − π(a|S)
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = 1.0 if a == self.actions[t] else 0.0
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = 1.0 if a == self.actions[t] else 0.0
 
 
 # %% only the action taken
 # says: only the preference of the action that was taken changes; all others change by −π
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            if a != self.actions[t]:
-                continue
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for a in range(len(self.probabilities)):
+# + for a in range(len(self.probabilities)):
+# +     if a != self.actions[t]:
+# +         continue
 
 
 # %% the sign
 # says: the sign of the score is wrong: it is 1{a = A} − π(a|S)
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] -= self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] -= self.learning_rate * self.discount**t * delta * score
 
 
 # %% π added
 # says: π should be subtracted in the score, not added
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) + self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = (1.0 if a == self.actions[t] else 0.0) + self.probabilities[a]
 
 
 # %% no 1{a = A}
 # says: 1{a = A} is missing: the action that was taken gets 1 − π, the others −π
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = -self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = -self.probabilities[a]
 
 
 # %% not looked
 # says: the probabilities are those of another state: call self.look(state) first
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.look(state)
 
 
 # %% the last step missing
 # says: the last step of the episode is left out: its number is n − 1
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n - 1):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for t in range(n):
+# + for t in range(n - 1):
 
 
 # %% the whole buffer
 # says: it goes through the whole of `rewards`; this episode has only its first n steps
-def update(self, n):
-    G = 0.0
-    for t in range(len(self.rewards) - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for t in range(n - 1, -1, -1):
+# + for t in range(len(self.rewards) - 1, -1, -1):
 
 
 # %% the first step missing
 # says: the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(1, n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for t in range(n):
+# + for t in range(1, n):
 
 
 # %% two mistakes
 # says: ; and
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += delta
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * delta * score
 
 
 # %% one index
 # says: after the episode with states
 # says: that is none of the usual mistakes, so follow this episode by hand
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state] += self.learning_rate * self.discount**t * delta * score
 
 
 # %% a list of rewards
@@ -543,38 +259,18 @@ def learn(self, state, action, reward, terminated, truncated):
 # %% one reward too many
 # says: the return begins with rewards[n], which an earlier episode has left there: the last reward of n steps is
 #   rewards[n - 1]
-def update(self, n):
-    G = 0.0
-    for t in range(n, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for t in range(n - 1, -1, -1):
+# + for t in range(n, -1, -1):
 
 
 # %% the first visit alone
 # says: a state that comes twice is updated twice, once for each step
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        if state in self.states[:t]:
-            continue
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - state = self.states[t]
+# + state = self.states[t]
+# + if state in self.states[:t]:
+# +     continue
 
 
 # %% every δ before any change
@@ -646,36 +342,18 @@ def update(self, n):
 
 # %% looked at for each action
 # says: the probabilities change between the actions of one step: call self.look(state) once, before that loop
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        for a in range(len(self.probabilities)):
-            self.look(state)
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.look(state)
+# - for a in range(len(self.probabilities)):
+# + for a in range(len(self.probabilities)):
+# +     self.look(state)
 
 
 # %% the first return missing
 # says: the return of the first step is missing, rewards[0] is still the reward: range(n - 1, -1, -1) goes down to 0
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, 0, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - for t in range(n - 1, -1, -1):
+# + for t in range(n - 1, 0, -1):
 
 
 # %% the first return 0
@@ -696,309 +374,139 @@ def update(self, n):
 
 # %% the state after the step
 # says: that is the state after the step, states[t + 1], not S_t
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t + 1]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - state = self.states[t]
+# + state = self.states[t + 1]
 
 
 # %% V away
 # says: V moves away from the return: the sign is wrong
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] -= self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] -= self.value_learning_rate * delta
 
 
 # %% discounted from the start
 # says: G_t is discounted from step t on, and not from the start of the episode
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G += self.discount**t * self.rewards[t]
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - G = self.rewards[t] + self.discount * G
+# + G += self.discount**t * self.rewards[t]
 
 
 # %% the last reward
 # says: every step gets the last reward alone
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[n - 1]
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - G = self.rewards[t] + self.discount * G
+# + G = self.rewards[n - 1]
 
 
 # %% times π
 # says: the score is that of ln π; here the derivative of the preference is multiplied by π
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = self.probabilities[a] if a == self.actions[t] else 0.0
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = self.probabilities[a] if a == self.actions[t] else 0.0
 
 
 # %% divided by π
 # says: that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = 1.0 / self.probabilities[a] if a == self.actions[t] else 0.0
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = 1.0 / self.probabilities[a] if a == self.actions[t] else 0.0
 
 
 # %% the last state
 # says: the preferences of the last state change in every step, not those of S_t
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[self.states[n - 1], a] += self.learning_rate * self.discount**t * delta * score
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[self.states[n - 1], a] += self.learning_rate * self.discount**t * delta * score
 
 
 # %% return in the loop
 # says: only the first step learns: is `return` inside the loop?
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
-        return
+# in: the solution of update
+# - for a in range(len(self.probabilities)):
+# -     score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# -     self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + for a in range(len(self.probabilities)):
+# +     score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# +     self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + return
 
 
 # %% γ, not a power
 # says: the factor is γ^t, discount**t, and not γ
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount * delta * score
+# in: the solution of update
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * self.discount * delta * score
 
 
 # %% δ is missing
 # says: δ is missing in the step of the preferences
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * score
+# in: the solution of update
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * self.discount**t * score
 
 
 # %% preferences are set
 # says: the preferences are set to their step; write `+=`
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] = self.learning_rate * self.discount**t * delta * score
+# in: the solution of update
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] = self.learning_rate * self.discount**t * delta * score
 
 
 # %% look at t
 # says: self.look takes the *state* of step t, self.states[t], and not t
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(t)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: the solution of update
+# - self.look(state)
+# + self.look(t)
 
 
 # %% no brackets
 # says: set brackets around the score: the step is multiplied by (1{a = A} − π(a|S))
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            hit = 1.0 if a == self.actions[t] else 0.0
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * hit - self.probabilities[a]
+# in: the solution of update
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + hit = 1.0 if a == self.actions[t] else 0.0
+# + self.preferences[state, a] += self.learning_rate * self.discount**t * delta * hit - self.probabilities[a]
 
 
 # %% no learning rate
 # says: the learning rate of the preferences is missing
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.discount**t * delta * score
+# in: the solution of update
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.discount**t * delta * score
 
 
 # %% 0.4 for α^θ
 # says: use `self.learning_rate` in place of 0.4: the check takes another one
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += 0.4 * self.discount**t * delta * score
+# in: the solution of update
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += 0.4 * self.discount**t * delta * score
 
 
 # %% 0.4 for α^w
 # says: use `self.value_learning_rate` in place of 0.4: the check takes another one
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += 0.4 * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# in: the solution of update
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += 0.4 * delta
 
 
 # %% 0.99 for γ
 # says: use `self.discount` in place of 0.99: the check takes another one
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + 0.99 * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * 0.99**t * delta * score
+# in: the solution of update
+# - G = self.rewards[t] + self.discount * G
+# + G = self.rewards[t] + 0.99 * G
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += self.learning_rate * 0.99**t * delta * score
 
 
 # %% 0.4 for both
 # says: use `self.learning_rate` and `self.value_learning_rate` in place of 0.4: the check takes others
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G  # from here on: the return from step t
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        self.V[state] += 0.4 * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += 0.4 * self.discount**t * delta * score
+# in: the solution of update
+# - self.V[state] += self.value_learning_rate * delta
+# + self.V[state] += 0.4 * delta
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[state, a] += 0.4 * self.discount**t * delta * score
 
 
 # %% the mean reward

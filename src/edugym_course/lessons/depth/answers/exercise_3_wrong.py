@@ -53,14 +53,11 @@ def hand_back(self, length):
 
 # %% the condition upside down
 # says: the condition is upside down: G is cut where the action is *not* the best
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] == max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - if self.Q[s, a] < max(self.Q[s]):
+# + if self.Q[s, a] == max(self.Q[s]):
 
 
 # %% asked before the update
@@ -78,210 +75,153 @@ def hand_back(self, length):
 
 # %% the loop ends
 # says: the loop ends at the exploring action; the steps before it still learn, from the G that was cut
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            break
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + break
 
 
 # %% it goes on with its own value
 # says: where G is cut it goes on with the *largest* value of the state, not with that of the action taken
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = self.Q[s, a]
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = self.Q[s, a]
 
 
 # %% it goes on with 0
 # says: where G is cut it goes on with the largest value of the state, not with 0
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = 0.0
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = 0.0
 
 
 # %% the mean of the row
 # says: where G is cut it goes on with the *largest* value of the state, not with the mean
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = self.Q[s].mean()
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = self.Q[s].mean()
 
 
 # %% the larger of the two
 # says: G takes the largest value also where it is smaller; max(G, ...) keeps lucky returns
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(G, max(self.Q[s]))
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = max(G, max(self.Q[s]))
 
 
 # %% discounted twice
 # says: the largest value is discounted where G is cut, and once more in the next step
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = self.discount * max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = self.discount * max(self.Q[s])
 
 
 # %% forwards
 # says: the loop runs forwards; go from the last step to the first
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length):
 
 
 # %% the first step is left out
 # says: the first step of the episode, number 0, learns nothing: range(length - 1, -1, -1) ends with 0
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, 0, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, 0, -1):
 
 
 # %% the last step is left out
 # says: the last step of the episode learns nothing: start at length - 1
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 2, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 2, -1, -1):
 
 
 # %% no discount
 # says: the discount is missing: G becomes R + γ G
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = self.rewards[k] + self.discount * G
+# + G = self.rewards[k] + G
 
 
 # %% all discounted
 # says: the reward is discounted too; γ belongs to G only
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.discount * (self.rewards[k] + G)
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = self.rewards[k] + self.discount * G
+# + G = self.discount * (self.rewards[k] + G)
 
 
 # %% the reward is not added up
 # says: only one reward is in each target: G becomes R + γ G
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k]
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = self.rewards[k] + self.discount * G
+# + G = self.rewards[k]
 
 
 # %% the old value is not subtracted
 # says: the old value is not subtracted: Q moves by α [G − Q]
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * G
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] += self.learning_rate * G
 
 
 # %% set at once
 # says: Q is set to G at once: move it by α [G − Q]
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] = G
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] = G
 
 
 # %% the sign
 # says: Q moves away from the target: the sign is wrong
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (self.Q[s, a] - G)
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] += self.learning_rate * (self.Q[s, a] - G)
 
 
 # %% exploring actions learn nothing
 # says: exploring actions learn nothing; they do, from what came after them
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
-            continue
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = self.rewards[k] + self.discount * G
+# + G = self.rewards[k] + self.discount * G
+# + if self.Q[s, a] < max(self.Q[s]):
+# +     G = max(self.Q[s])
+# +     continue
 
 
 # %% a learning rate of its own
 # says: a learning_rate of 0.1: use self.learning_rate
 # says: everything fits
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += 0.1 * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] += 0.1 * (G - self.Q[s, a])
 
 
 # %% Monte Carlo, and without the discount
@@ -307,14 +247,9 @@ def hand_back(self, length):
 
 # %% one step too many
 # says: a value changes that is not on the path: the steps of the episode are 0 to length - 1
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length, -1, -1):
 
 
 # %% an agent in place of the class
@@ -324,147 +259,94 @@ MyAgent = NStepSARSA.create((12, 3))
 
 # %% the reward of the next step
 # says: `rewards[k]` is R_{k+1} already, the reward after step k
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k + 1] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        best = max(self.Q[s])
-        if self.Q[s, a] < best:
-            G = best
+# in: the solution of hand_back
+# - G = self.rewards[k] + self.discount * G
+# + G = self.rewards[k + 1] + self.discount * G
 
 
 # %% the old maximum
 # says: the largest value is that of the row before the update; take it after
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        best = max(self.Q[s])
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = best
+# in: reversed
+# - G = self.rewards[k] + self.discount * G
+# + G = self.rewards[k] + self.discount * G
+# + best = max(self.Q[s])
+# - G = max(self.Q[s])
+# + G = best
 
 
 # %% added
 # says: where G is cut the largest value takes its place; it is not added
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G += max(self.Q[s])
+# in: reversed
+# - G = max(self.Q[s])
+# + G += max(self.Q[s])
 
 
 # %% the reward discounted
 # says: γ belongs to G, not to the reward
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.discount * self.rewards[k] + G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - G = self.rewards[k] + self.discount * G
+# + G = self.discount * self.rewards[k] + G
 
 
 # %% no rewards
 # says: the rewards are missing: G becomes R + γ G
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - G = self.rewards[k] + self.discount * G
+# + G = self.discount * G
 
 
 # %% minus
 # says: the future is subtracted: G becomes R + γ G
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] - self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - G = self.rewards[k] + self.discount * G
+# + G = self.rewards[k] - self.discount * G
 
 
 # %% set
 # says: the old value is lost: Q moves by α [G − Q], so write +=
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] = self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] = self.learning_rate * (G - self.Q[s, a])
 
 
 # %% the weights exchanged
 # says: α and 1 − α have changed places
-def hand_back(self, length):
-    G = 0.0
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] = self.learning_rate * self.Q[s, a] + (1 - self.learning_rate) * G
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] = self.learning_rate * self.Q[s, a] + (1 - self.learning_rate) * G
 
 
 # %% a value after the end
 # says: G starts with a value of the state after the end; after a terminal state there is no future
-def learn(self, state, action, reward, next_state, terminated):
-    k = self.length[0]
-    self.states[k], self.actions[k], self.rewards[k] = state, action, reward
-    self.states[k + 1] = next_state
-    self.length[0] = k + 1
-    if terminated:
-        self.hand_back(k + 1)
-        self.length[0] = 0
-
-
-def hand_back(self, length):
-    G = max(self.Q[self.states[length]])
-    for k in reversed(range(length)):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: the solution of learn, hand_back
+# - self.states[k], self.actions[k], self.rewards[k] = state, action, reward
+# + self.states[k], self.actions[k], self.rewards[k] = state, action, reward
+# + self.states[k + 1] = next_state
+# - G = 0.0
+# - for k in range(length - 1, -1, -1):
+# + G = max(self.Q[self.states[length]])
+# + for k in reversed(range(length)):
+# - best = max(self.Q[s])
+# - if self.Q[s, a] < best:
+# -     G = best
+# + if self.Q[s, a] < max(self.Q[s]):
+# +     G = max(self.Q[s])
 
 
 # %% argmax for max
 # says: where G is cut it goes on with the largest *value*, max; argmax is the number of an action
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = np.argmax(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = np.argmax(self.Q[s])
 
 
 # %% a maximum that starts from 0
 # says: the search for the largest value starts from 0, and all values may be lower
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        best = max(0.0, *self.Q[s])
-        if self.Q[s, a] < best:
-            G = best
+# in: the solution of hand_back
+# - best = max(self.Q[s])
+# + best = max(0.0, *self.Q[s])
 
 
 # %% the third line behind the loop
@@ -493,26 +375,20 @@ def hand_back(self, length):
 
 # %% G is compared
 # says: it asks whether G is below the largest value; ask whether Q(S, A) is
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if G < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - if self.Q[s, a] < max(self.Q[s]):
+# + if G < max(self.Q[s]):
 
 
 # %% the smallest value
 # says: where G is cut it goes on with the *largest* value of the state, not with the smallest
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = min(self.Q[s])
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - G = max(self.Q[s])
+# + G = min(self.Q[s])
 
 
 # %% the step in place of the state
@@ -529,14 +405,11 @@ def hand_back(self, length):
 
 # %% a start from the last state
 # says: G starts with a value of the last state; after the end there is no future, so it starts at 0
-def hand_back(self, length):
-    G = max(self.Q[self.states[length - 1]])
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
+# in: reversed
+# - G = 0.0
+# - for k in reversed(range(length)):
+# + G = max(self.Q[self.states[length - 1]])
+# + for k in range(length - 1, -1, -1):
 
 
 # %% fields without self

@@ -45,12 +45,9 @@ def target_of(self, row):
 
 # %% the action of the memory
 # says: take the best action in the next state, not the one that was taken before
-def target_of(self, row):
-    memory = self.memory
-    if memory.terminated[row] == 1:
-        return memory.rewards[row]
-    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
-    return memory.rewards[row] + self.discount * self.Q[0, memory.actions[row]]
+# in: the solution of target_of
+# - return memory.rewards[row] + self.discount * self.Q[0].max()
+# + return memory.rewards[row] + self.discount * self.Q[0, memory.actions[row]]
 
 
 # %% argmax
@@ -315,22 +312,16 @@ def target_of(self, row):
 
 # %% a maximum that starts from 0
 # says: all values may be lower: the largest one is one of them, and not 0
-def target_of(self, row):
-    memory = self.memory
-    if memory.terminated[row] == 1:
-        return memory.rewards[row]
-    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
-    return memory.rewards[row] + self.discount * max(0.0, self.Q[0].max())
+# in: the solution of target_of
+# - return memory.rewards[row] + self.discount * self.Q[0].max()
+# + return memory.rewards[row] + self.discount * max(0.0, self.Q[0].max())
 
 
 # %% without the sign
 # says: take the largest value, and not the largest without its sign
-def target_of(self, row):
-    memory = self.memory
-    if memory.terminated[row] == 1:
-        return memory.rewards[row]
-    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
-    return memory.rewards[row] + self.discount * abs(self.Q[0]).max()
+# in: the solution of target_of
+# - return memory.rewards[row] + self.discount * self.Q[0].max()
+# + return memory.rewards[row] + self.discount * abs(self.Q[0]).max()
 
 
 # %% the last action is never looked at

@@ -100,17 +100,13 @@ MyAgent = MyAgent(np.zeros((800, 4)))
 
 # %% a discount without its type
 # says: MyAgent should keep its field `discount`
-class MyAgent(NamedTuple):
-    Q: np.ndarray
-    learning_rate: float = 0.5
-    discount = 0.99
-
-    def act(self, state, rng):
-        return 0
-
-    def learn(self, state, action, reward, next_state, terminated):
-        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
-        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+# in: the table is the last field
+# - class MyAgent(NamedTuple):
+# + class MyAgent(NamedTuple):
+# +     Q: np.ndarray
+# - discount: float = 0.99
+# - Q: np.ndarray = np.zeros((1, 1))
+# + discount = 0.99
 
 
 # %% the minimum

@@ -21,11 +21,8 @@ def push(self, window, action, seen):
 
 # %% no return
 # says: is a `return` missing?
-def push(self, window, action, seen):
-    new = window.copy()
-    new[:-2] = window[2:]
-    new[-2] = action
-    new[-1] = seen
+# in: the solution of push
+# - return new
 
 
 # %% the wrong order
@@ -48,11 +45,8 @@ def push(self, window, action, seen):
 
 # %% nothing moves
 # says: nothing moves: the last two entries are overwritten, and the oldest ones stay for ever
-def push(self, window, action, seen):
-    new = window.copy()
-    new[-2] = action
-    new[-1] = seen
-    return new
+# in: the solution of push
+# - new[:-2] = window[2:]
 
 
 # %% the window grows
@@ -64,12 +58,9 @@ def push(self, window, action, seen):
 
 # %% it moves by one
 # says: it moves by one entry only; an action *and* an observation are new
-def push(self, window, action, seen):
-    new = window.copy()
-    new[:-1] = window[1:]
-    new[-2] = action
-    new[-1] = seen
-    return new
+# in: the solution of push
+# - new[:-2] = window[2:]
+# + new[:-1] = window[1:]
 
 
 # %% rolled the wrong way
@@ -83,21 +74,15 @@ def push(self, window, action, seen):
 
 # %% the action is left out
 # says: the new action is missing; the old one stands in its place
-def push(self, window, action, seen):
-    new = window.copy()
-    new[:-2] = window[2:]
-    new[-1] = seen
-    return new
+# in: the solution of push
+# - new[-2] = action
 
 
 # %% only observations move
 # says: only the observations move; the actions should move with them
-def push(self, window, action, seen):
-    new = window.copy()
-    new[:-2:2] = window[2::2]
-    new[-2] = action
-    new[-1] = seen
-    return new
+# in: the solution of push
+# - new[:-2] = window[2:]
+# + new[:-2:2] = window[2::2]
 
 
 # %% a list
@@ -165,12 +150,9 @@ def row(self, window):
 
 # %% floats
 # says: numbers, but whole numbers are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
-def push(self, window, action, seen):
-    new = np.zeros(len(window))
-    new[:-2] = window[2:]
-    new[-2] = action
-    new[-1] = seen
-    return new
+# in: the solution of push
+# - new = window.copy()
+# + new = np.zeros(len(window))
 
 
 # %% a float for a row
@@ -226,11 +208,8 @@ def push(self, window, action, seen):
 
 # %% the old observation
 # says: the new observation is missing; the old one stands in its place
-def push(self, window, action, seen):
-    new = window.copy()
-    new[:-2] = window[2:]
-    new[-2] = action
-    return new
+# in: the solution of push
+# - new[-1] = seen
 
 
 # %% actions move

@@ -1,16 +1,9 @@
 # %% unknown pairs too
 # says: pairs that are not known change as well; leave them at U, which is what makes the agent curious
 # says: after many sweeps with γ = 0.75, Q[
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if True:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - if self.known[s, a] == 1:
+# + if True:
 
 
 # %% unknown pairs are 0
@@ -32,178 +25,97 @@ def sweep(self):
 
 # %% the test the wrong way round
 # says: the test of `known` is the wrong way round
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 0:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - if self.known[s, a] == 1:
+# + if self.known[s, a] == 0:
 
 
 # %% the end ignored
 # says: after a terminal state there is no future: leave γ max_a Q(s', a) out where `ends` is 1
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# + value = max(self.Q[self.next_states[s, a]])
 
 
 # %% the own state
 # says: the maximum is taken over the state itself instead of the next state
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[s])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# + value = 0.0 if self.ends[s, a] == 1 else max(self.Q[s])
 
 
 # %% all discounted
 # says: the whole target is discounted; γ belongs to the value of the next state only
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.discount * (self.rewards[s, a] + value)
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - new = self.rewards[s, a] + self.discount * value
+# + new = self.discount * (self.rewards[s, a] + value)
 
 
 # %% minus
 # says: the value of the next state is subtracted
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] - self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - new = self.rewards[s, a] + self.discount * value
+# + new = self.rewards[s, a] - self.discount * value
 
 
 # %% plus equals
 # says: the old value is still in the sum: Q(s, a) *becomes* the target, `=` and not `+=`
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] += new
-    return largest
+# in: the solution of sweep
+# - self.Q[s, a] = new
+# + self.Q[s, a] += new
 
 
 # %% returns nothing
 # says: sweep() gives None: it should return the largest change of a value
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
+# in: the solution of sweep
+# - return largest
 
 
 # %% returns the sum so far of values
 # says: once nothing changes any more, sweep() should return 0, the largest change, but returns
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return self.Q.sum()
+# in: the solution of sweep
+# - return largest
+# + return self.Q.sum()
 
 
 # %% returns 0
 # says: compare the new value with the old one before you store it, and keep the largest change
 # says: the largest change of the first sweep(), without its sign, is
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return 0.0
+# in: the solution of sweep
+# - return largest
+# + return 0.0
 
 
 # %% compares after the change
 # says: before you store it
 # says: , but it returns
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                self.Q[s, a] = new
-                largest = max(largest, abs(new - self.Q[s, a]))
-    return largest
+# in: the solution of sweep
+# - new = self.rewards[s, a] + self.discount * value
+# + new = self.rewards[s, a] + self.discount * value
+# + self.Q[s, a] = new
+# - largest = max(largest, abs(new - self.Q[s, a]))
+# - self.Q[s, a] = new
+# + largest = max(largest, abs(new - self.Q[s, a]))
 
 
 # %% self forgotten
 # says: NameError
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - new = self.rewards[s, a] + self.discount * value
+# + new = self.rewards[s, a] + discount * value
 
 
 # %% does not plan
 # says: a new pair is known now, so `learn` should call self.plan(), which sweeps until nothing changes
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
+# in: the solution of learn
+# - self.plan()
 
 
 # %% plans once
 # says: should call self.plan()
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.sweep()
+# in: the solution of learn
+# - self.plan()
+# + self.sweep()
 
 
 # %% plans for a known pair too
@@ -220,44 +132,28 @@ def learn(self, state, action, reward, next_state, terminated):
 # %% overwrites what is known
 # says: that pair was known already, and then nothing should change
 # says: the pair that was tried
-def learn(self, state, action, reward, next_state, terminated):
-    if True:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
+# in: the solution of learn
+# - if self.known[state, action] == 0:
+# + if True:
 
 
 # %% forgets known
 # says: a pair is known, 1, as soon as it was tried once
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
+# in: the solution of learn
+# - self.known[state, action] = 1
 
 
 # %% no reward kept
 # says: [state, action]` keeps what followed
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
+# in: the solution of learn
+# - self.rewards[state, action] = reward
 
 
 # %% never an end
 # says: `ends` should be 1 if `terminated`, else 0
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 0
-        self.plan()
+# in: the solution of learn
+# - self.ends[state, action] = 1 if terminated else 0
+# + self.ends[state, action] = 0
 
 
 # %% not solved
@@ -268,87 +164,47 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% no abs
 # says: values fall as well as rise, and a fall counts too: `abs(new - old)`
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, new - self.Q[s, a])
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - largest = max(largest, abs(new - self.Q[s, a]))
+# + largest = max(largest, new - self.Q[s, a])
 
 
 # %% return in the outer loop
 # says: only state 0 is swept
 # says: is swept. `return` ends the loops: write it below both, as far to the left as the first `for`
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-        return largest
+# in: the solution of sweep
+# - return largest
+# +     return largest
 
 
 # %% return in the inner loop
 # says: only state 0 and action 0 is swept
 # says: and action 0
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-            return largest
+# in: the solution of sweep
+# - return largest
+# +         return largest
 
 
 # %% never stores
 # says: sweep() changes no value: set Q[s, a] to the target
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-    return largest
+# in: the solution of sweep
+# - self.Q[s, a] = new
 
 
 # %% largest of the last state
 # says: that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops
-def sweep(self):
-    for s in range(self.Q.shape[0]):
-        largest = 0.0
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - largest = 0.0
+# - for s in range(self.Q.shape[0]):
+# + for s in range(self.Q.shape[0]):
+# +     largest = 0.0
 
 
 # %% the sum
 # says: that is the sum of all changes
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest += abs(new - self.Q[s, a])
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - largest = max(largest, abs(new - self.Q[s, a]))
+# + largest += abs(new - self.Q[s, a])
 
 
 # %% plans first
@@ -413,30 +269,16 @@ def sweep(self):
 
 # %% a reward of 0 is unknown
 # says: a known pair may have a reward of 0: ask `known`, and not the rewards, which pairs are known
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.rewards[s, a] != 0:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - if self.known[s, a] == 1:
+# + if self.rewards[s, a] != 0:
 
 
 # %% a maximum that starts from 0
 # says: the maximum starts from 0, and all values may be lower: start from the first one
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(0.0, *self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# + value = 0.0 if self.ends[s, a] == 1 else max(0.0, *self.Q[self.next_states[s, a]])
 
 
 # %% break
@@ -471,89 +313,47 @@ def sweep(self):
 
 # %% the end the wrong way round
 # says: the test of `ends` is the wrong way round: the value of the next state counts where it is 0
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = max(self.Q[self.next_states[s, a]]) if self.ends[s, a] == 1 else 0.0
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# + value = max(self.Q[self.next_states[s, a]]) if self.ends[s, a] == 1 else 0.0
 
 
 # %% the maximum of the table
 # says: the maximum is taken over the whole table instead of the row of the next state
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else self.Q.max()
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# + value = 0.0 if self.ends[s, a] == 1 else self.Q.max()
 
 
 # %% no discount
 # says: the value of the next state is not discounted: multiply it by γ
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - new = self.rewards[s, a] + self.discount * value
+# + new = self.rewards[s, a] + value
 
 
 # %% the last state is left out
 # says: state 5 is never swept: are all rows of Q?
 # says: is never swept: are all rows of Q?
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0] - 1):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - for s in range(self.Q.shape[0]):
+# + for s in range(self.Q.shape[0] - 1):
 
 
 # %% only falls
 # says: values rise as well as fall, and a rise counts too: `abs(new - old)`
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, self.Q[s, a] - new)
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - largest = max(largest, abs(new - self.Q[s, a]))
+# + largest = max(largest, self.Q[s, a] - new)
 
 
 # %% a learning rate
 # says: : Q(s, a) *becomes* the target at once; there is no learning rate
 # says: after one sweep Q[
 # says: ], a pair that ends the episode, should be
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] += 0.1 * (new - self.Q[s, a])
-    return largest
+# in: the solution of sweep
+# - self.Q[s, a] = new
+# + self.Q[s, a] += 0.1 * (new - self.Q[s, a])
 
 
 # %% known the wrong way round

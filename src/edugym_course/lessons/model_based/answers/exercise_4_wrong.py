@@ -2,45 +2,33 @@
 # says: it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said, however many
 #   updates it makes
 # says: Share of evaluation episodes that reach the goal, in the second half of training:
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(DynaQ.create, planning_steps=20, learning_rate=1.0)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
+# in: a smaller rate
+# - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
+# + {**methods, "mine": partial(DynaQ.create, planning_steps=20, learning_rate=1.0)},
+
 
 # %% no model
 # says: should plan, and 'mine' learns from real steps alone
 # says: the third method should plan, and
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(QLearning.create, learning_rate=0.5)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
+# in: a smaller rate
+# - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
+# + {**methods, "mine": partial(QLearning.create, learning_rate=0.5)},
+
 
 # %% no planning steps
 # says: learns from real steps alone: make it with DynaQ, PrioritisedSweeping or RMax, and let `planning_steps` be above
 #   0
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=0.5, planning_steps=0)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
+# in: a smaller rate
+# - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
+# + {**methods, "mine": partial(DynaQ.create, learning_rate=0.5, planning_steps=0)},
+
 
 # %% a rate of nearly 1
 # says: let each value average over many outcomes, by expected updates or by a learning rate such as 0.1
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=0.95)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
+# in: a smaller rate
+# - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
+# + {**methods, "mine": partial(DynaQ.create, learning_rate=0.95)},
+
 
 # %% two methods
 # says: lake_results should have a third method, your own, beside the two of the lesson
@@ -69,10 +57,6 @@ lake_results = repeat(
 # %% a short sight
 # says: its values average over many outcomes already, so look at its other settings: a discount far below 1 hides a goal
 #   that is some steps away, a tiny learning rate takes long, and so do few updates
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=0.1, discount=0.1)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
+# in: a smaller rate
+# - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
+# + {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=0.1, discount=0.1)},

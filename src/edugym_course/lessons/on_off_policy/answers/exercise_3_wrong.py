@@ -253,13 +253,9 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% a maximum that starts from 0
 # says: the maximum starts from 0, and all values may be lower: start from the first one
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0
-    if not terminated:
-        best, mean = max(0.0, *self.Q[next_state]), np.mean(self.Q[next_state])
-        value = (1 - self.target_epsilon) * best + self.target_epsilon * mean
-    target = reward + self.discount * value
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+# in: the solution of learn
+# - best, mean = max(self.Q[next_state]), np.mean(self.Q[next_state])
+# + best, mean = max(0.0, *self.Q[next_state]), np.mean(self.Q[next_state])
 
 
 # %% epsilon before the maximum

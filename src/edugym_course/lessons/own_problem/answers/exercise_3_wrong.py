@@ -1,34 +1,16 @@
 # %% three chimes work
 # says: she hears every chime; after two of them a chime should be like silence (is it `chimes < 2`?)
 # says: , rng) should lead to
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes <= 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1:
-        chimes = min(chimes + 1, 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - elif action == 1 and chimes < 2:
+# + elif action == 1 and chimes <= 2:
 
 
 # %% deaf to rings too
 # says: after two chimes a ring does nothing any more: she is deaf to chimes only
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2 and chimes < 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1:
-        chimes = min(chimes + 1, 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - if action == 2:
+# + if action == 2 and chimes < 2:
 
 
 # %% counted first
@@ -49,124 +31,70 @@ def transition(self, state, action, rng):
 
 # %% rings are counted
 # says: rings are counted as well; count chimes only
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action != 0:
-        chimes = min(chimes + 1, 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - if action == 1:
+# + if action != 0:
 
 
 # %% every step is counted
 # says: every action is counted; count a chime only
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, min(chimes + 1, 2)
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + return time + 1, depth, min(chimes + 1, 2)
 
 
 # %% never counted
 # says: chimes are not counted: the third number has to grow with every chime
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
 
 
 # %% the count goes on
 # says: the count goes on above 2, and leaves the observation space: keep it at 2
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, chimes + (action == 1)
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + return time + 1, depth, chimes + (action == 1)
 
 
 # %% silence sets it back
 # says: the count is set back by another action; she does not unlearn what she is used to
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, min(chimes + 1, 2) if action == 1 else 0
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + return time + 1, depth, min(chimes + 1, 2) if action == 1 else 0
 
 
 # %% an unheard chime changes nothing
 # says: a chime that she does not hear leaves her sleep as it is; it should be like silence, in which it gets deeper
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1:
-        if chimes < 2:
-            depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1:
-        chimes = min(chimes + 1, 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - elif action == 1 and chimes < 2:
+# -     depth = max(depth - 1, 0) if luck < 0.7 else depth
+# + elif action == 1:
+# +     if chimes < 2:
+# +         depth = max(depth - 1, 0) if luck < 0.7 else depth
 
 
 # %% not counted while she is awake
 # says: a chime counts also when she is awake
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    before = depth
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1 and before > 0:
-        chimes = min(chimes + 1, 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - luck = rng.random()
+# + luck = rng.random()
+# + before = depth
+# - if action == 1:
+# + if action == 1 and before > 0:
 
 
 # %% time stands still
 # says: the time stands still: the first number has to grow by 1
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1:
-        chimes = min(chimes + 1, 2)
-    return time, depth, chimes
+# in: the solution of transition
+# - return time + 1, depth, chimes
+# + return time, depth, chimes
 
 
 # %% the old method
@@ -185,16 +113,11 @@ def transition(self, state, action, rng):
 
 # %% the count is left out of what is returned
 # says: should return three numbers in a tuple, (time, depth, chimes), but returns
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + return time + 1, depth
 
 
 # %% no return
@@ -235,16 +158,13 @@ UsedToIt = UsedToIt()
 
 # %% parameters exchanged
 # says: transition of UsedToIt must take (self, state, action, rng)
-def transition(self, action, state, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, min(chimes + (action == 1), 2)
+# in: the solution of transition
+# - def transition(self, state, action, rng):
+# + def transition(self, action, state, rng):
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + return time + 1, depth, min(chimes + (action == 1), 2)
 
 
 # %% the count is hidden
@@ -262,13 +182,9 @@ def terminal(self, state):
 
 # %% pay for chimes
 # says: reward((0, 0, 0), 0, (1, 1, 0), rng) should be 1, but is 0
-def reward(self, state, action, next_state, rng):
-    reward = float(next_state[2])
-    if action == 2:
-        reward -= self.ring
-    if next_state[0] == self.length and next_state[1] > 0:
-        reward -= self.late
-    return reward
+# in: the solution of reward
+# - reward = float(next_state[1])
+# + reward = float(next_state[2])
 
 
 # %% a quarter
@@ -284,104 +200,67 @@ def transition(self, state, action, rng):
 # %% too deep
 # says: her depth is wrong: in silence, and with a chime that she does not hear, her sleep gets one step deeper with
 #   probability 0.5, and 2 is the deepest
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = depth + 1 if luck < 0.5 else depth
-    chimes = min(chimes + (action == 1), 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - else:
+# -     depth = min(depth + 1, 2) if luck < 0.5 else depth
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# + else:
+# +     depth = depth + 1 if luck < 0.5 else depth
+# + chimes = min(chimes + (action == 1), 2)
 
 
 # %% a chime wakes her
 # says: her depth is wrong: a chime that she hears makes her sleep one step lighter with probability 0.7
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = 0 if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    chimes = min(chimes + (action == 1), 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - depth = max(depth - 1, 0) if luck < 0.7 else depth
+# + depth = 0 if luck < 0.7 else depth
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# + chimes = min(chimes + (action == 1), 2)
 
 
 # %% a ring is sure
 # says: her depth is wrong: a ring wakes her with probability 0.9, and else makes her sleep one step lighter
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    chimes = min(chimes + (action == 1), 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - depth = 0 if luck < 0.9 else max(depth - 1, 0)
+# + depth = 0
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# + chimes = min(chimes + (action == 1), 2)
 
 
 # %% two steps of time
 # says: the time, the first number, should grow by 1
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    chimes = min(chimes + (action == 1), 2)
-    return time + 2, depth, chimes
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + chimes = min(chimes + (action == 1), 2)
+# + return time + 2, depth, chimes
 
 
 # %% another order
 # says: depth and chimes have changed places
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    chimes = min(chimes + (action == 1), 2)
-    return time + 1, chimes, depth
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# - return time + 1, depth, chimes
+# + chimes = min(chimes + (action == 1), 2)
+# + return time + 1, chimes, depth
 
 
 # %% chimes count twice
 # says: the third number is wrong: every chime counts, whether she hears it or not, up to 2, and nothing else does
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    chimes = min(chimes + 2 * (action == 1), 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# + chimes = min(chimes + 2 * (action == 1), 2)
 
 
 # %% chimes that work
 # says: the third number is wrong: every chime counts, whether she hears it or not, up to 2, and nothing else does
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    chimes = min(chimes + (action == 1 and luck < 0.3), 2)
-    return time + 1, depth, chimes
+# in: the solution of transition
+# - if action == 1:
+# -     chimes = min(chimes + 1, 2)
+# + chimes = min(chimes + (action == 1 and luck < 0.3), 2)

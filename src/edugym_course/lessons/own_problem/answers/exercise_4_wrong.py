@@ -1,31 +1,26 @@
 # %% a queue with a step limit
 # says: my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the state,
 #   and end the episode by `terminal`, as Morning does
-class Queue(NamedTuple):
-    """Open a second till when the queue gets long."""
+# in: a ferry, as small as can be
+# - class Ferry(NamedTuple):
+# -     """Buy a ticket or jump on board: at the gate (0), on the pier (1), left behind (2), on board (3)."""
+# + class Queue(NamedTuple):
+# +     """Open a second till when the queue gets long."""
+# - observation_space = property(lambda self: Discrete(4))
+# + max_steps: int = 20
+# + observation_space = property(lambda self: Discrete(7))
+# - if action == 1:
+# -     return 3 if rng.random() < (0.9 if state == 0 else 0.5) else 2
+# - return 1 if state == 0 else 3
+# + comes = 2 if rng.random() < 0.5 else 0
+# + return min(max(state + comes - 1 - action, 0), 6)
+# - return (1.0 if next_state == 3 else 0.0) - (0.2 if action == 0 else 0.0)
+# + return -1.0 * next_state - 1.5 * action
+# - return state >= 2
+# + return False
+# - my_problem = Ferry()
+# + my_problem = Queue()
 
-    max_steps: int = 20
-    observation_space = property(lambda self: Discrete(7))
-    action_space = property(lambda self: Discrete(2))
-
-    def initial(self, rng):
-        return 0
-
-    def transition(self, state, action, rng):
-        comes = 2 if rng.random() < 0.5 else 0
-        return min(max(state + comes - 1 - action, 0), 6)
-
-    def reward(self, state, action, next_state, rng):
-        return -1.0 * next_state - 1.5 * action
-
-    def terminal(self, state):
-        return False
-
-    def observation(self, state, rng):
-        return state
-
-
-my_problem = Queue()
 
 # %% the placeholder
 # says: Not solved yet

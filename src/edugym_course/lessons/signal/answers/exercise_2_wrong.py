@@ -13,13 +13,9 @@ def bits_in(joint):
 
 # %% natural logarithm
 # says: the logarithm has the base e; bits need the base 2, `math.log2` or `np.log2`
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
+# in: the solution of bits_in
+# - total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+# + total += joint[x, y] * math.log(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
 
 
 # %% base 10
@@ -94,35 +90,23 @@ def bits_in(joint):
 
 # %% what is still open
 # says: that is what is still open about x after the message; the information is what the message has told
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total -= joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
-    return total
+# in: the solution of bits_in
+# - total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+# + total -= joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
 
 
 # %% the columns are missing
 # says: p(y) is missing: it divides by p(x) alone
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum())
-    return total
+# in: the solution of bits_in
+# - total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+# + total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum())
 
 
 # %% the rows are missing
 # says: p(x) is missing: it divides by p(y) alone
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
-    return total
+# in: the solution of bits_in
+# - total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+# + total += joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
 
 
 # %% a mean
@@ -145,35 +129,23 @@ def bits_in(joint):
 
 # %% return in the loop
 # says: only the first row is added up: does the `return` stand inside the loop?
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-        return total
+# in: the solution of bits_in
+# - return total
+# +     return total
 
 
 # %% return in both loops
 # says: the first pair alone: does the `return` stand inside the loops?
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-            return total
+# in: the solution of bits_in
+# - return total
+# +         return total
 
 
 # %% the last row is left out
 # says: the last row is missing in the sum
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0] - 1):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
+# in: the solution of bits_in
+# - for x in range(joint.shape[0]):
+# + for x in range(joint.shape[0] - 1):
 
 
 # %% no logarithm
@@ -206,13 +178,9 @@ bits_in = 2.0
 
 # %% rounded
 # says: do not round it
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return round(total, 3)
+# in: the solution of bits_in
+# - return total
+# + return round(total, 3)
 
 
 # %% what is open about y
@@ -274,46 +242,30 @@ def bits_in(joint):
 
 # %% entries up to 0.001 left out
 # says: very small entries are left out too; leave out only those that are 0
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0.001:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
+# in: the solution of bits_in
+# - if joint[x, y] > 0:
+# + if joint[x, y] > 0.001:
 
 
 # %% entries up to 0.01 left out
 # says: very small entries are left out too; leave out only those that are 0
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0.01:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
+# in: the solution of bits_in
+# - if joint[x, y] > 0:
+# + if joint[x, y] > 0.01:
 
 
 # %% entries up to 0.05 left out
 # says: small entries are left out too; leave out only those that are 0
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0.05:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
+# in: the solution of bits_in
+# - if joint[x, y] > 0:
+# + if joint[x, y] > 0.05:
 
 
 # %% no brackets
 # says: brackets are missing: / p(x) * p(y) divides by p(x) and *multiplies* by p(y)
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum() * joint[:, y].sum())
-    return total
+# in: the solution of bits_in
+# - total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+# + total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum() * joint[:, y].sum())
 
 
 # %% needs equally likely

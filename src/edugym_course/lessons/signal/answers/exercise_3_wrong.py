@@ -1,51 +1,35 @@
 # %% the last action from the message
 # says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
 # says: where self.last[0] =
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    votes[observation[1] % 4] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - if self.last[0] >= 0:
+# -     votes[self.last[0]] = -100.0
+# + votes[observation[1] % 4] = -1.0
 
 
 # %% the vote alone
 # says: that is the vote alone; the action that was taken last should be left out
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - if self.last[0] >= 0:
+# -     votes[self.last[0]] = -100.0
 
 
 # %% the hit points vote
 # says: the hit points are counted as a word; the words begin with observation[1]
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - for k in range(1, len(observation)):
+# + for k in range(len(observation)):
+# - votes[self.last[0]] = -100.0
+# + votes[self.last[0]] = -1.0
 
 
 # %% the last word is lost
 # says: the last word is left out; range(1, len(observation)) goes through all of them
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation) - 1):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - for k in range(1, len(observation)):
+# + for k in range(1, len(observation) - 1):
+# - votes[self.last[0]] = -100.0
+# + votes[self.last[0]] = -1.0
 
 
 # %% only the first word
@@ -88,54 +72,34 @@ def act(self, observation, rng):
 
 # %% no votes for the last action
 # says: the last action gets no votes, but it can still win where all others have none; give it -100
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = 0.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - votes[self.last[0]] = -100.0
+# + votes[self.last[0]] = 0.0
 
 
 # %% one vote less
 # says: the last action loses one vote only; it should never be taken
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] -= 1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - votes[self.last[0]] = -100.0
+# + votes[self.last[0]] -= 1.0
 
 
 # %% -1 as an index
 # says: -1 is no action but says that nothing was done yet, and as an index it is the last entry
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    votes[self.last[0]] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - if self.last[0] >= 0:
+# -     votes[self.last[0]] = -100.0
+# + votes[self.last[0]] = -1.0
 
 
 # %% action 0 is nothing
 # says: action 0 may have been the last one too: compare self.last[0] with -1, or with >= 0
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0]:
-        if self.last[0] > 0:
-            votes[self.last[0]] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - if self.last[0] >= 0:
+# -     votes[self.last[0]] = -100.0
+# + if self.last[0]:
+# +     if self.last[0] > 0:
+# +         votes[self.last[0]] = -1.0
 
 
 # %% argmax
@@ -176,28 +140,20 @@ def act(self, observation, rng):
 
 # %% it remembers another one
 # says: , self.last[0] should be
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = (action + 1) % 4
-    return action
+# in: the solution of act
+# - votes[self.last[0]] = -100.0
+# + votes[self.last[0]] = -1.0
+# - self.last[0] = action
+# + self.last[0] = (action + 1) % 4
 
 
 # %% the fewest words
 # says: it takes the need with the *fewest* words
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] -= 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1000.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
+# in: the solution of act
+# - votes[observation[k] % 4] += 1.0
+# + votes[observation[k] % 4] -= 1.0
+# - votes[self.last[0]] = -100.0
+# + votes[self.last[0]] = -1000.0
 
 
 # %% in turn

@@ -231,12 +231,9 @@ def frontier(players):
 
 # %% the flag stays up
 # says: after the first player that is beaten nobody is taken: is a variable set to True there, and never back to False?
-def frontier(players):
-    names, beaten = [], False
-    for name, (mean, spread) in players.items():
-        for m, s in players.values():
-            if m >= mean and s <= spread and (m, s) != (mean, spread):
-                beaten = True
-        if not beaten:
-            names.append(name)
-    return names
+# in: two loops
+# - names = []
+# + names, beaten = [], False
+# - beaten = False
+# - for other, (m, s) in players.items():
+# + for m, s in players.values():
