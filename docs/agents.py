@@ -31,7 +31,7 @@ YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent o
 wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
 STRENGTH = "Further down stands up to which strength each is good."
 SCORES = """The score, and how far its 95 % interval reaches to both sides. **Bold** are the agents to take. A dash: the
-agent cannot enter; the reasons are below. A question mark: it is not measured yet."""
+agent cannot enter; the reasons are below. A question mark: it is not measured."""
 BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
 interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 
@@ -52,6 +52,7 @@ def page(profile: Profile, stale: dict[str, list[str]]) -> str:
     rungs = [f"{text} to {written(each.strengths[-1])}" for text, each in zip(rungs, profile.ladders, strict=True)]
     missing = [entry.name for entry in in_course_order() if entry.name not in names]
     old = [f"{agent}: {', '.join(challenges)}" for agent, challenges in stale.items()]
+    slow = [f"{agent} on {', '.join(challenges)}" for agent, challenges in agent_profiles.TOO_SLOW.items()]
     return "\n".join(
         [
             "# Which agent works with which environment",
@@ -89,6 +90,7 @@ def page(profile: Profile, stale: dict[str, list[str]]) -> str:
             *(f"- {sentence}" for sentence in method(profile)),
             f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`.",
             *([f"- There is no ladder for {listed(missing)} yet."] if missing else []),
+            f"- Not measured, since its planning takes hours: {'; '.join(slow)}.",
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
             "",
         ]
