@@ -119,9 +119,9 @@ def action_of(call: str, value: Any, n_actions: int, noun: str = "action") -> in
         hint = ""
         if isinstance(value, np.ndarray | list | tuple):
             hint = ": return one of its entries, drawn with rng.choice"
-        elif isinstance(value, float | np.floating):
-            hint = f": {a_noun} is the *index* of a value (if it is the index, int(...) makes it whole)"
-        elif isinstance(value, bool | np.bool_):
+        elif noun == "action" and isinstance(value, float | np.floating):
+            hint = ": an action is the *index* of a value (if it is the index, int(...) makes it whole)"
+        elif noun == "action" and isinstance(value, bool | np.bool_):
             hint = ": np.flatnonzero(...) gives the indices at which a comparison is true"
         raise WrongAnswer(f"{call} should give the number of {a_noun}, a whole number, but gives {kind}{hint}")
     if not 0 <= value < n_actions:

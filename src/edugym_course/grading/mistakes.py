@@ -65,10 +65,10 @@ class NumberCase(NamedTuple):
 
 
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
-    """Check several numbers. If there are mistakes that explain all of them, no others are named; else those of a case.
+    """Check several numbers, and name a mistake that explains them all.
 
-    Otherwise the mistake that fits the first wrong number is named as what it looks like, unless one of the right
-    numbers before it shows that the answer does not make this mistake.
+    If there is none, the message says what the first wrong number looks like. A mistake that would also have made an
+    earlier number wrong, which is right, is not named.
 
     Raises:
         WrongAnswer: one is not right.
