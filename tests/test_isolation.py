@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import edugym
-from edugym import FrameStack, QLearning, SARSALambda
+from edugym import DQN, FrameStack, QLearning, SARSALambda
 from edugym.experiments.profiles.ladders import LADDERS
 
 FILE = Path(__file__).parents[1] / "docs" / "isolation.py"
@@ -62,17 +62,20 @@ def test_findings_follow_from_the_data(data: dict[str, Any], own: str, others: i
 
 
 @pytest.mark.parametrize(
-    ("name", "strength", "n_steps", "remedy"),
+    ("name", "strength", "n_steps", "base", "remedy"),
     [
-        ("MemoryCorridor", 2, 4_900, (QLearning.create, lambda mdp: FrameStack.create(mdp, 2))),
-        pytest.param("Study", 80, 20_000, SARSALambda.create, marks=pytest.mark.slow),
-        pytest.param("Boulder", 20, 20_000, edugym.GoExplore.create, marks=pytest.mark.slow),
-        ("Supermarket", 2_000, 2_000, edugym.DynaQ.create),
+        ("MemoryCorridor", 2, 4_900, QLearning.create, (QLearning.create, lambda mdp: FrameStack.create(mdp, 2))),
+        pytest.param("Study", 80, 20_000, QLearning.create, SARSALambda.create, marks=pytest.mark.slow),
+        pytest.param("Boulder", 20, 20_000, QLearning.create, edugym.GoExplore.create, marks=pytest.mark.slow),
+        ("Supermarket", 2_000, 2_000, QLearning.create, edugym.DynaQ.create),
+        pytest.param("Switches", 6, 10_000, DQN.create, edugym.HindsightDQN.create, marks=pytest.mark.slow),
     ],
 )
-def test_an_environments_own_remedy_gains_there(name: str, strength: float, n_steps: int, remedy: Any) -> None:
-    """More than 0.2 on one rung, with the whole interval; paired with Q-learning."""
+def test_an_environments_own_remedy_gains_there(
+    name: str, strength: float, n_steps: int, base: Any, remedy: Any
+) -> None:
+    """More than 0.2 on one rung, with the whole interval; paired with the agent without the remedy."""
     ladder = next(ladder for ladder in LADDERS if ladder.name == name)._replace(strengths=(strength,), n_steps=n_steps)
-    found = edugym.profile({"base": QLearning.create, "remedy": remedy}, challenges=[ladder], repetitions=5)
+    found = edugym.profile({"base": base, "remedy": remedy}, challenges=[ladder], repetitions=5)
     gains = found.scores("remedy", name) - found.scores("base", name)
     assert isolation.gain(gains).low > isolation.OWN

@@ -157,8 +157,8 @@ def test_the_plain_loop_gives_the_tables_of_train_in_every_environment_of_the_co
     """Bit for bit, where the environment draws from the random stream that `train` gives to it."""
     if case.real_actions != isinstance(entry.load_mdp().create().action_space, spaces.Box):
         pytest.skip("real numbers for actions, or not")
-    if entry.name == "Switches":
-        pytest.skip("its dictionary of state and goal is for other libraries: no wrapper numbers it yet")
+    if entry.name == "Switches" and case.vectors:
+        pytest.skip("its flattened dictionary has the achieved goal too, which a network of `train` does not see")
     env, again = as_a_student_makes_it(case, entry), as_a_student_makes_it(case, entry)
     by_hand, trained = experienced(case, env), experienced(case, env)
     before = copy.deepcopy(by_hand)

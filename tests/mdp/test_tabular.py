@@ -61,6 +61,17 @@ ALL: list[tuple[spaces.Space[Any], list[Any]]] = [
         spaces.Tuple([spaces.Tuple([spaces.Discrete(2, start=3), spaces.MultiDiscrete([2, 3])]), spaces.Discrete(2)]),
         [((a, np.array([b, c])), d) for a, b, c, d in grid(range(3, 5), TWO, range(3), TWO)],
     ),
+    (
+        spaces.Dict(b=spaces.Discrete(2, start=1), a=spaces.MultiDiscrete([2, 3])),
+        [{"a": np.array([b, c]), "b": a} for a, b, c in grid(range(1, 3), TWO, range(3))],
+    ),
+    (
+        spaces.Dict(dict.fromkeys(("observation", "achieved_goal", "desired_goal"), spaces.MultiBinary(1))),
+        [
+            {"observation": np.array([s]), "achieved_goal": np.array([s]), "desired_goal": np.array([g])}
+            for s, g in grid(TWO, TWO)
+        ],
+    ),
 ]
 
 
@@ -90,7 +101,8 @@ def test_wrapper_and_mdp_number_alike(places: list[tuple[int, int]], data: st.Da
 WHOLE = "table whole numbers"
 REFUSED: list[tuple[spaces.Space[Any], str, str]] = [  # in a Gymnasium environment, in an MDP
     (spaces.Box(0, 1, (2,)), f"{WHOLE} Box", f"{WHOLE} Box"),
-    (spaces.Dict(a=spaces.Discrete(2)), f"{WHOLE} Dict", f"{WHOLE} Dict"),
+    (spaces.Dict(a=spaces.Discrete(2)), "", f"{WHOLE} Dict"),
+    (spaces.Dict(a=spaces.Box(0, 1)), f"{WHOLE} Box", f"{WHOLE} Dict"),
     (spaces.Tuple([spaces.Box(0, 1)]), f"{WHOLE} Box", f"{WHOLE} Box"),
     (spaces.MultiDiscrete([2**31] * 3), "table 63 edugym.Hashed", "table 63 edugym.Hashed"),
     (spaces.MultiDiscrete(np.array([[2, 3]])), "", "flat Multi"),
@@ -147,6 +159,7 @@ TWOS, THREES = spaces.MultiDiscrete([2, 2]), spaces.Discrete(3, start=1)
 OUTSIDE: list[tuple[Any, Any]] = [
     *((TWOS, e) for e in (np.array([0, 2]), np.array([0.5, 1.0]), (1,), np.array([[0, 1], [1, 1]]))),
     *((TWOS, e) for e in (10**30, np.inf, None, "01", {"a": 1})),
+    *((spaces.Dict(a=TWOS), e) for e in ({"a": np.array([0, 2])}, {"b": np.array([0, 1])}, np.array([0, 1]), {})),
     *((THREES, e) for e in (0, 4, 1.5, np.float32(2.5), np.array(4), np.array([1, 2]), -1, np.nan)),
 ]
 

@@ -1,7 +1,7 @@
 """An environment in the form in which an agent takes it: vectors, rows of a table, or as it is."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import gymnasium
@@ -11,7 +11,7 @@ from gymnasium.wrappers import FlattenObservation
 
 from edugym.checks.contract import Contract, tables_of
 from edugym.checks.parameters import in_short
-from edugym.mdp.tabular import number_of_rows, table_lows, table_sizes, tabular_mdp
+from edugym.mdp.tabular import number_of_rows, parts_for_row, space_of_row, table_lows, table_sizes, tabular_mdp
 from edugym.mdp.task import Task
 from edugym.system.packages import package_of
 
@@ -102,8 +102,10 @@ class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
     `edugym.Tabular` does the same.
 
     Args:
-        env: an environment with a Discrete, MultiDiscrete or MultiBinary observation space, or a (nested) Tuple of
-            these. For others see `edugym.Discretised`, `edugym.Hashed`, and agents without a table.
+        env: an environment with a Discrete, MultiDiscrete or MultiBinary observation space, or a (nested) Tuple or a
+            Dict of these; its parts come in the order of the space. Of a goal environment, such as Switches, these are
+            the observation, then the desired goal: what is achieved follows from the observation. For others see
+            `edugym.Discretised`, `edugym.Hashed`, and agents without a table.
 
     Raises:
         ValueError: the observation space is of another kind, or the table would have 2^63 rows or more.
@@ -114,9 +116,11 @@ class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
         if not isinstance(env, gymnasium.Env):
             raise ValueError(f"env must be a Gymnasium environment, but is {in_short(env)}")
         super().__init__(env)
-        self._sizes = table_sizes(env.observation_space)
-        self._is_plain = isinstance(env.observation_space, spaces.Discrete)
-        self._lows = [int(low) for low in table_lows(env.observation_space)]
+        space, shown = env.observation_space, space_of_row(env.observation_space)
+        self._names = parts_for_row(space) if isinstance(space, spaces.Dict) else None
+        self._sizes = table_sizes(shown)
+        self._is_plain = isinstance(shown, spaces.Discrete)
+        self._lows = [int(low) for low in table_lows(shown)]
         rows: spaces.Space[Any] = spaces.Discrete(number_of_rows(self._sizes))
         self.observation_space = rows
 
@@ -130,7 +134,7 @@ class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
             row = int(observation) - self._lows[0]
             if 0 <= row < self._sizes[0]:
                 return row
-        parts = list(_numbers(observation))
+        parts = list(_numbers(observation if self._names is None else _parts(observation, self._names)))
         fits = len(parts) == len(self._lows) and all(
             _is_whole(part) and 0 <= int(part) - low < size
             for part, low, size in zip(parts, self._lows, self._sizes, strict=True)
@@ -144,6 +148,12 @@ class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
         for part, low, size in zip(parts, self._lows, self._sizes, strict=True):
             row = row * size + int(part) - low
         return row
+
+
+def _parts(observation: Any, names: tuple[str, ...]) -> tuple[Any, ...]:
+    """The parts of a dictionary with these names; none if it lacks one."""
+    has_all = isinstance(observation, Mapping) and all(name in observation for name in names)
+    return tuple(observation[name] for name in names) if has_all else ()
 
 
 def _numbers(observation: Any) -> Iterator[Any]:

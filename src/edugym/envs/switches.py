@@ -48,7 +48,8 @@ class Switches(NamedTuple):
     it: it has `compute_reward`, `compute_terminated` and `compute_truncated`, which take (achieved_goal, desired_goal,
     info), for one step or for a batch of them. The MDP, `env.unwrapped.mdp`, which `edugym.train` plays, shows the same
     as one array of 2 n whole numbers, `MultiDiscrete([2, ..., 2])`: the switches, then the wanted pattern. As a row of
-    a table this is 2^n s + g, where s and g are the two patterns as binary numbers, switch 0 their first digit.
+    a table this is 2^n s + g, where s and g are the two patterns as binary numbers, switch 0 their first digit;
+    `edugym.TabularObservation(env)` makes this number of the dictionary.
 
     ## Action space
     `Discrete(n_switches)`: the switch to flip.

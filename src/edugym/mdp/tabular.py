@@ -16,6 +16,27 @@ MOST_ROWS = 2**63 - 1
 """The largest number of rows that machine code can count."""
 
 
+GOAL_PARTS = ("observation", "achieved_goal", "desired_goal")
+"""The parts of an observation of a goal environment, as Gymnasium-Robotics defines it."""
+
+
+def parts_for_row(space: spaces.Dict) -> tuple[str, ...]:
+    """The names of those parts of a dictionary, in their order, that tell its row in a table.
+
+    In a goal environment they are the observation and the desired goal: what is achieved follows from the observation.
+    """
+    if space.spaces.keys() == {*GOAL_PARTS}:
+        return "observation", "desired_goal"
+    return tuple(space.spaces)
+
+
+def space_of_row(space: spaces.Space[Any]) -> spaces.Space[Any]:
+    """What a Gymnasium environment shows, as a table numbers it: the parts of a dictionary as a Tuple."""
+    if isinstance(space, spaces.Dict):
+        return spaces.Tuple([space.spaces[name] for name in parts_for_row(space)])
+    return space
+
+
 def table_sizes(space: spaces.Space[Any]) -> tuple[int, ...]:
     """How many values each whole number in an element of `space` takes.
 

@@ -10,7 +10,7 @@ from gymnasium import spaces
 from edugym.checks.interfaces import HARMLESS, MDP_ONLY, NAMED, SHAPED, require_playable
 from edugym.checks.mdps import CHECKED_STEPS, random_steps
 from edugym.checks.parameters import coerced, whole_number
-from edugym.mdp.tabular import table_sizes
+from edugym.mdp.tabular import space_of_row, table_sizes
 from edugym.system.packages import is_own
 
 MOST_CHECKED = 1_000_000
@@ -44,7 +44,8 @@ class Task(NamedTuple):
         actions = self.played.action_space
         if not isinstance(actions, spaces.Discrete) or actions.start != 0:
             raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
-        return math.prod(table_sizes(self.played.observation_space)), int(actions.n)
+        shown = self.played.observation_space
+        return math.prod(table_sizes(shown if self.is_mdp else space_of_row(shown))), int(actions.n)
 
     @property
     def n_inputs(self) -> int:
