@@ -1,12 +1,15 @@
 """Write the page of the agents, `docs/agents.md`: which agent works with which environment.
 
+It also writes the ranking into the page of the challenge for a class, `docs/class-challenge.md`.
+
 The figures are those of the stored profiles, which `edugym profile --all` makes again where their code has changed.
 
-    python docs/agents.py            write the page
-    python docs/agents.py --check    write nothing; fail if the page is out of date
+    python docs/agents.py            write both
+    python docs/agents.py --check    write nothing; fail if one is out of date
 """
 
 import argparse
+import re
 import sys
 from pathlib import Path
 from textwrap import fill
@@ -16,8 +19,11 @@ from edugym.adapters.registration import in_course_order
 from edugym.experiments.profiles.pictures import written
 from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, said, with_margin
 from edugym.experiments.profiles.scores import HALF
-from edugym_course import agent_profiles
+from edugym_course import agent_profiles, one_table
 
+CHALLENGE = Path(__file__).parent / "class-challenge.md"
+RANKING = re.compile(r"(<!-- ranking: [^\n]* -->\n).*?(<!-- end of ranking -->)", re.DOTALL)
+"""What is between two lines of that page."""
 PAGE = Path(__file__).parent / "agents.md"
 
 SETTING = """For every environment there is a ladder of tasks, from easy to hopeless. Each agent trains on each rung of
@@ -103,6 +109,13 @@ def table(heading: list[str], rows: list[list[str]]) -> list[str]:
     return [lines[0], "|---" * len(heading) + "|", *lines[1:]]
 
 
+def with_ranking(text: str, profile: Profile) -> str:
+    """The page of the challenge for a class, with the ranking of the package's agents."""
+    places = one_table.of_package(profile, [ladder.name for ladder in one_table.ladders()])
+    lines = "\n".join(table(*one_table.ranking_table(places)))
+    return RANKING.sub(rf"\g<1>{lines}\n\g<2>", text)
+
+
 def score(profile: Profile, agent: str, challenge: str) -> str:
     """Return a score as it is shown."""
     found = profile.score(agent, challenge)
@@ -137,24 +150,26 @@ def reasons(profile: Profile) -> list[str]:
 def main() -> int:
     """Run the command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="write nothing, and fail if the page is out of date")
+    parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
     options = parser.parse_args()
     profile = agent_profiles.load()
     if profile is None:
         print(f"{agent_profiles.PATH} is missing: run edugym profile --all", file=sys.stderr)
         return 1
     stale = {agent: [ladder.name for ladder in ladders] for agent, ladders in agent_profiles.stale().items()}
-    text = page(profile, stale)
+    challenge = CHALLENGE.read_text(encoding="utf-8")
+    texts = {PAGE: page(profile, stale), CHALLENGE: with_ranking(challenge, profile)}
     if not options.check:
-        PAGE.write_text(text, encoding="utf-8")
+        for path, text in texts.items():
+            path.write_text(text, encoding="utf-8")
         return 0
-    current = PAGE.read_text(encoding="utf-8") == text
-    if not current:
+    old = [path.name for path, text in texts.items() if path.read_text(encoding="utf-8") != text]
+    if old:
         print(
-            f"{PAGE} is out of date: run edugym profile --all if code has changed, then python docs/agents.py",
+            f"{listed(old)} is out of date: run edugym profile --all if code has changed, then python docs/agents.py",
             file=sys.stderr,
         )
-    return 0 if current else 1
+    return 1 if old else 0
 
 
 if __name__ == "__main__":

@@ -120,6 +120,14 @@ def profile(
     repetitions: Annotated[int, typer.Option(min=2, help="Runs on each rung of a ladder.")] = 10,
     seed: Annotated[int, typer.Option(min=0, help="The seed of all random numbers.")] = 0,
     jobs: Annotated[int, typer.Option(min=-1, max=MOST_JOBS, help="Runs at a time; -1 means one for each core.")] = -1,
+    one_table: Annotated[
+        bool,
+        typer.Option(
+            "--one-table",
+            help="Enter the challenge for a class: one table, nothing tuned. The rules are checked, and the agent is"
+            " ranked among those of the package.",
+        ),
+    ] = False,
     everyone: Annotated[
         bool, typer.Option("--all", help="For developers: make the stored profiles again whose code has changed.")
     ] = False,
@@ -137,11 +145,17 @@ def profile(
 
     if bool(agents) == everyone:
         raise typer.BadParameter("give agents, or --all", param_hint="AGENT")
-    if everyone and tuned:
-        raise typer.BadParameter("stored profiles are not tuned: give agents", param_hint="--tuned")
+    if everyone and (tuned or one_table):
+        wrong = "--tuned" if tuned else "--one-table"
+        raise typer.BadParameter("stored profiles are not tuned, and enter no challenge: give agents", param_hint=wrong)
+    if one_table and (tuned or challenge):
+        wrong = "--tuned" if tuned else "--challenge"
+        raise typer.BadParameter("by the rules nothing is tuned, and all challenges count", param_hint=wrong)
     chosen = {} if everyone else {"challenges": challenge, "repetitions": repetitions, "seed": seed}
     try:
-        said = profiling.profile_and_report(agents or [], tuned or [], output, {"jobs": jobs, **chosen})
+        said = profiling.profile_and_report(
+            agents or [], tuned or [], output, {"jobs": jobs, **chosen}, one_table=one_table
+        )
     except KeyboardInterrupt:
         typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)
         raise typer.Exit(INTERRUPTED) from None

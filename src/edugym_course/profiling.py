@@ -17,12 +17,15 @@ from edugym.experiments.profiles.tuning import tuned_profile, with_untuned
 from edugym.system.files import check_writable
 from edugym.system.interrupts import SignalGuard, call_interruptibly
 from edugym_course import agent_profiles, arguments
+from edugym_course import one_table as class_challenge
 
 UNFINISHED = "unfinished"
 """The folder, in that of the report, for what is done before everything is."""
 
 
-def profile_and_report(agents: list[str], tuned: list[str], output: Path, how: dict[str, Any]) -> list[str]:
+def profile_and_report(
+    agents: list[str], tuned: list[str], output: Path, how: dict[str, Any], *, one_table: bool = False
+) -> list[str]:
     """Profile agents, write the report, and return what to say.
 
     Args:
@@ -30,29 +33,37 @@ def profile_and_report(agents: list[str], tuned: list[str], output: Path, how: d
         tuned: settings among which the agents choose in a second profile, as they are written on the command line.
         output: the folder for the report.
         how: more arguments of `edugym.profile`.
+        one_table: whether the agents enter the challenge for a class, by its rules.
 
     Raises:
-        ValueError: an agent, or an argument, is not as it must be.
+        ValueError: an agent, or an argument, is not as it must be, or an agent breaks a rule.
         OSError: a file cannot be read or written.
         KeyboardInterrupt: Ctrl-C was pressed.
     """
     check_writable(output / report.NAME)
     how = {**how, "progress": sys.stderr.isatty(), "checkpoints": output / UNFINISHED}
-    stale = agent_profiles.stale()
+    stale: dict[str, Any] = {}
     with SignalGuard(), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        if agents:
+        if one_table:
+            found, beside = _by_the_rules(arguments.agents(agents), how), agent_profiles.load()
+        elif agents:
             found, beside = _profiles(arguments.agents(agents), tuned, how), agent_profiles.load()
         else:
+            stale = agent_profiles.stale()
             found, beside = agent_profiles.make_again(stale, **how), None
         path = call_interruptibly(report.write, found, output, beside)
     shutil.rmtree(output / UNFINISHED, ignore_errors=True)
-    _print_scores(found, beside)
+    _print_table(*report.score_table(found, beside))
     said = [f"{name}. {report.said(found, name).sentence}" for name in found.challenges]
     if not agents:
         said.append(f"Made again: {', '.join(stale) or 'none'}.")
-    elif beside and stale:
+    elif beside and (stale := agent_profiles.stale()):
         said.append(f"No stored profile was made from the present code of {', '.join(stale)}: edugym profile --all.")
+    if one_table and beside:
+        places = class_challenge.ranking(found, beside, found.challenges)
+        _print_table(*class_challenge.ranking_table(places))
+        said += class_challenge.sentences(places)
     return [*(f"edugym: {text}" for text in {str(one.message) for one in warned}), *said, f"The report is {path}."]
 
 
@@ -63,8 +74,14 @@ def _profiles(agents: dict[str, Any], tuned: list[str], how: dict[str, Any]) -> 
     return with_untuned(found, tuned_profile(grids, **how)) if grids else found
 
 
-def _print_scores(found: Profile, beside: Profile | None) -> None:
-    heading, rows = report.score_table(found, beside)
+def _by_the_rules(agents: dict[str, Any], how: dict[str, Any]) -> Profile:
+    """The profile of agents that keep to the rules of the challenge for a class."""
+    ladders, entering = class_challenge.ladders(), class_challenge.by_the_rules(agents)
+    class_challenge.check_rules(entering, ladders)
+    return profile(entering, **how | {"challenges": ladders})
+
+
+def _print_table(heading: list[str], rows: list[list[str]]) -> None:
     table = Table(*heading, box=box.SIMPLE_HEAD, pad_edge=False)
     for row in rows:
         table.add_row(*row)
