@@ -3,6 +3,7 @@
 from typing import Any
 
 import mathematics
+import previews
 from repository import VERSION
 
 project = "EduGym"
@@ -20,6 +21,7 @@ suppress_warnings = ["myst.header"]
 
 html_theme = "furo"
 html_title = f"EduGym {VERSION}"
+html_favicon = "playground/favicon.svg"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_js_files = [("site.js", {"defer": "defer"})]
@@ -37,5 +39,6 @@ toc_object_entries_show_parents = "hide"
 
 
 def setup(app: Any) -> None:
-    """Formulas become MathML, which browsers show without any script."""
+    """Formulas become MathML, which browsers show without any script; and each page says of itself what it is."""
     app.add_html_math_renderer("mathml", (mathematics.visit_inline, None), (mathematics.visit_block, None))
+    app.connect("html-page-context", previews.add)

@@ -15,10 +15,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import edugym
-from edugym.checks.contract import contract_of, tables_of
+from edugym.adapters.fitting import fitted
+from edugym.checks.contract import actor, contract_of, tables_of
+from edugym.checks.values import deep_copy
 from edugym.compiled.javascript import program as javascript
 from edugym.compiled.javascript.libraries import LIBM
-from edugym.mdp.task import table_size
+from edugym.mdp.task import Task, table_size, task_of
 
 FILE = "<ipython-page>"
 """Like a cell of a notebook: messages name its lines without it."""
@@ -26,7 +28,11 @@ PAUSE = 0.1
 """Seconds between two pictures."""
 SHARE = 10
 """At least so many times as long as a picture takes, no other is made."""
-Show = Callable[[Any, Any], Any]
+GAMES = 3
+"""Games that are shown at the end."""
+MOST_STEPS = 100
+"""Of a game that is shown: who has learned nothing may never come to its end."""
+Show = Callable[[Any, Any, list[Any]], Any]
 NAMES = {"edugym": edugym, "np": np, "NamedTuple": NamedTuple, "__name__": "__main__"}
 
 
@@ -65,6 +71,24 @@ class Browser:
         return int(rng.bit_generator.ctypes.state_address)
 
 
+class Look(NamedTuple):
+    """How the page decides a picture.
+
+    Attributes:
+        parts: which numbers in a state decide it, by their names, see `places.Map.look`.
+        n_observations: how many observations there are: a row that remembers more begins again after so many.
+    """
+
+    parts: tuple[str, ...]
+    n_observations: int
+
+    def of(self, state: Any, row: Any) -> list[float]:
+        """The numbers, in a state that is observed as this row of a table."""
+        state = getattr(state, "inner", state)
+        observed = {"": state, "observation": row % self.n_observations if "observation" in self.parts else None}
+        return [float(observed[part] if part in observed else getattr(state, part[1:])) for part in self.parts]
+
+
 class Watch:
     """Shows what an agent knows while `train` asks it, between two short calls, whether to stop. It never says so.
 
@@ -72,16 +96,18 @@ class Watch:
         mdp: the task.
         agent: the agent.
         n_steps: how many steps it will be trained for.
-        show: is given flat arrays: the visits of all rows of the table, and the action values, none if it has no such
-            table.
+        show: is given flat arrays: the visits of all rows of the table, the action values, none if it has no such
+            table, and a list of games: of each the numbers that decide the picture, moment after moment.
+        look: which numbers these are; None if the task has no picture on the page.
 
     Attributes:
         agent: the agent; its visits are counted where it has a table.
     """
 
-    def __init__(self, mdp: Any, agent: Any, n_steps: int, show: Show) -> None:
+    def __init__(self, mdp: Any, agent: Any, n_steps: int, show: Show, look: Look | None) -> None:
         """See the class."""
         contract = contract_of(agent)
+        self._mdp, self._look, self._games = mdp, look, 0
         self._agent, self._show, self._next = contract.agent, show, -math.inf
         self.agent = edugym.record_visits(agent, mdp, n_steps, n_intervals=1) if contract.tabular else agent
         self._shape = table_size(mdp) if contract.tabular else None
@@ -98,10 +124,11 @@ class Watch:
     def set(self) -> None:
         """The page stops a run by ending the worker."""
 
-    def show(self) -> None:
-        """Show visits and values as they are now."""
-        if self._shape is not None:
-            self._show(np.array(self.agent.visits[0], np.float64), self._values())
+    def show(self, n_games: int = 1) -> None:
+        """Show visits and values as they are now, and games that the agent plays with them."""
+        tabular = self._shape is not None
+        visits = np.array(self.agent.visits[0] if tabular else [], np.float64)
+        self._show(visits, self._values() if tabular else visits, [self._game() for _ in range(n_games)])
 
     def _values(self) -> Any:
         """The action values by its fields' names; Go-Explore's are those of the goal that is its best state so far."""
@@ -111,8 +138,34 @@ class Watch:
             Q = Q[self._agent.best_state[0]]
         return np.array(Q if Q.shape == self._shape else np.zeros(0), np.float64).ravel()
 
+    def _game(self) -> Any:
+        """A game without exploring; a copy plays, with random numbers of its own, so that the run stays as it is."""
+        self._games += 1
+        try:
+            agent = contract_of(deep_copy(self._agent, "the page shows how a copy plays"))
+            task = fitted(task_of(self._mdp), agent)
+            moments = play(task, actor(agent), self._look, self._games) if self._look else []
+        except Exception:  # what is wrong with the agent, `train` says
+            moments = []
+        return np.array(moments, np.float64).ravel()
 
-def run(source: str, task: str, n_steps: int, seed: int, episodes: int, show: Show) -> dict[str, Any]:
+
+def play(task: Task, player: Any, look: Look, seed: int) -> list[list[float]]:
+    """Play a game, of `MOST_STEPS` at most, and return the numbers that decide the picture of each of its moments."""
+    mdp, rng = task.played, np.random.default_rng(seed)
+    state = mdp.initial(rng)
+    observation = mdp.observation(state, rng)
+    moments = [look.of(state, observation)]
+    while len(moments) <= min(MOST_STEPS, task.max_steps or MOST_STEPS) and not mdp.terminal(state):
+        state = mdp.transition(state, player.act(observation, rng), rng)
+        observation = mdp.observation(state, rng)
+        moments.append(look.of(state, observation))
+    return moments
+
+
+def run(
+    source: str, task: str, n_steps: int, seed: int, episodes: int, show: Show, parts: Any, n_observations: int
+) -> dict[str, Any]:
     """Train the agent of a reader's program.
 
     Args:
@@ -122,6 +175,8 @@ def run(source: str, task: str, n_steps: int, seed: int, episodes: int, show: Sh
         seed: of the run.
         episodes: the evaluation episodes of each point of the curve.
         show: is told what the agent knows, again and again, see `Watch`.
+        parts: which numbers decide the picture of the task, see `Look`.
+        n_observations: how many observations the task has, see `Look`.
 
     Returns:
         The learning `curve`, the `seconds` that it took, and what was `said`; or an `error` and its `line`.
@@ -132,14 +187,16 @@ def run(source: str, task: str, n_steps: int, seed: int, episodes: int, show: Sh
         try:
             space: dict[str, Any] = dict(NAMES)
             exec(task, space)
+            given = space["mdp"]
             ast.parse(source, FILE)
             exec(compile(source, FILE, "exec"), space)
             if "agent" not in space:
                 return {"error": "The code must make an agent, as in its last line: agent = ...", "line": None}
             mdp = space["mdp"]
-            watch = Watch(mdp, with_64_bits(space["agent"]), n_steps, show)
+            look = Look(tuple(parts), n_observations) if mdp is given else None  # the picture is of the page's task
+            watch = Watch(mdp, with_64_bits(space["agent"]), n_steps, show, look)
             done = edugym.train(mdp, watch.agent, n_steps, seed=seed, evaluation_episodes=episodes, stop=watch)
-            watch.show()
+            watch.show(GAMES)
         except (Exception, SystemExit, KeyboardInterrupt) as error:
             return {"error": _told(error), "line": _line(error)}
     points = zip(done.steps.tolist(), done.returns.tolist(), strict=True)

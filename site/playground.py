@@ -211,6 +211,7 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
     return {
         "actions": race.actions or tabular(race.agents[0].view.of(mdp)).action_names,
         "marks": MAPS[race.environment].marks(mdp),
+        "look": MAPS[race.environment].look,
         "optimum": optimum(mdp) if race.is_finite else None,
         "scene": scenery(MAPS[race.environment], mdp),
         "tables": list(tables.values()),

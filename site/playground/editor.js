@@ -6,6 +6,7 @@ import { Field } from './field.js'
 import { LONGEST, pack, unpack } from './packed.js'
 import { Picture } from './picture.js'
 import { soon } from './soon.js'
+import { Walk } from './walk.js'
 
 const SHORT = `class MyAgent(NamedTuple):
     """Q-learning in a few lines. Change them!"""
@@ -103,9 +104,11 @@ export class Editor {
 
   clear() {
     if (this.running) this.stop('')
+    this.walk?.stop()
     this.ours = this.theirs = []
     this.looks = {}
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
+    this.walk = new Walk(look => this.pictures.ours.happen(look), this.task.look.length)
     this.print([])
     this.find('code-said').textContent = 'Your code finds the task as mdp. The seed is that of the race.'
     this.tell(this.found ?? (this.worker ? 'Change something, and run it.' : this.first))
@@ -146,7 +149,8 @@ export class Editor {
     this.find('run-code').disabled = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
-    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes, rows })
+    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes,
+      rows, look: this.task.look, now: cell.length })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
       if (data.id !== this.number) return
@@ -183,6 +187,7 @@ export class Editor {
     if (data.kind === 'ready' && this.running) this.tell('Your agent learns …')
     if (data.kind === 'look') {
       this.looks.ours = data.look
+      this.walk.take(data.games, data.games.length > 1)
       soon(this.paint.ours)
     }
     if (data.printed) this.print(data.printed)
@@ -230,6 +235,8 @@ export class Editor {
   }
 
   knowledge(id) {
-    if (this.looks[id]) this.pictures[id].know(this.looks[id], this.state.show, this.state.policy)
+    const look = this.looks[id]
+    if (look) this.pictures[id].know(look, this.state.show, this.state.policy)
+    if (look?.look) this.pictures[id].happen(look.look) // where the rival's training is
   }
 }

@@ -89,11 +89,12 @@ async function begun(pyodide, memory, module, tables) {
   return page
 }
 
-function run(python, { source, task, steps, seed, episodes, rows }) {
-  const show = (visits, Q) => { // a program may also make a task of its own, which has no picture here
-    if (visits.length === rows) postMessage({ kind: 'look', look: knowledge(visits.toJs(), Q.toJs(), rows) })
+function run(python, { source, task, steps, seed, episodes, rows, look, now }) {
+  const show = (visits, Q, games) => { // a program may also make a task of its own, which has no picture here
+    const known = visits.length === rows ? knowledge(visits.toJs(), Q.toJs(), rows) : undefined
+    postMessage({ kind: 'look', look: known, games: games.toJs() })
   }
-  const told = python.run(source, task, steps, seed, episodes, show)
+  const told = python.run(source, task, steps, seed, episodes, show, look, now)
   const done = told.toJs({ dict_converter: Object.fromEntries })
   told.destroy()
   return done

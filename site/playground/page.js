@@ -90,7 +90,8 @@ function legend() {
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
   const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'Purple: where it was most.', values: 'Dark to bright: the return that it expects.', nothing: '' }[state.show]
-  find('legend').textContent = find('code-legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
+  const seen = find('legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
+  find('code-legend').textContent = `${seen} Your agent walks as it would play now, without exploring.`
 }
 
 function controls() {

@@ -12,7 +12,11 @@ import npm
 import numpy as np
 import playground
 import pytest
+from places import MAPS
 from races import RACES, Race
+from scenery import scenery, table
+
+import edugym
 
 SHORT = re.findall(r"SHORT = `(.*?)`", (playground.PAGE / "editor.js").read_text(encoding="utf-8"), re.DOTALL)[0]
 BOULDER_OF_4 = 'mdp = edugym.make_mdp("Boulder", height=4)'
@@ -26,9 +30,9 @@ def made(race: Race, seen: str) -> str:
     return f"mdp = edugym.make_mdp({text})\n" + (f"mdp = {seen}\n" if seen else "")
 
 
-def run(source: str, task: str = BOULDER_OF_4, steps: int = 300) -> dict[str, Any]:
-    """What comes of a program."""
-    return edugym_page.run(source, task, steps, 0, 1, lambda *_: None)
+def run(source: str, task: str = BOULDER_OF_4, steps: int = 300, show: Any = lambda *_: None) -> dict[str, Any]:
+    """What comes of a program; Boulder's pictures are decided by the state itself."""
+    return edugym_page.run(source, task, steps, 0, 1, show, [""], 10)
 
 
 def test_the_short_agent_learns() -> None:
@@ -112,22 +116,76 @@ agent = Still()
 def test_what_the_agent_knows_is_shown(source: str, size: int) -> None:
     """At the beginning, at the end, and between: every step counts; action values where it has a table of them."""
     shown: list[Any] = []
-    found = edugym_page.run(source, BOULDER_OF_4, 3_000, 0, 1, lambda *given: shown.append(given))
+    found = run(source, steps=3_000, show=lambda *given: shown.append(given))
     assert "curve" in found
     assert len(shown) >= 2
-    counts = [visits.sum() for visits, _ in shown]
+    counts = [visits.sum() for visits, _, _ in shown]
     assert counts[0] == 0
     assert counts == sorted(counts)
     assert shown[-1][0][:4].sum() == 3_000
-    assert {Q.size for _, Q in shown} == {size}
+    assert {Q.size for _, Q, _ in shown} == {size}
     assert (shown[-1][1].max(initial=0.0) > 0) == (size > 0)
 
 
-def test_of_an_agent_without_a_table_nothing_is_shown() -> None:
+def test_of_an_agent_without_a_table_games_alone_are_shown() -> None:
     """It runs as elsewhere."""
     shown: list[Any] = []
-    assert "curve" in edugym_page.run(VECTORS, BOULDER_OF_4, 300, 0, 1, lambda *given: shown.append(given))
-    assert not shown
+    assert "curve" in run(VECTORS, show=lambda *given: shown.append(given))
+    assert {(visits.size, Q.size) for visits, Q, _ in shown} == {(0, 0)}
+    assert shown[-1][2][0][0] == 0
+
+
+COUNTS = """
+class Counts:
+    def __init__(self): self.Q, self.calls = np.zeros((10, 2)), np.zeros(1)
+    def act(self, state, rng): return int(rng.integers(2))
+    def greedy(self, state, rng):
+        self.calls[0] += 1
+        return int(self.calls[0] % 2)
+    def learn(self, state, action, reward): self.Q[state, action] = self.calls[0]
+agent = Counts()
+"""
+
+
+@pytest.mark.parametrize("source", [SHORT, GO_EXPLORE, VECTORS, COUNTS], ids=["Q", "goals", "vectors", "counts"])
+def test_an_agent_walks_as_it_would_play_now(source: str) -> None:
+    """At the end in several games; they change nothing in the run, also where `greedy` changes the agent."""
+    shown: list[Any] = []
+    found = run(source, steps=3_000, show=lambda *given: shown.append(given[2]))
+    assert [*map(len, shown)] == [*[1] * (len(shown) - 1), edugym_page.GAMES]
+    heights = [game for games in shown for game in games]
+    assert all(game[0] == 0 and (np.diff(game) <= 1).all() for game in heights)
+    if source == SHORT:
+        assert all(game.tolist() == [0, 1, 2, 3, 4] for game in shown[-1])
+    space: dict[str, Any] = dict(edugym_page.NAMES)
+    exec(f"{BOULDER_OF_4}\n{source}", space)
+    curve = edugym.train(space["mdp"], space["agent"], 3_000, seed=0, evaluation_episodes=1)
+    assert found["curve"] == [list(point) for point in zip(curve.steps, curve.returns, strict=True)]
+
+
+def test_of_another_task_no_game_is_shown() -> None:
+    """Its states may decide no picture of the page's; what an agent gets wrong is told by `train` alone."""
+    games: list[Any] = []
+    assert "curve" in run(f"{BOULDER_OF_4}\n{SHORT}", show=lambda *given: games.extend(given[2]))
+    assert "act" in run(SHORT.replace("return rng.choice(best)", "return 7"))["error"]
+    assert not any(map(len, games))
+
+
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+def test_games_are_pictures_of_the_page(race: Race) -> None:
+    """Every moment of a game is one that the page can draw."""
+    mdp, where = race.mdp(race.strength.first), MAPS[race.environment]
+    entry = playground.menu(race)["agents"][-1]
+    scene = scenery(where, mdp)
+    rows = len(table(where, mdp, race.agents[-1].view.of(mdp))["cell"])
+    source, games = f"agent = edugym.{entry['kind']}.create(mdp)", list[Any]()
+    done = edugym_page.run(
+        source, made(race, entry["seen"]), 60, 0, 1, lambda *given: games.extend(given[2]), where.look, rows
+    )
+    assert "curve" in done
+    moments = np.concatenate(games).reshape(-1, len(where.look))
+    assert len(moments) > len(games)
+    assert "moves" in scene or {",".join(f"{part:g}" for part in moment) for moment in moments} <= {*scene["moments"]}
 
 
 def test_what_is_interpreted_says_why() -> None:

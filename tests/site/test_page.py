@@ -236,6 +236,10 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     assert "interpreted" not in reader.text("#code-said")
     until(lambda: reader("document.querySelectorAll('#code-chart polyline[points*=\",\"]').length") == 2, "two curves")
     assert reader("document.querySelector('#ours canvas').dataset.cells") == "11"
+    walker = "document.querySelector('#ours svg:last-child').innerHTML"
+    seen = reader(walker)
+    assert seen
+    until(lambda: reader(walker) != seen, "its next step")
     if SCREENSHOTS:
         _photograph(reader, f"code-{size[0]}")
     change(reader, "target - self", "target - sef")

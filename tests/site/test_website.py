@@ -12,6 +12,7 @@ from typing import Any
 from urllib.parse import unquote, urlsplit
 
 import playground
+import previews
 import pytest
 
 from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
@@ -103,6 +104,18 @@ def test_pages_load_nothing_from_another_host(site: Path, pages: dict[Path, Foun
     loads = [load for found in pages.values() for load in found.loads]
     loads += re.findall(r"url\(\s*['\"]?([^'\")]+)", "".join(file.read_text() for file in site.rglob("*.css")))
     assert not [load for load in loads if urlsplit(load).netloc]
+
+
+def test_pages_say_what_they_are(site: Path) -> None:
+    """Each has a title, a description of its own and an icon; the picture of previews is where they would name it."""
+    described = dict[str, str]()
+    for file in [site / f"{page}.html" for page in PAGES if page != "search"]:
+        head = file.read_text(encoding="utf-8").partition("</head>")[0]
+        assert "favicon.svg" in head
+        assert '<meta property="og:title"' in head
+        described[file.name] = re.findall('<meta name="description" content="(.+?)">', head)[0]
+    assert len(set(described.values())) == len(described)
+    assert (site / previews.PICTURE).exists()
 
 
 @pytest.fixture(scope="module")

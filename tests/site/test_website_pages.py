@@ -8,6 +8,7 @@ from xml.etree import ElementTree
 import agent_pages
 import docstrings
 import lesson_pages
+import previews
 import projected_pages
 import pytest
 import reference_pages
@@ -217,3 +218,15 @@ def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[
         assert len(before.split()) < 400, lesson.name  # a lesson has thousands
     assert list(pages) == ["project/index"]
     assert pages["project/index"].count("](/project/") == len(lessons)
+
+
+@pytest.mark.parametrize(("place", "pictures"), [("", 0), ("https://example.org/course", 1)])
+def test_a_preview_has_a_picture_where_the_address_is_known(
+    place: str, pictures: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Only a whole address can name one; what a page says of itself is text, whatever signs it has."""
+    monkeypatch.setattr(previews, "ADDRESS", place)
+    tags = previews.tags('Q & "A"', "a < b")
+    assert tags.count("og:image") == tags.count(f"{place}/{previews.PICTURE}") == pictures
+    assert 'content="Q &amp; &quot;A&quot;"' in tags
+    assert tags.count("a &lt; b") == 2
