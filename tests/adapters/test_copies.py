@@ -17,6 +17,7 @@ from edugym import MDPEnv, MDPVectorEnv, make_mdp
 from tests.adapters.tasks import TRAIL
 from tests.compiled.cells import cell
 from tests.contract.play import Copies, every_environment, plain
+from tests.messages import named
 
 
 def alike(task: Any, mode: AutoresetMode, n_steps: int, action: Any = None) -> list[bool]:
@@ -128,7 +129,7 @@ def test_what_is_kept_for_pictures() -> None:
     wrong: Any
     for wrong in (-1, 3, 1.0):  # copies are numbered from 0
         for method in (boulder.state, boulder.showing):
-            with pytest.raises(ValueError, match="i must be "):
+            with pytest.raises(ValueError, match=named("i", 0, 2, repr(wrong))):
                 method(wrong)
 
 

@@ -16,6 +16,7 @@ from edugym.rendering import window
 from edugym.rendering.scene import Scene, Text
 from tests.adapters.tasks import TRAIL
 from tests.compiled.cells import SLIPPERY, WALK, cell
+from tests.messages import named
 
 DIGITS_AND_LETTERS = "0123456789abcdefghijklmnopstuvwxyz"
 
@@ -82,7 +83,7 @@ def test_a_picture_for_a_task_that_has_none() -> None:
     assert env.scene() == Scene(12.0, 2.0, (Text(6.0, 1.2, "state 1", 0.6),))
     with pytest.warns(UserWarning, match="without a render_mode"):
         assert env.render() is None
-    with pytest.raises(ValueError, match=r"render_mode must be one of None, 'human', .*, but is 'svg'"):
+    with pytest.raises(ValueError, match=named("render_mode", None, "'human'", "'svg'")):
         MDPEnv(env.mdp, render_mode="svg")
     wrong = MDPEnv(walk(f"{WALK}\n    def scene(self, state): return None\n"), render_mode="ansi")
     wrong.reset(seed=0)

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from edugym import Identity, TileCoding, make_mdp
 from edugym.agents.features import check_features
+from tests.messages import named
 
 
 def seen(features: Any, *state: float) -> dict[int, float]:
@@ -91,11 +92,11 @@ def test_every_state_has_a_tile_in_every_tiling(state: list[float], x: int, y: i
 @pytest.mark.parametrize(
     ("n_inputs", "settings", "message"),
     [
-        (7, {"tiles": 0}, "tiles must be from 1 to 10000000, but is 0"),
+        (7, {"tiles": 0}, named("tiles", 1, 10_000_000, 0)),
         (7, {"tiles": [4]}, "tiles must be a whole number, or 7, one for each input, but is .4"),
-        (7, {"tiles": [2.5] * 7}, "tiles must be a whole number"),
-        (7, {"tilings": 0}, "tilings must be from 1 to 10000000, but is 0"),
-        (7, {"low": [0.0]}, "low must be an array of numbers of shape .7"),
+        (7, {"tiles": [2.5] * 7}, named("tiles", 2.5)),
+        (7, {"tilings": 0}, named("tilings", 1, 10_000_000, 0)),
+        (7, {"low": [0.0]}, named("low", "(7,)", [0.0])),
         (1, {"low": [0.0], "high": [0.0]}, "low and high must be the bounds .* number 0 is from 0.0 to 0.0"),
         (1, {"low": [0.0], "high": [math.inf]}, r"number 0 is from 0.0 to inf: give low=\[...\] and high=\[...\]"),
         (1, {"low": [0.0], "high": [1e9]}, "less than a billion apart, but number 0 is from 0.0 to 1"),

@@ -15,6 +15,7 @@ from edugym.agents import tables
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
 from tests.agents.cases import STRATEGIES, package_classes
+from tests.messages import named
 
 KNOWN = {name: make for name, make in STRATEGIES.items() if hasattr(make((2, 2)), "probability")}
 # Values from so few numbers that ties are frequent, and the same with other last digits.
@@ -224,7 +225,7 @@ class Swapped(NamedTuple):
     ("exploration", "message"),
     [
         (Swapped(0.1), r"choose of Swapped must take \(self, Q, state, rng\), but takes \(self, state, Q, rng\)"),
-        (eg.EpsilonGreedy(2.0), "epsilon must be from 0 to 1, but is 2.0"),
+        (eg.EpsilonGreedy(2.0), named("epsilon", 0, 1, 2.0)),
         (0.1, "exploration must be a strategy such as EpsilonGreedy\\(0.1\\), but is 0.1"),
         (eg.UCB.create((3, 2)), "UCB was made for 3 states, but the agent has 2"),
         (eg.UCB.create((2, 5)), "UCB was made for 5 actions, but the agent has 2"),
@@ -239,7 +240,7 @@ def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: 
 def test_schedules_that_make_no_sense_are_refused() -> None:
     """Where the strategy that follows them is made."""
     for schedule, message in (
-        (eg.LinearDecay(1.5, 0.1, 10), "start must be from 0 to 1, but is 1.5"),
+        (eg.LinearDecay(1.5, 0.1, 10), named("start", 0, 1, 1.5)),
         (0.1, r"schedule must have a method value\(step\), as LinearDecay\(1.0, 0.1, 1000\) has, but is 0.1"),
     ):
         with pytest.raises(ValueError, match=message):

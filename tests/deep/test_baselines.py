@@ -10,6 +10,7 @@ from edugym.deep import stable_baselines3_run
 from edugym.deep.baselines import _policy
 from edugym.training.run import Run
 from tests.deep.test_curves import measured
+from tests.messages import named
 
 FEW: dict[str, dict[str, Any]] = {
     "DQN": {"learning_starts": 10, "buffer_size": 100},
@@ -52,9 +53,9 @@ def test_parameters_and_own_policies() -> None:
 def test_what_is_wrong_is_refused() -> None:
     """Other algorithms, no steps."""
     wrong: list[tuple[str, int, dict[str, Any], str]] = [
-        ("SAC", 100, {}, "algorithm must be one of 'DQN', 'PPO', 'A2C', 'RecurrentPPO', but is 'SAC'"),
-        ("PPO", 0, {}, "n_steps must be 1 or more, but is 0"),
-        ("PPO", 100, {"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
+        ("SAC", 100, {}, named("algorithm", "'DQN'", "'PPO'", "'A2C'", "'RecurrentPPO'", "'SAC'")),
+        ("PPO", 0, {}, named("n_steps", 1, 0)),
+        ("PPO", 100, {"evaluate_every": 0}, named("evaluate_every", 1, 0)),
     ]
     for algorithm, n_steps, how, message in wrong:
         with pytest.raises(ValueError, match=message):

@@ -17,6 +17,7 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
 from edugym.envs.boulder import Boulder
 from tests.contract.play import every_environment, plain
+from tests.messages import named
 
 CATCH: Any = gymnasium.make("edugym/Catch-v0").unwrapped
 
@@ -135,12 +136,12 @@ def test_dqn_knows_a_time_limit_from_an_end() -> None:
 WRONG: list[tuple[Any, tuple[Any, ...], dict[str, Any], str]] = [
     *((wrong, (), {}, "environment must be") for wrong in (None, 3, Boulder)),
     (gymnasium.make("edugym/Catch-v0", max_episode_steps=3), (), {}, "must have no wrapper that changes it"),
-    ("CartPole-v1", (), {}, "environment must be one of Boulder"),
+    ("CartPole-v1", (), {}, named("environment", "Boulder", "'CartPole-v1'")),
     ("Supermarket", (4,), {"step_timeout": 0.1}, "and no more, such as waiting, but .*use .*DummyVecEnv"),
-    ("Catch", (2,), {"rows": 1}, "rows must be from 2 to 1000, but is 1"),
+    ("Catch", (2,), {"rows": 1}, named("rows", 2, 1000, 1)),
     ("Catch", (0,), {}, "num_envs"),
     (CATCH, (), {"rows": 3}, r"parameters .* \{'rows': 3\}"),
-    *((MDPVectorEnv(CATCH, 2, mode), (), {}, f"autoreset_mode must be .*{mode}") for mode in ("NextStep", "Disabled")),
+    *((MDPVectorEnv(CATCH, 2, mode), (), {}, named("autoreset_mode", mode)) for mode in ("NextStep", "Disabled")),
     (MDPVectorEnv(CATCH, 2, "SameStep"), (3,), {}, r"num_envs must be 2, .* but is 3"),
 ]
 

@@ -23,6 +23,7 @@ from edugym.deep.ppo import (
 )
 from tests.adapters.playing.tasks import Walk
 from tests.deep.test_curves import measured
+from tests.messages import named
 
 SMALL: dict[str, Any] = {"num_envs": 2, "length": 5, "hidden": 4}
 TWO = spaces.Discrete(2)
@@ -285,9 +286,9 @@ def test_it_runs_everywhere_and_repeats(name: str) -> None:
 @pytest.mark.parametrize(
     ("created", "trained", "message"),
     [
-        ({}, {"n_steps": 100}, "n_steps must be 2048 or more, but is 100"),
-        ({}, {"n_steps": 2_048, "evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
-        ({"num_envs": 2, "length": 3}, {}, "minibatches must be from 1 to 3, but is 4"),
+        ({}, {"n_steps": 100}, named("n_steps", 2048, 100)),
+        ({}, {"n_steps": 2_048, "evaluate_every": 0}, named("evaluate_every", 1, 0)),
+        ({"num_envs": 2, "length": 3}, {}, named("minibatches", 1, 3, 4)),
         ({"environment": None}, {}, "environment must be"),
         ({"parameters": {"colour": "red"}}, {}, "has no parameter 'colour'"),
     ],

@@ -11,6 +11,7 @@ from edugym import QLearning, finite_model, make_mdp, value_iteration
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.policy_iteration import policy_iteration
 from tests.exact.tasks import LOOP, Walk, random_model, value_of
+from tests.messages import named
 
 DISCOUNTS = st.sampled_from([0.0, 0.5, 0.95, 1.0])
 
@@ -90,7 +91,7 @@ def test_policy_iteration_that_does_not_settle() -> None:
         policy_iteration(finite_model(make_mdp("Boulder")), max_iterations=1)
     with pytest.raises(ValueError, match=r"values do not settle in 90 sweeps at discount 1\.0"):
         policy_iteration(model, max_sweeps=90)
-    with pytest.raises(ValueError, match="max_iterations must be from 1 to 10000000, but is 0"):
+    with pytest.raises(ValueError, match=named("max_iterations", 1, 10_000_000, 0)):
         policy_iteration(model, max_iterations=0)
-    with pytest.raises(ValueError, match="discount must be from 0 to 1, but is 2"):
+    with pytest.raises(ValueError, match=named("discount", 0, 1, 2)):
         policy_iteration(model, 2)

@@ -19,6 +19,7 @@ from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, YELLOW, rgb
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Circle, Line, Polygon, Scene, Shape
 from tests.adapters.playing.tasks import Walk
+from tests.messages import named
 
 
 def test_gifs_of_pictures(tmp_path: Path) -> None:
@@ -59,7 +60,7 @@ def test_actions_make_an_episode() -> None:
     assert steps([0, "left", 1, 1]) == 2
     assert steps(lambda observation: int(observation < 3)) == 9
     assert steps(lambda observation: int(observation < 3), max_steps=5) == 5
-    with pytest.raises(ValueError, match="max_steps must be from 1 to 100000"):
+    with pytest.raises(ValueError, match=named("max_steps", 1, 100_000, 0)):
         steps([0], max_steps=0)
 
 

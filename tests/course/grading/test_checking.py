@@ -12,6 +12,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 from edugym_course.grading import Unsolved, WrongAnswer, check, checking
 from edugym_course.grading.student_code import student_code
+from tests.messages import named
 
 
 def exercise(answer: int, seed: int) -> str:
@@ -37,7 +38,7 @@ def test_what_is_said_of_answers(capsys: pytest.CaptureFixture[str]) -> None:
         check(exercise, "3")
     assert caught.value.__suppress_context__
     assert caught.value.__cause__ is None
-    with pytest.raises(ValueError, match="seed must be 0 or more"):
+    with pytest.raises(ValueError, match=named("seed", 0, -1)):
         check(exercise, 2, seed=-1)
     with pytest.raises(ValueError, match="no number height"):
         check(exercise, 2, height=3)

@@ -13,6 +13,7 @@ from edugym_course.lessons import lesson_names, load_experiments
 from edugym_course.report import rows_of
 from tests.course.lessons.answers import read_exercises
 from tests.course.lessons.shown import NOTEBOOKS
+from tests.messages import named
 
 FOLDER = Path(edugym_course.lessons.__path__[0])
 
@@ -57,7 +58,7 @@ def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.Monk
         "first", "exploration", "apple", "zebra"
     ]  # fmt: skip
     assert str(load_experiments("zebra").report) == "found here"
-    with pytest.raises(ValueError, match=r"lesson must be one of .*'exploration'.* but is 'explore'"):
+    with pytest.raises(ValueError, match=named("lesson", "'exploration'", "'explore'")):
         load_experiments("explore")
 
 

@@ -20,6 +20,7 @@ from edugym_course.notebook import frames, play, source
 from edugym_course.notebook.film import side_by_side
 from edugym_course.notebook.widget import WIDGET
 from tests.course.notebook.widgets import texts
+from tests.messages import named
 
 
 def test_playing_with_buttons() -> None:
@@ -63,7 +64,7 @@ def test_playing_blind() -> None:
     panel.reset()
     assert "<svg" not in texts(panel.widget)[0]
     no_boolean: Any = "yes"
-    with pytest.raises(ValueError, match="blind must be True or False, but is 'yes'"):
+    with pytest.raises(ValueError, match=named("blind", True, False, "'yes'")):
         play("Boulder", blind=no_boolean)
 
 
@@ -102,7 +103,7 @@ def test_a_film_of_an_agent() -> None:
     fails: dict[str, Any] = {"actor": lambda state: 1, "height": 30}
     assert len(frames("Boulder", **fails).frames) == len(play_episode("Boulder", **fails)) == 201
     assert len(frames("Boulder", **fails, max_steps=3).frames) == 4
-    with pytest.raises(ValueError, match="frames_per_second must be greater than 0"):
+    with pytest.raises(ValueError, match=named("frames_per_second", 0)):
         frames("Golf", agent, frames_per_second=0)
 
 

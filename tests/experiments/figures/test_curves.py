@@ -10,6 +10,7 @@ from edugym.experiments.figures import Curves
 from edugym.experiments.figures.curves import LABELS, SHARE_LABEL
 from edugym.experiments.results.statistics import mean_interval, proportion_interval
 from tests.experiments.figures.samples import figure_of, heights, made_results, new_axes
+from tests.messages import named
 
 
 def band(ax: Axes, i: int) -> tuple[list[float], list[float]]:
@@ -89,7 +90,7 @@ def test_unknown_names_are_refused() -> None:
         Curves(made_results(), methods=["C"]).draw(new_axes())
     with pytest.raises(ValueError, match=r"column .*'seed'"):
         Curves(made_results(), column="seed").draw(new_axes())
-    with pytest.raises(ValueError, match="smooth must be from 1 to 1000000, but is 0"):
+    with pytest.raises(ValueError, match=named("smooth", 1, 1_000_000, 0)):
         Curves(made_results(), smooth=0).draw(new_axes())
     with pytest.raises(ValueError, match=r"results .*'results.csv'$"):
         Curves("results.csv").draw(new_axes())  # type: ignore[arg-type]

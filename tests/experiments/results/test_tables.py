@@ -11,6 +11,7 @@ import pytest
 
 from edugym import Results
 from edugym.experiments.results.tables import MEASURED, joined, with_types
+from tests.messages import named
 
 NAN = np.nan
 STEPS = [0, 10, 30]  # not evenly spaced
@@ -242,5 +243,5 @@ def test_joined_experiments_of_other_lengths() -> None:
     assert not joined([Results(begun), WHOLE]).complete
     wrong: Any
     for wrong in ([], ["results.csv"], [WHOLE, None]):
-        with pytest.raises(ValueError, match=r"^parts must be one or more Results, but is \["):
+        with pytest.raises(ValueError, match=named("parts", "Results")):
             joined(wrong)
