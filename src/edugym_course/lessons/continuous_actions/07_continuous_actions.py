@@ -992,8 +992,7 @@ check(project_7, my_program)
 #   than 9 bins on average. Why is open: its features, its algorithm and its settings differ too. With PPO (in an aside)
 #   only 3 bins were clearly sooner, and only than 5 and 9 bins.
 # - What is possible is not what is learned: in a narrower container (in an aside) the continuous agent lost more of its
-#   return than
-#   the agent with 3 bins.
+#   return than the agent with 3 bins.
 # - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. We
 #   checked it for $\mu$ and for $\ln \sigma$ by finite differences.
 # - A baseline does not change that mean. With small steps it kept narrow Gaussian policies in the container; with

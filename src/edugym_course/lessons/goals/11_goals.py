@@ -74,7 +74,7 @@ for n in (2, 4, 6, 8, 10, 13):
     print(f"{n:2} switches, {2**n:4} patterns: {chance:7.2%} of the episodes, one in {1 / chance:.0f}")
 
 # %% [markdown]
-# In $n$ steps it shows at most $n$ of the other $2^n - 1$ patterns, so the chance is below $n / (2^n - 1)$. In all other
+# In $n$ steps it meets at most $n$ of the other $2^n - 1$ patterns, so the chance is below $n / (2^n - 1)$. In all other
 # episodes every reward is $-1$, whatever it does. Many say: from these there is nothing to learn.
 
 # %% [markdown]
@@ -288,9 +288,9 @@ at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2
 
 # %% [markdown]
 # ### Is it only more data?
-# With 'future' the memory has five times as many transitions. Perhaps that helps, and not what they are? Take as $g'$ a
+# With 'future' the memory has five times as many transitions. Perhaps their number helps, and not their goals? Take as $g'$ a
 # pattern that *another* episode achieved. The memory has as many transitions as with 'future', with honest rewards, and
-# only the goals are others. (In the code these goals come from steps before the episode, a negative number.)
+# only the goals are others. (In the code a step before the episode has a negative number.)
 
 # %%
 source(methods.OtherEpisodes.achieved_after)
@@ -341,7 +341,7 @@ tabular.measured(both.final("future").mean())
 # 75 000 updates for its 524 288 numbers, and each tells of one pair alone. The network had the same transitions, and knows the way for all
 # pairs. So it has *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others
 # are. For a table hindsight saves some steps where most pairs can be visited. With six switches and 50 000 steps it returned
-# −3.0 instead of −3.9.
+# −3.0 instead of −3.9; the best is −2.05.
 # </details>
 
 # %% [markdown]
@@ -445,8 +445,8 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # ### Limits
 # Goals must have no part in the dynamics, the reward for any goal must be known, and the method must be off-policy. Hindsight
 # finds nothing that the agent never does: where random play stays near its start, as on the wall of lesson 1, so do the
-# goals that it learns. And where luck decides whether a goal is reached, hindsight takes luck for skill: it
-# learns only from the episodes in which a goal was reached. (None of this was measured here.)
+# goals that it learns. And for a goal it learns only from episodes that reached it: where luck
+# decides, it takes luck for skill. (None of this was measured here.)
 #
 # ### Further reading
 # - Andrychowicz et al. (2017), *Hindsight experience replay*: the method, and the task of this lesson (section 3.1). They

@@ -47,6 +47,8 @@ GREEDY_MISTAKES: Mapping[str, Callable[[Reals, int, int], int]] = {
     "the search goes over the values of all goals, and so the number is none of an action": lambda Q, s, g: _best(Q[s]),
     "it looks up Q[state, state], as if the goal were there already": lambda Q, s, g: _best(Q[s, s]),
     "it looks up Q[goal, goal]; the first index is the state": lambda Q, s, g: _best(Q[g, g]),
+    "the goal is left out: it looks up Q[state, 0], whatever the goal is": lambda Q, s, g: _best(Q[s, 0]),
+    "the values are cut to whole numbers, and two that differ look alike": lambda Q, s, g: _best(Q[s, g].astype(int)),
     "the value that is largest in *size* is taken; −8 is lower than −1": lambda Q, s, g: _best(np.abs(Q[s, g])),
     "the value closest to 0 is taken, and not the highest": lambda Q, s, g: _best(-np.abs(Q[s, g])),
     **starts(
@@ -114,6 +116,7 @@ def relabelled(
     reward: str = "right",
     terminated: str = "right",
     kept: str = "all",
+    alike: str = "equal",
 ) -> list[Transition]:
     """Return an episode as if its last pattern had been the goal; other arguments than the defaults are mistakes."""
     made = []
@@ -126,7 +129,7 @@ def relabelled(
             "start": steps[0][0],
             "own": next_state,
         }[goal]
-        reached = next_state == wanted
+        reached = next_state is wanted if alike == "the same object" else next_state == wanted
         pays = {
             "right": 0.0 if reached else -1.0,
             "old": -1.0,
@@ -178,6 +181,9 @@ FINAL_MISTAKES: Mapping[str, Settings] = {
     "the last step is missing": {"kept": "not the last"},
     "only the last step is there; the others are learned for the new goal too": {"kept": "only the last"},
     "the steps come in reverse order; keep the order of the episode": {"kept": "backwards"},
+    "`is` asks whether two numbers are the same object, and large ones that are equal need not be: write `==`": {
+        "alike": "the same object"
+    },
 }
 NO_USUAL_EPISODE = "that is none of the usual mistakes, so go through the episode by hand, step by step"
 EPISODES = (
@@ -188,6 +194,8 @@ EPISODES = (
     [(6, 2, 7), (7, 0, 3), (3, 0, 7), (7, 2, 6), (6, 1, 4), (4, 1, 6), (6, 0, 2)],  # tells all mistakes of 'future'
 )
 """Episodes with three switches; the patterns are numbered as binary numbers."""
+SEVEN_MORE = 0b1110000000
+"""The same with seven more switches: large numbers show an answer that counts on three switches, or on `is`."""
 
 
 def episodes_of(seed: int) -> list[list[Step]]:
@@ -199,7 +207,7 @@ def episodes_of(seed: int) -> list[list[Step]]:
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the relabelling 'final'."""
     require_function("final", answer, "steps")
-    cases = episodes_of(seed)
+    cases = [*episodes_of(seed), [(s ^ SEVEN_MORE, a, then ^ SEVEN_MORE) for s, a, then in EPISODES[0]]]
     found = [_transitions(answer, steps) for steps in cases]
     for steps, mine in zip(cases, found, strict=True):
         right = relabelled(steps)
@@ -233,6 +241,8 @@ def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
                 f"{call} should give a list of transitions (state, goal, action, reward, next_state, terminated), but"
                 f" one of them is {one!r}"
             )
+        if text := next((repr(part) for part in one if isinstance(part, str)), None):
+            raise WrongAnswer(f"{call} should give transitions of numbers, but one of these holds the text {text}")
     with student_code(call):
         return [(int(s), int(g), int(a), float(r), int(then), bool(end)) for s, g, a, r, then, end in found]
 

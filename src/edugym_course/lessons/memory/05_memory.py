@@ -148,8 +148,8 @@ source(best_value)
 # Watch what Q-learning has learned with a window of 2 observations, without actions. This is one greedy episode after
 # 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row of the
 # window that the agent sees *after* it has opened the door, so the row at which it decides stands in the frame before.
-# That is 4 times the older observation plus the newer one; so row 15 is (3, 3), no mark and no mark. At which row does
-# it err?
+# The number of a row is 4 times the older observation plus the newer one, so row 15 is (3, 3): no mark, twice. At
+# which row does it err?
 
 # %%
 two = players.learn(2, n_steps=50_000, repetitions=1)

@@ -406,7 +406,7 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
 # table cannot find it. (That is what features and networks are for. An agent that is told how often each word occurs
-# has one thing less to find out: that the order does not matter. We have not tried one.)
+# has one thing less to find out: that the order does not matter. You will write one in the project.)
 
 # %% [markdown]
 # ## Predict, then check

@@ -198,3 +198,24 @@ final = []
 # says: but one of them is 3
 def final(steps):
     return 3
+
+
+# %% the same object
+# says: `is` asks whether two numbers are the same object, and large ones that are equal need not be: write `==`
+def final(steps):
+    goal = steps[-1][2]
+    return [(s, goal, a, 0.0 if then is goal else -1.0, then, then is goal) for s, a, then in steps]
+
+
+# %% three switches
+# says: that is none of the usual mistakes, so go through the episode by hand, step by step
+def final(steps):
+    goal = steps[-1][2] % 8
+    return [(s, goal, a, 0.0 if then == goal else -1.0, then, then == goal) for s, a, then in steps]
+
+
+# %% a text as the goal
+# says: should give transitions of numbers, but one of these holds the text
+def final(steps):
+    goal = bin(steps[-1][2])
+    return [(s, goal, a, 0.0 if bin(then) == goal else -1.0, then, bin(then) == goal) for s, a, then in steps]

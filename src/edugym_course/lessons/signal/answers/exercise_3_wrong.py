@@ -386,3 +386,10 @@ def act(self, observation, rng):
         votes[(self.last[0] + 1) % 4] += 0.5
     self.last[0] = pick(votes, rng)
     return self.last[0]
+
+
+# %% the last action is forgotten when all is well
+# says: takes action 1 in 100% of calls, but that is the one that was taken last
+# in: the solution of act
+# - if self.last[0] >= 0:
+# + if self.last[0] >= 0 and observation[0] < 100:
