@@ -60,7 +60,10 @@ def test_solutions_get_full_marks_and_blanks_none(lesson: str, tmp_path: Path) -
     submit(tmp_path, "blank", blank, name)
     submit(tmp_path, "solved", solved, name)
 
-    nbgrader(tmp_path, "autograde", name, f"--Execute.timeout={10 * build.CELL_SECONDS}")
+    # Now and then the client is not woken by a reply that has come (seen with pyzmq 27.3 and ipykernel 6.31: the socket
+    # is readable, and nobody reads). It takes the reply when the time is up, so the tiny lesson has less time.
+    seconds = (10 if lesson else 1) * build.CELL_SECONDS
+    nbgrader(tmp_path, "autograde", name, f"--Execute.timeout={seconds}")
     with Gradebook(f"sqlite:///{tmp_path / 'gradebook.db'}") as gradebook:
         rows = gradebook.assignment_submissions(name)
         scores = {row.student.id: (row.score, row.max_score) for row in rows}
