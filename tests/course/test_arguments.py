@@ -78,6 +78,7 @@ def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "beside.py").write_text("RIGHT = 1")
     (tmp_path / "slip.py").write_text("import beside\nx = beside.LEFT\n")
     (tmp_path / "math.py").write_text("def agent(environment): return environment")
+    monkeypatch.delitem(sys.modules, "mine", raising=False)  # of another test
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
