@@ -149,7 +149,8 @@ def parts_of(value: Any) -> Iterator[tuple[str, Any]]:
     elif not isinstance(value, type) and not callable(value):
         slots = [name for kind in type(value).__mro__ for name in getattr(kind, "__slots__", ())]
         yield from getattr(value, "__dict__", {}).items()
-        yield from ((name, getattr(value, name)) for name in slots if name[:2] != "__" and hasattr(value, name))
+        kept = [name for name in slots if not name.startswith("__") and hasattr(value, name)]
+        yield from ((name, getattr(value, name)) for name in kept)
 
 
 def numbers_in(value: Any) -> int:

@@ -1,5 +1,6 @@
 """The agents that plan with a model: what they update and in which order, by hand, and their fixed points."""
 
+import itertools
 import math
 import time
 from typing import Any
@@ -30,12 +31,14 @@ def test_the_budget_of_planning(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [planning.lasts(99, began) for _ in range(4)] == [True, True, False, False]
 
 
-def test_planning_for_some_time(compiled_at_once: None) -> None:
-    """Interpreted, and as long as it was told."""
+def test_planning_for_some_time(compiled_at_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Interpreted, and as long as it was told: the clock that is made up shows a millisecond more each time."""
     agent = DynaQ.create((2, 1), planning_seconds=0.02, learning_rate=0.5)
     agent.learn(0, 0, 2.0, 1, True)
-    agent.act(0, RNG)
-    assert agent.Q[0, 0] > 1.99
+    with monkeypatch.context() as patch:
+        patch.setattr(time, "perf_counter", (moment / 1000 for moment in itertools.count()).__next__)
+        agent.act(0, RNG)
+    assert 1.9999 < agent.Q[0, 0] < 2  # some twenty updates
     with pytest.warns(UserWarning, match="cannot be compiled and runs interpreted"):
         train(Walk(), DynaQ.create((5, 2), planning_seconds=1e-9), 6_000, seed=0, evaluate_every=6_000)
 

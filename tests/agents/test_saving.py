@@ -159,7 +159,7 @@ BROKEN: list[tuple[bytes, str]] = [
     (npz(structure=np.array('{"value": [1]}')), "its structure is damaged"),
     (npz(structure=np.array('{"kind": "QLearning", "fields": {}}')), "QLearning has other fields than the file: Q"),
     (stored(zeal={"value": 1}, aim={"value": 1}), "QLearning has other fields than the file: aim, zeal"),
-    (stored(learning_rate={"value": True}), f"{named('learning_rate', 0, 1, True)}"),
+    (stored(learning_rate={"value": True}), named("learning_rate", 0, 1, True)),
     (stored(Q={"array": "agent.whole"}), "Q must be an array of float64 with 2 axes.*"),
     (stored(Q={"array": "agent.raw"}), ".*damaged.*"),
     (stored(exploration={"kind": "EpsilonGreedy", "fields": {"epsilon": {"value": 7}}}), named("epsilon", 0, 1, 7)),
