@@ -9,6 +9,7 @@ from typing import Any
 
 import ipywidgets
 import numpy as np
+from IPython.utils.capture import capture_output
 
 from edugym.adapters.playing.game import Picture
 from edugym.rendering.scene import Scene
@@ -31,18 +32,34 @@ class NotebookWidget:
         """Stack the rows of widgets."""
         self.messages = ipywidgets.Output()
         self.widget = ipywidgets.VBox([*rows, self.messages])
+        self._has_messages = False
 
     def still(self) -> dict[str, str]:
         """The present picture, by MIME type."""
         raise NotImplementedError
 
     def calling(self, action: Callable[[], None]) -> Callable[[Any], None]:
-        """A callback for a widget that calls `action`."""
+        """A callback for a widget that calls `action`.
+
+        `messages` is left alone while there is nothing to show or to clear. nbclient, and so nbgrader, answers each of
+        its changes, and may then miss that the cell has ended: https://github.com/jupyter/nbclient/issues/312.
+        """
 
         def callback(event: Any) -> None:
-            self.messages.clear_output()
-            with self.messages:  # catches an error and shows it
-                action()
+            error: BaseException | None = None
+            with capture_output() as output:
+                try:
+                    action()
+                except BaseException as raised:
+                    error = raised
+            if self._has_messages:
+                self.messages.clear_output()
+            self._has_messages = bool(output.stdout or output.stderr or output.outputs or error)
+            if self._has_messages:
+                with self.messages:  # catches an error and shows it
+                    output.show()
+                    if error is not None:
+                        raise error
 
         return callback
 

@@ -8,6 +8,8 @@ from xml.etree import ElementTree
 import build
 import numpy as np
 import pytest
+import rules
+from nbclient.output_widget import OutputWidget
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
@@ -170,11 +172,22 @@ def broken(x=1):
 ]
 
 
-def test_widgets_in_a_kernel() -> None:
-    """Nothing is shown twice; prints and errors of callbacks go into the widget, and stay there until the next call."""
+def test_widgets_in_a_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is shown twice; prints and errors of callbacks go into the widget, and stay there until the next call.
+
+    A callback that says nothing changes no output widget, so that nbclient sends no answer, which could hide a reply.
+    """
     notebook = new_notebook(cells=[new_code_cell(source) for source in CELLS])
     client = build.LessonClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"])
+    send, answered = OutputWidget.send, set()
+
+    def noted(self: OutputWidget, *what: Any) -> None:
+        answered.add(client.running)
+        send(self, *what)
+
+    monkeypatch.setattr(OutputWidget, "send", noted)
     faults = client.run()
+    assert answered == {rules.where(cell) for cell in notebook.cells[2:]}
     for fault, said in zip(faults, ["three is too much", "three is too much", "call reset() to"], strict=True):
         assert said in fault
     _, played, explored, failed, *last = notebook.cells
