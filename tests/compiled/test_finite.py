@@ -1,4 +1,4 @@
-"""Machine code asks of an action of real numbers what the interpreter asks."""
+"""Machine code asks of an action of real numbers, and of the index of a row, what the interpreter asks."""
 
 from typing import Any
 
@@ -7,9 +7,9 @@ import pytest
 from numba import njit
 
 from edugym.compiled import finite
-from edugym.mdp.membership import is_finite_of_shape
+from edugym.mdp.membership import is_finite_of_shape, wholeness
 
-assert is_finite_of_shape in finite.IMPLEMENTED
+assert {is_finite_of_shape, wholeness} == finite.IMPLEMENTED
 
 
 @njit
@@ -35,3 +35,23 @@ def test_arrays(asked: tuple[int, ...], number: float) -> None:
             value = np.zeros((1, size) if len(asked) == 2 else size)
             value.flat[place] = number
             assert in_machine_code(value, asked) == is_finite_of_shape(value, asked), value
+
+
+@njit
+def wholeness_in_machine_code(value: Any) -> int:
+    """Ask machine code."""
+    return wholeness(value)
+
+
+def test_wholeness() -> None:
+    """By the type: 2.0 is not whole, nor is True."""
+    for value, expected in (
+        (2, 2),
+        (np.int64(2), 2),
+        (np.uint8(2), 2),
+        (True, 1),
+        (np.True_, 1),
+        (2.0, 0),
+        (np.zeros(2), 0),
+    ):
+        assert wholeness_in_machine_code(value) == wholeness(value) == expected, value

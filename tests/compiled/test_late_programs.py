@@ -157,12 +157,18 @@ PAIR = {"SPACE": "MultiDiscrete([5, 3])", "FIRST": "(0, 0)", "SEEN": "s"}
 BOX = {"ACTIONS": "Box(-1.0, 1.0, (1,), np.float64)", "MORE": "tabular = False"}
 AS_IT_IS = {"MORE": "tabular = False"}
 PICTURE = {"SPACE": "Box(0.0, 9.0, (2, 2))", "INDEX": "state[0, 0]"}
+PARTS = {"SPACE": "Tuple((spaces.Discrete(6), spaces.Discrete(2)))"}
 CLAMPED = {"FIRST": "0.0", "NEXT": "max(0, min(4, s + action - 0.4))"}
 TASKS = {
     "state that becomes real": (task(NEXT="s + 0.3 * action", SEEN="int(s) % 6"), "the state is made of whole numbers"),
     "pair that becomes real": (
         task(**WHOLE, NEXT="(s[0] + 1, action) if not LATE else (s[0] + 0.5, action)", SEEN="int(s[0]) % 6"),
         "tuples with whole and with real numbers"),
+    "observation that becomes real": (task(SEEN="s if not LATE else 2.0"), "the observation is made of whole numbers"),
+    "flag for an observation": (task(SEEN="s if not LATE else True"), "one name stands for True or False"),
+    "part of an observation that becomes real": (
+        task(**PARTS, **AS_IT_IS, SEEN="(s, 1 if not LATE else 1.0)", INDEX="state[0]"), "the observation is made of"),
+    "flag for a part of an observation": (task(**PARTS, **AS_IT_IS, SEEN="(s, s > 3)", INDEX="state[0]"), ""),
     "fraction for an action": (task(ACT="1 if not self.late() else 0.5"), "act returns a number that is whole"),
     "rewards of both types": (task(REWARD="1 if action else -0.5"), ""),
     "row beyond": (task(**PAIR, NEXT="((s[0] + 1) % 5, 1) if not LATE else (5, 0)", REWARD="1.0"), ""),
@@ -178,7 +184,13 @@ TASKS = {
     "clamped state": (task(**CLAMPED, SEEN="int(s)", REWARD="max(0, s)"), ""),
 }  # fmt: skip
 """An MDP and an agent, and a word of the sentence that says why they are not compiled, if they are not."""
-QUICK = ["state that becomes real", "rewards of both types", "row that is another's", "two actions"]
+QUICK = [
+    "state that becomes real",
+    "observation that becomes real",
+    "rewards of both types",
+    "row that is another's",
+    "two actions",
+]
 
 
 @pytest.mark.parametrize("names", [QUICK, pytest.param([*TASKS], marks=pytest.mark.slow)], ids=["quick", "all"])

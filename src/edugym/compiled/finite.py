@@ -1,11 +1,11 @@
-"""Machine code that asks whether an action is finite and of the right shape (`edugym.mdp.membership`)."""
+"""Machine code that asks what an observation or an action is by its type (`edugym.mdp.membership`)."""
 
 import importlib
 import math
 from collections.abc import Callable
 from typing import Any
 
-from edugym.mdp.membership import is_finite_of_shape
+from edugym.mdp.membership import is_finite_of_shape, wholeness
 
 types: Any = importlib.import_module("numba.core.types")
 extending: Any = importlib.import_module("numba.extending")
@@ -46,6 +46,13 @@ def _of_number(value: Any, shape: Any) -> Any:
     return size == 1 and math.isfinite(value)
 
 
+def _choose_wholeness(value: Any) -> Callable[..., Any]:
+    """Answers for the type of a value, while compiling; True and False have a type of their own."""
+    found = 1 if isinstance(value, types.Boolean) else 2 if isinstance(value, types.Integer) else 0
+    return lambda value: found
+
+
 extending.overload(is_finite_of_shape, strict=False)(_choose)
-IMPLEMENTED = frozenset({is_finite_of_shape})
+extending.overload(wholeness, strict=False)(_choose_wholeness)
+IMPLEMENTED = frozenset({is_finite_of_shape, wholeness})
 """Functions that machine code does not compile from their source."""

@@ -34,6 +34,7 @@ from edugym.compiled.number_kinds import (
 from edugym.compiled.operations import CHECK_EXACT, CHECK_NUMBER, MIXED, MIXED_NEGATIVE, signature_of
 from edugym.compiled.subset import words
 from edugym.compiled.untyped_checks import Refused, refuse, statements
+from edugym.mdp.membership import wholeness
 
 ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
@@ -300,11 +301,8 @@ class _Followed:
                     refuse(f"one name stands for tuples with whole and with real numbers: {WRITE}", loc)
 
     def _refuse_in_training(self, variable: Any) -> None:
-        names = {"observation": "observation", "action": "act"}
-        what = next((one for one in names if one in variable.unversioned_name), "state")
-        error = Refused(f"the {what} is made of whole numbers in one place and of real ones in another: {WRITE}")
-        error.method = names.get(what, "transition")
-        raise error
+        what = next((one for one in ("observation", "action") if one in variable.unversioned_name), "state")
+        raise _mixed(what)
 
     def _require_exact(self, block: Any, statement: Any, variable: Any, into: Any) -> None:
         """Checks a whole number that becomes a real one, unless it is a small constant."""
@@ -349,6 +347,8 @@ class _Followed:
             for variable in given:
                 self._require_exact(block, statement, variable, kind)
         if any(map(self.is_mixed, given)) and not (passes_on(called, key) or self._is_same(called, key, given)):
+            if key is wholeness:  # a guard asks it of an observation, since `act` may not return such a number
+                raise _mixed("observation", "use int()")
             refuse(
                 f"it gives a number that is whole in one place and real in another to a function: {WRITE}",
                 statement.loc,
@@ -383,3 +383,10 @@ class _Followed:
         else:
             block.body.insert(block.body.index(before), assign)
         self.ir._definitions[checked.name].append(expr)
+
+
+def _mixed(what: str, advice: str = WRITE) -> Refused:
+    """The error of a state, an observation or an action that is whole in one place and real in another."""
+    error = Refused(f"the {what} is made of whole numbers in one place and of real ones in another: {advice}")
+    error.method = {"observation": "observation", "action": "act"}.get(what, "transition")
+    return error

@@ -34,6 +34,35 @@ class Between(NamedTuple):
         return inside
 
 
+class WholeBetween(NamedTuple):
+    """For one whole number, such as the index of a row.
+
+    Attributes:
+        low: the least.
+        high: the greatest.
+        least: the least `wholeness` that it may have.
+    """
+
+    low: Any
+    high: Any
+    least: int
+
+    def hold(self, value: Any) -> bool:
+        """Return whether it is between them, and whole by its type: 2.0 is no index."""
+        inside: bool = wholeness(value) >= self.least and self.low <= value <= self.high
+        return inside
+
+
+def wholeness(value: Any) -> int:
+    """Return 2 for a whole number, 1 for True and False, and 0 for anything else: it is the type that counts.
+
+    Machine code has another implementation, by type (`edugym.compiled.finite`).
+    """
+    if isinstance(value, bool | np.bool_):
+        return 1
+    return 2 if isinstance(value, int | np.integer) else 0
+
+
 class Bounds(NamedTuple):
     """For a vector of many numbers.
 
@@ -84,7 +113,7 @@ class ArrayBounds(NamedTuple):
 def membership(space: spaces.Space[Any]) -> Any:
     """What has a method `hold(value)` that tells whether a value is in the space; None for spaces of other kinds."""
     if isinstance(space, spaces.Discrete):
-        return Between(int(space.start), int(space.start) + int(space.n) - 1)
+        return WholeBetween(int(space.start), int(space.start) + int(space.n) - 1, 2)
     if isinstance(space, spaces.Tuple):
         return _of_parts(space)
     if isinstance(space, spaces.Box):
@@ -149,6 +178,9 @@ def _of_bounds(low: Any, high: Any, whole: bool) -> Any:
 
 def _of_parts(space: Any) -> Any:
     parts = [membership(part) for part in space.spaces]
+    for place, part in enumerate(parts):
+        if isinstance(part, WholeBetween) and part.high == part.low + 1:
+            parts[place] = part._replace(least=1)  # among several numbers flags may stand for one of two (see `fits`)
     if None in parts:
         return None
     names = [f"part{i}" for i in range(len(parts))]

@@ -33,6 +33,7 @@ from edugym.compiled.javascript.kinds import (
 )
 from edugym.compiled.javascript.libraries import AS_NUMPY, Given, Named, draw, of_array, of_math, of_numpy
 from edugym.compiled.javascript.operations import Operations
+from edugym.mdp.membership import wholeness
 
 NUMPY_FUNCTIONS: frozenset[Any] = frozenset(value for value in vars(np).values() if isinstance(value, FunctionType))
 """The functions of NumPy that are written in Python."""
@@ -75,7 +76,7 @@ def _named(writer: Base, node: ast.Call) -> Named:
 
 
 def _function(writer: Operations, node: ast.Call, called: Any, given: Given, named: Named) -> Code:
-    if isinstance(called, FunctionType) and called not in NUMPY_FUNCTIONS:
+    if isinstance(called, FunctionType) and called not in NUMPY_FUNCTIONS and called is not wholeness:
         return own_function(writer, node, called, given, named)
     if isinstance(called, type) and issubclass(called, tuple) and hasattr(called, "_fields"):
         return _new(writer, node, called, given, named)
@@ -235,6 +236,13 @@ def _flag(writer: Base, node: ast.AST, given: Given) -> Code | None:
     return Code(writer.truth(node, given[0]), BOOL) if given else Code("false", BOOL)
 
 
+def _wholeness(writer: Base, node: ast.AST, given: Given) -> Code | None:
+    (x,) = given
+    if x.kind == MIXED:
+        raise writer.refused(node, "the observation may be a whole number or a real one: use int()")
+    return Code(f"({x.text},{2 if x.kind == INT else 1 if x.kind == BOOL else 0})", INT)
+
+
 BUILTINS: dict[Any, Callable[[Operations, ast.AST, Given], Code | None]] = {
     int: _to_int,
     np.int64: _to_int,
@@ -248,6 +256,7 @@ BUILTINS: dict[Any, Callable[[Operations, ast.AST, Given], Code | None]] = {
     min: _extreme("smaller"),
     pow: _power,
     bool: _flag,
+    wholeness: _wholeness,
 }
 """What writes calls of functions whose arguments are single values; it gives None if there is no translation."""
 
