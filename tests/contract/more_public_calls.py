@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 import edugym
-from edugym import deep
+from edugym import deep, games
 from edugym.experiments import figures
 from edugym.experiments.results import statistics, tables
 from edugym_course import grading, notebook
@@ -26,6 +26,11 @@ def right(answer: Any, seed: int) -> str:
 def challenge() -> Any:
     """A small one."""
     return grading.Challenge("Boulder", {"height": 3}, 9, {"b": edugym.SARSA.create}, 1.0, 1.0, 1)
+
+
+def game_of_one() -> Any:
+    """The smallest game: each player has one action."""
+    return games.matrix_game([[1]])
 
 
 CALLS: dict[str, Callable[[], Case]] = {
@@ -48,6 +53,25 @@ CALLS: dict[str, Callable[[], Case]] = {
     "figures.save_figure": lambda: Case(
         figures.save_figure,
         {"figure": figures.Curves(known().results).draw(), "path": known().folder / "figure"}, {"path": "text"}),
+    "games.Chicken.create": lambda: Case(games.Chicken.create, {}, {"crash": NUMBER}),
+    "games.PrisonersDilemma.create": lambda: Case(games.PrisonersDilemma.create, {}, {"temptation": NUMBER}),
+    "games.StagHunt.create": lambda: Case(games.StagHunt.create, {}, {"hare": NUMBER}),
+    "games.MatchingPennies.create": lambda: Case(games.MatchingPennies.create, {}),
+    "games.RockPaperScissors.create": lambda: Case(games.RockPaperScissors.create, {}),
+    "games.against": lambda: Case(
+        games.against, {"game": game_of_one(), "player": 0, "policy": [[1]]}, {"player": "0"}),
+    "games.expected_returns": lambda: Case(
+        games.expected_returns, {"model": games.game_model(game_of_one()), "policies": ([[1]], [[1]])}),
+    "games.exploitability": lambda: Case(
+        games.exploitability, {"model": games.game_model(game_of_one()), "policies": ([[1]], [[1]])}),
+    "games.game_model": lambda: Case(games.game_model, {"game": game_of_one()}),
+    "games.matrix_game": lambda: Case(games.matrix_game, {"first": [[1]]}, {"second": "None"}),
+    "games.Soccer.create": lambda: Case(games.Soccer.create, {}, {"contact": "0"}),
+    "games.minimax_value_iteration": lambda: Case(
+        games.minimax_value_iteration, {"model": games.game_model(games.matrix_game([[1]]))}),
+    "games.solve_zero_sum": lambda: Case(games.solve_zero_sum, {"payoffs": [[1]]}),
+    "games.table_shape": lambda: Case(games.table_shape, {"game": game_of_one(), "player": 0}, {"player": "0"}),
+    "games.uniform_policy": lambda: Case(games.uniform_policy, {"game": game_of_one(), "player": 0}, {"player": "0"}),
     "statistics.exactly": lambda: Case(statistics.exactly, {"value": 1}, {"value": NUMBER}),
     "statistics.share_interval": lambda: Case(statistics.share_interval, {"values": [0, 1]}, {"values": "[] array"}),
     "statistics.by_point": lambda: Case(statistics.by_point, {"values": np.zeros((2, 3))}),

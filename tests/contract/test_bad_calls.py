@@ -31,11 +31,12 @@ ROOMS = {
     "statistics": "edugym.experiments.results.statistics",
     "tables": "edugym.experiments.results.tables",
     "deep": "edugym.deep",
+    "games": "edugym.games",
     "notebook": "edugym_course.notebook",
     "grading": "edugym_course.grading",
 }
 """Public modules besides `edugym` itself, by the names that the table has for them."""
-CALLED_BY_LOOPS = ("edugym.agents.", "edugym.mdp.")
+CALLED_BY_LOOPS = ("edugym.agents.", "edugym.games.", "edugym.mdp.")
 """Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
 what the gates have looked at."""
 MADE_BY_LIBRARY = {"FiniteModel", "Interval", "Outcome", "Profile", "Results", "Run", "Sample", "Score", "Values"}

@@ -1,0 +1,35 @@
+"""Games of two players: what happens when another learns too, with exact values and exploitability."""
+
+from edugym.games.against import against
+from edugym.games.matrix_games import (
+    Chicken,
+    MatchingPennies,
+    PrisonersDilemma,
+    RockPaperScissors,
+    StagHunt,
+    matrix_game,
+)
+from edugym.games.model import expected_returns, exploitability, game_model
+from edugym.games.policies import uniform_policy
+from edugym.games.protocol import table_shape
+from edugym.games.shapley import minimax_value_iteration
+from edugym.games.soccer import Soccer
+from edugym.games.zero_sum import solve_zero_sum
+
+__all__ = [
+    "Chicken",
+    "MatchingPennies",
+    "PrisonersDilemma",
+    "RockPaperScissors",
+    "Soccer",
+    "StagHunt",
+    "against",
+    "expected_returns",
+    "exploitability",
+    "game_model",
+    "matrix_game",
+    "minimax_value_iteration",
+    "solve_zero_sum",
+    "table_shape",
+    "uniform_policy",
+]
