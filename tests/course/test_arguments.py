@@ -312,7 +312,7 @@ def test_dots_name_the_agents_beside_them_only_where_there_are_some() -> None:
 
 
 def test_the_report_names_those_to_take() -> None:
-    """The best, and those whose difference from it may be chance; none where all fail."""
+    """The best, and those whose difference from it may be chance; none where all fail; one beside if it is better."""
     agents = {"Q": edugym.QLearning.create, "nothing": lambda environment: lambda observation: 0}
     found = edugym.profile(agents, challenges=[LOW], repetitions=3)
     assert report.best_agents(found, "Boulder") == ["Q"]
@@ -320,6 +320,16 @@ def test_the_report_names_those_to_take() -> None:
     alone = edugym.profile({"nothing": agents["nothing"]}, challenges=[LOW], repetitions=3)
     assert report.best_agents(alone, "Boulder") == []
     assert report.said(alone, "Boulder").take == "nobody"
+    for profile, beside, expected in (
+        (found, alone, "Q"),
+        (alone, found, "Q, of the package"),
+        (found, found, "Q"),
+        (alone, alone, "nobody"),
+        (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q, of the package"),  # nobody here has entered
+    ):
+        assert report.score_table(profile, beside)[1][0][1] == expected
+    chance = found.runs.assign(score=found.runs["score"] - 0.01 * (found.runs["repetition"] == 0))
+    assert report.better_beside(Profile(chance, (LOW,), ("Q", "nothing")), "Boulder", found) is None
 
 
 def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -121,6 +121,17 @@ def best_agents(profile: Profile, challenge: str) -> list[str]:
     return [best, *(a for a in entered if a != best and paired_difference(runs[best], runs[a]).low <= 0)]
 
 
+def better_beside(profile: Profile, challenge: str, beside: Profile | None) -> str | None:
+    """The best agent of another profile, if it is good and surely better than all here: their intervals lie apart."""
+    others = scores_of(beside, challenge)
+    if beside is None or not others:
+        return None
+    best = max(others, key=lambda agent: others[agent])
+    here = [profile.score(agent, challenge) for agent in profile.agents]
+    highest = max((score.high for score in here if score.n), default=-math.inf)
+    return best if others[best] >= HALF and beside.score(best, challenge).low > highest else None
+
+
 def of_score(score: Interval) -> str:
     """A score with its interval, with two digits; a dash where there is none."""
     if score.n == 0:
@@ -141,7 +152,10 @@ def rounded(number: float) -> str:
 
 
 def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
-    """The heading and the rows of the table of scores; the best agent of another profile stands beside them."""
+    """The heading and the rows of the table of scores; the best agent of another profile stands beside them.
+
+    The agent to take is one of the other profile where it is surely better.
+    """
     rows = []
     for challenge in profile.challenges:
         about = said(profile, challenge)
@@ -149,7 +163,9 @@ def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[s
         others = scores_of(beside, challenge)
         best = max(others, key=lambda agent: others[agent]) if others else ""
         known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
-        rows.append([f"{challenge} ({about.isolates})", about.take, *scores, *known])
+        better = better_beside(profile, challenge, beside)
+        take = f"{better}, of the package" if better else about.take
+        rows.append([f"{challenge} ({about.isolates})", take, *scores, *known])
     return ["challenge", "take", *profile.agents, *(["best of the package"] if beside else [])], rows
 
 
