@@ -243,6 +243,7 @@ CALLS: dict[str, Callable[[], Case]] = {
     "Results.difference": lambda: results("difference", other="a"),
     "Results.final": lambda: results("final"),
     "Results.late": lambda: results("late")._replace(takes={"points": "1e30 1e400"}),
+    "Results.learned": lambda: results("learned"),
     "Results.load": lambda: Case(edugym.Results.load, {"path": known().folder / "results.csv"}),
     "Results.mean": lambda: results("mean"),
     "Results.renamed": lambda: Case(known().results.renamed, {"label": "b"}, {"label": "text"}),

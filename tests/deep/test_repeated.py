@@ -14,7 +14,7 @@ from edugym.deep import PPO, repeated
 from edugym.deep.repeated import repeat_deep
 from edugym.experiments.configuration import Planned, planned_runs
 from edugym.experiments.fingerprints import versions
-from edugym.experiments.results.tables import MEASURED
+from edugym.experiments.results.rows import MEASURED
 from edugym.training.run import Run
 from tests.messages import named
 

@@ -1,6 +1,7 @@
 """Repeated training: pairs, layouts and seeds, the same whatever runs in parallel, and tables that can be saved."""
 
 import copy
+import sys
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -9,11 +10,13 @@ import gymnasium
 import numpy as np
 import pandas as pd
 import pytest
+from matplotlib import pyplot
 
 from edugym import EpsilonGreedy, GoExplore, Hashed, QLearning, Results, make_mdp, repeat, train
 from edugym.envs.boulder import Boulder
 from edugym.experiments.configuration import described
-from edugym.experiments.results.tables import MEASURED
+from edugym.experiments.figures.curves import Curves
+from edugym.experiments.results.rows import MEASURED
 from tests.compiled.cells import cell
 from tests.experiments.experiments import AGENTS, runs, small
 
@@ -57,6 +60,29 @@ def test_agents_and_tasks_are_copied() -> None:
     for repetition, agent in results.agents["given"].items():
         assert (agent.Q == results.agents["made"][repetition].Q).all()
     assert len({agent.Q.tobytes() for agent in results.agents["given"].values()}) == 4
+
+
+def test_pandas_loads_only_for_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All numbers and figures come without it, and are those of the table."""
+
+    def numbers(results: Results) -> Any:
+        found = [results.methods, results.complete, results.last_step]
+        for method in AGENTS:
+            for column in ("return", "training_return"):
+                found += [results.mean(method, column), results.mean(method, column, "training")]
+                found += [results.at(method, 1_000, column).tolist(), results.late(method, 2, column).tolist()]
+            lines = Curves(results, methods=[method], smooth=2).draw().get_lines()
+            found += [np.asarray(line.get_data()).tolist() for line in lines]
+            pyplot.close("all")
+        return found
+
+    with monkeypatch.context() as without:
+        without.setitem(sys.modules, "pandas", None)  # importing it is an error
+        results = small()
+        alone = numbers(results)
+        with pytest.raises(gymnasium.error.DependencyNotInstalled, match="pandas"):
+            _ = results.table
+    np.testing.assert_equal(numbers(Results(results.table, results.agents)), alone)
 
 
 def test_any_gymnasium_environment() -> None:

@@ -89,7 +89,8 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
     ("library", "extra", "use"),
     [
         ("pandas", "experiments", lambda path: Results.load(path)),
-        ("pandas", "experiments", lambda path: repeat("Boulder", {"Q": QLearning.create}, 100)),
+        ("pandas", "experiments", lambda path: repeat("Boulder", {"Q": QLearning.create}, 100).table),
+        ("pandas", "experiments", lambda path: repeat("Boulder", {"Q": QLearning.create}, 100, save_to=path)),
         ("joblib", "experiments", lambda path: repeat("Boulder", {"Q": QLearning.create}, 100)),
         ("joblib", "experiments", lambda path: repeat_deep({}, 100)),
         ("scipy", "experiments", lambda path: mean_interval([1, 2])),

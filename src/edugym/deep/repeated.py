@@ -15,7 +15,8 @@ from edugym.checks.parameters import whole_number
 from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import Planned, planned_runs
 from edugym.experiments.fingerprints import versions
-from edugym.experiments.results.tables import MEASURED, Results, with_types
+from edugym.experiments.results.rows import MEASURED, with_types
+from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
 from edugym.training.run import Run
 

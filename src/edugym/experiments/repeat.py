@@ -20,7 +20,8 @@ from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
 from edugym.experiments.players import Player, is_policy
-from edugym.experiments.results.tables import MEASURED, Results, with_types
+from edugym.experiments.results.rows import MEASURED, Rows
+from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
 from edugym.system.files import check_writable
 from edugym.system.interrupts import Interrupted, SignalGuard, StopFlag, call_interruptibly, stop_flag
@@ -120,9 +121,10 @@ def repeat(
         ValueError: an argument is not as above, or an environment or agent refuses its parameters.
         OSError: `save_to` or a checkpoint cannot be written.
         Interrupted: Ctrl-C was pressed. Its `partial` are the `Results` so far.
-        gymnasium.error.DependencyNotInstalled: pandas or joblib is missing.
+        gymnasium.error.DependencyNotInstalled: joblib is missing, or pandas, which `save_to` needs.
     """
-    require("experiments", "joblib", "pandas")
+    libraries = ["joblib"] if save_to is None else ["joblib", "pandas"]
+    require("experiments", *libraries)
     number_of_steps("n_steps", n_steps)
     whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
     whole_number("seed", seed, 0)
@@ -150,7 +152,7 @@ def repeat(
     # `SignalGuard` makes the first Ctrl-C set that flag, and `Interrupted` then gives the caller what is done.
     try:
         with SignalGuard() as guard:
-            for library in ("joblib", "pandas"):  # Ctrl-C during an import would leave half a library
+            for library in libraries:  # Ctrl-C during an import would leave half a library
                 call_interruptibly(importlib.import_module, library)
             store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
@@ -365,9 +367,7 @@ def _do(
 
 
 def _collected(experiment: Experiment, runs: Runs) -> Results:
-    """The table of the runs, and their agents."""
-    import pandas
-
+    """The rows of the runs, and their agents."""
     fixed_layout = experiment.task.settings.get("layout_seed")
     parts: dict[str, list[Any]] = {column: [] for column in MEASURED}
     agents: dict[str, dict[int, Any]] = {method: {} for method in experiment.makers}
@@ -389,8 +389,4 @@ def _collected(experiment: Experiment, runs: Runs) -> Results:
         }
         for column, values in columns.items():
             parts[column] += values if isinstance(values, list) else [values] * len(run.steps)
-    configuration = pandas.DataFrame.from_dict(experiment.configuration, orient="index").dropna(
-        axis="columns", how="all"
-    )
-    table = pandas.DataFrame(parts, columns=list(MEASURED)).join(configuration, on="method")
-    return Results(with_types(table), agents)
+    return Results(Rows(parts, experiment.configuration), agents)

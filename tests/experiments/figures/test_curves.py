@@ -51,7 +51,7 @@ def test_smoothing() -> None:
     table["training_return"] = table["step"].map({0: np.nan, 100: 1.0, 200: np.nan, 300: 5.0})
     table["episodes"] = table["step"].map({0: 0, 100: 3, 200: 0, 300: 1})
     curves = Curves(Results(table), methods=["A"], smooth=2)
-    assert curves.points("A")[0].tolist() == pytest.approx([3.0, 3.0, np.nan, 5.0], nan_ok=True)
+    assert curves.points("A")[1][:, 0].tolist() == pytest.approx([3.0, 3.0, np.nan, 5.0], nan_ok=True)
     assert heights(Curves(made_results(), methods=["B"], smooth=3).draw(new_axes()).lines[0]) == [11.5, 12, 12.5, 13.5]
     ax = curves._replace(column="training_return", smooth=4).draw(new_axes())
     assert heights(ax.lines[0])[1:] == [1.0, 1.0, 2.0]

@@ -10,7 +10,8 @@ import pandas as pd
 import pytest
 
 from edugym import Results
-from edugym.experiments.results.tables import MEASURED, joined, with_types
+from edugym.experiments.results.rows import MEASURED, with_types
+from edugym.experiments.results.tables import joined
 from tests.messages import named
 
 NAN = np.nan

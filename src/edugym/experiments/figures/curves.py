@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from edugym.checks.parameters import a_number, a_text, an_array, in_short, one_of, several, true_or_false, whole_number
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.style import (
@@ -16,9 +18,9 @@ from edugym.experiments.figures.style import (
 )
 from edugym.experiments.results.statistics import by_point
 from edugym.experiments.results.tables import Results
+from edugym.mdp.protocol import Integers, Reals
 
 if TYPE_CHECKING:
-    import pandas
     from matplotlib.axes import Axes
 
 LABELS = {
@@ -71,17 +73,17 @@ class Curves(NamedTuple):
         self._check()
         ax = axes_or_new(ax)
         for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
-            curves = self.points(method)
-            intervals = by_point(curves.to_numpy(float), share=self.share and self.smooth is None)
-            plot_with_band(ax, i, curves.index.to_numpy(), intervals, method)
+            steps, values = self.points(method)
+            intervals = by_point(values, share=self.share and self.smooth is None)
+            plot_with_band(ax, i, steps, intervals, method)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         if self.soft_optimum is not None:
             ax.axhline(self.soft_optimum, label=self.soft_label, **SOFT_REFERENCE)
         default = SHARE_LABEL if self.share and self.column == "return" else LABELS[self.column]
         dress(ax, "training steps", default if self.y_label is None else self.y_label, self.title)
-        if not self.results.table.empty:
-            ax.set_xlim(0, self.results.table["step"].max())
+        if self.results.last_step:
+            ax.set_xlim(0, self.results.last_step)
         if self.y_range is not None:
             ax.set_ylim(self.y_range)
         format_steps(ax)
@@ -109,13 +111,23 @@ class Curves(NamedTuple):
             for end in an_array("y_range", self.y_range, (2,)):
                 a_number("y_range", end)
 
-    def points(self, method: str) -> "pandas.DataFrame":
-        """The curves of a method, smoothed: one row a step, one column a repetition."""
-        curves = self.results.curves(method, self.column)
+    def points(self, method: str) -> tuple[Integers, Reals]:
+        """The steps of a method, and its curves, smoothed: shape (n_points, n_repetitions)."""
+        learned = self.results.learned(method, self.column)
         if self.smooth is None:
-            return curves
-        weights = curves.notna().astype(float)
+            return learned.steps, learned.values
+        weights = (~np.isnan(learned.values)).astype(float)
         if self.column == "training_return":
-            weights *= self.results.curves(method, "episodes")
-        total, weight = (part.rolling(self.smooth, min_periods=1).sum() for part in (curves * weights, weights))
-        return total / weight
+            weights *= self.results.learned(method, "episodes").values
+        sums = [_sums(np.nan_to_num(part), self.smooth) for part in (learned.values * weights, weights)]
+        with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: nothing is known so far
+            return learned.steps, sums[0] / sums[1]
+
+
+def _sums(values: Reals, n: int) -> Reals:
+    """At each point the sum of the last `n` values of each column, or of as many as there are."""
+    n = max(1, min(n, len(values)))
+    before = np.zeros((n - 1, values.shape[1]))
+    windows = np.lib.stride_tricks.sliding_window_view(np.concatenate([before, values]), n, axis=0)
+    sums: Reals = windows.sum(axis=-1)
+    return sums

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edugym.checks.parameters import a_path, a_text, in_short
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Integers, Reals
 from edugym.rendering.palette import INK
 from edugym.system.extras import require
 from edugym.system.files import write_whole
@@ -80,13 +80,13 @@ def axes_or_new(ax: "Axes | None") -> "Axes":
     return pyplot.subplots(figsize=(5.2, 3.6), layout="constrained")[1]
 
 
-def plot_line(ax: "Axes", index: int, x: Reals, values: Reals, label: str, **look: Any) -> None:
+def plot_line(ax: "Axes", index: int, x: Integers | Reals, values: Reals, label: str, **look: Any) -> None:
     """Draw the line of the method with this index."""
     color, linestyle = stroke(index)
     ax.plot(x, values, color=color, linestyle=linestyle, linewidth=1.6, label=label, **look)
 
 
-def plot_with_band(ax: "Axes", index: int, x: Reals, intervals: Reals, label: str, **look: Any) -> None:
+def plot_with_band(ax: "Axes", index: int, x: Integers | Reals, intervals: Reals, label: str, **look: Any) -> None:
     """Draw the line of the method with this index through estimates, with intervals (from `by_point`) as a band."""
     estimate, low, high = intervals.T
     plot_line(ax, index, x, estimate, label, **look)

@@ -6,28 +6,20 @@ import json
 import os
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
 from edugym.checks.parameters import a_number, a_path, a_text, in_short, one_of, several, whole_number
+from edugym.experiments.results.rows import MEASURED, WHOLE, Learned, Rows, with_types
 from edugym.experiments.results.statistics import Interval, mean_interval, paired_difference, share_interval
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Integers, Reals
 from edugym.system.extras import require
 from edugym.system.files import write_whole
 
 if TYPE_CHECKING:
     import pandas
-
-MEASURED = (
-    "method", "repetition", "seed", "layout_seed", "step", "return", "training_return", "episodes", "complete"
-)  # fmt: skip
-"""The columns that every table has; the other columns hold the configuration."""
-
-WHOLE = ("repetition", "seed", "step", "episodes")
-"""The columns that must hold a whole number in every row."""
 
 IN_EVERY_ROW = ("method", "repetition", "step", "return", "training_return", "episodes")
 """The columns that a saved table always has; of the others, those whose values vary within a run."""
@@ -36,7 +28,6 @@ Period: TypeAlias = Literal["end", "training"]
 """What one value of a run is taken from: the last point of its learning curve, or the average over all of training."""
 
 
-@dataclass(frozen=True)
 class Results:
     """Learning curves of several methods over several repetitions, with what is needed to repeat the experiment.
 
@@ -56,19 +47,40 @@ class Results:
             results have none.
     """
 
-    table: "pandas.DataFrame"
-    agents: dict[str, dict[int, Any]] = field(default_factory=dict)
+    def __init__(self, table: "pandas.DataFrame | Rows", agents: dict[str, dict[int, Any]] | None = None) -> None:
+        """Keep a table, or the rows for one, and the agents by method and repetition."""
+        self._rows = table
+        self.agents: dict[str, dict[int, Any]] = {} if agents is None else agents
+
+    def __repr__(self) -> str:
+        """Which methods there are, and how many rows."""
+        return f"<Results of {', '.join(self.methods)}: {len(self._rows)} rows>" if len(self._rows) else "<no Results>"
+
+    @property
+    def table(self) -> "pandas.DataFrame":
+        """One row for each point of each learning curve; see the class."""
+        if isinstance(self._rows, Rows):
+            require("experiments", "pandas")
+            self._rows = self._rows.table()
+        return self._rows
 
     @property
     def methods(self) -> list[str]:
         """The labels of the methods, in the order in which they were given."""
-        return list(dict.fromkeys([*self.agents, *map(str, self.table["method"].unique())]))
+        return list(dict.fromkeys([*self.agents, *map(str, self._rows["method"])]))
 
     @property
     def complete(self) -> bool:
         """Whether every planned run reached its last step."""
-        done = self.table[self.table["complete"]][["method", "repetition"]].drop_duplicates()
-        return len(done) > 0 and len(done) == int(self.table["runs"].iloc[0])
+        rows = self._rows
+        ends = zip(rows["method"], rows["repetition"], rows["complete"], strict=True)
+        done = {(method, repetition) for method, repetition, complete in ends if complete}
+        return len(done) > 0 and len(done) == int(np.asarray(rows["runs"])[0])
+
+    @property
+    def last_step(self) -> int:
+        """The training steps of the last point of all learning curves; 0 if there is none."""
+        return int(np.max(self._rows["step"])) if len(self._rows) else 0
 
     def complete_agents(self, method: str) -> dict[int, Any]:
         """The agents of the complete runs of a method, by repetition."""
@@ -84,11 +96,20 @@ class Results:
 
         Raises:
             ValueError: an argument is none of these.
+            gymnasium.error.DependencyNotInstalled: pandas is missing.
         """
+        learned = self.learned(method, column)
+        require("experiments", "pandas")
+        import pandas
+
+        repetitions = pandas.Index(learned.repetitions, name="repetition")
+        return pandas.DataFrame(learned.values, pandas.Index(learned.steps, name="step"), repetitions)
+
+    def learned(self, method: str, column: str = "return") -> Learned:
+        """The learning curves of a method as arrays; arguments and errors as in `curves`."""
         one_of("method", method, self.methods)
         one_of("column", column, ["return", "training_return", "episodes"])
-        rows = self.table[self.table["method"] == method]
-        return rows.pivot(index="step", columns="repetition", values=column)
+        return Learned.of(self._rows, method, column)
 
     def final(self, method: str, column: str = "return") -> Reals:
         """The last value of every complete run of a method.
@@ -103,17 +124,17 @@ class Results:
         Raises:
             ValueError: an argument is none of these.
         """
-        if self.table.empty:
+        if not len(self._rows):
             return np.empty(0)
-        curves = self.curves(method, column)
-        curves = curves.reindex([self._planned(method, "n_steps")], columns=range(self._planned(method, "repetitions")))
-        last: Reals = curves.to_numpy(float)[0]
-        return last
+        learned = self.learned(method, column)
+        curves = learned.of_repetitions(self._planned(method, "repetitions"))
+        at_end = np.flatnonzero(learned.steps == self._planned(method, "n_steps"))
+        return curves[at_end[0]] if len(at_end) else np.full(curves.shape[1], np.nan)
 
     def _planned(self, method: str, what: str) -> int:
         """The steps or repetitions of the experiment of a method: joined results come from several."""
-        rows = self.table[self.table["method"] == method]
-        return int((self.table if rows.empty else rows)[what].iloc[0])
+        rows = np.flatnonzero(np.asarray(self._rows["method"]) == method)
+        return int(np.asarray(self._rows[what])[rows[0] if len(rows) else 0])
 
     def at(self, method: str, step: int, column: str = "return") -> Reals:
         """The value of every complete run of a method after a number of training steps.
@@ -129,14 +150,13 @@ class Results:
         Raises:
             ValueError: an argument is none of these.
         """
-        curves = self._complete_curves(method, column)
+        steps, curves = self._complete_curves(method, column)
         whole_number("step", step, 0)
-        if step not in curves.index and not np.isnan(self.final(method)).all():
-            raise ValueError(
-                f"step must be a point of the learning curves, {in_short([*curves.index])}, but is {in_short(step)}"
-            )
-        values: Reals = curves.reindex([step]).to_numpy(float)[0]
-        return values
+        here = np.flatnonzero(steps == step)
+        if not len(here) and not np.isnan(self.final(method)).all():
+            points = in_short(steps.tolist())
+            raise ValueError(f"step must be a point of the learning curves, {points}, but is {in_short(step)}")
+        return curves[here[0]] if len(here) else np.full(curves.shape[1], np.nan)
 
     def late(self, method: str, points: int = 5, column: str = "return") -> Reals:
         """The mean of the last points of the learning curve of every complete run of a method.
@@ -153,15 +173,16 @@ class Results:
             ValueError: an argument is none of these.
         """
         whole_number("points", points, 1)
-        values: Reals = self._complete_curves(method, column).iloc[-points:].to_numpy(float).mean(axis=0)
+        _, curves = self._complete_curves(method, column)
+        values: Reals = curves[-points:].mean(axis=0)
         return values
 
-    def _complete_curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
-        """The learning curves of a method with a column for every repetition; NaN in those not complete."""
-        final = self.final(method)
-        curves = self.curves(method, column).reindex(columns=range(len(final)))
-        curves.loc[:, np.isnan(final)] = np.nan
-        return curves
+    def _complete_curves(self, method: str, column: str = "return") -> tuple[Integers, Reals]:
+        """The steps, and the learning curves with a column for every repetition; NaN in those not complete."""
+        final, learned = self.final(method), self.learned(method, column)
+        curves = learned.of_repetitions(len(final))
+        curves[:, np.isnan(final)] = np.nan
+        return learned.steps, curves
 
     def average(self, method: str, column: str = "return") -> Reals:
         """The average over training of every complete run of a method: how well it did while it learned.
@@ -178,15 +199,14 @@ class Results:
             ValueError: an argument is none of these.
         """
         one_of("column", column, ["return", "training_return"])
-        if self.table.empty:
+        if not len(self._rows):
             return np.empty(0)
-        curves = self._complete_curves(method, column)
-        values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
+        steps, values = self._complete_curves(method, column)
         averages: Reals
         if column == "return":
-            averages = np.trapezoid(values, curves.index, axis=0) / self._planned(method, "n_steps")
+            averages = np.asarray(np.trapezoid(values, steps, axis=0)) / self._planned(method, "n_steps")
         else:
-            episodes = self._complete_curves(method, "episodes").to_numpy(float)
+            _, episodes = self._complete_curves(method, "episodes")
             with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended, or the run is not complete
                 averages = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
         return averages
@@ -357,15 +377,3 @@ def joined(parts: Iterable[Results]) -> Results:
     if len(table):
         table["runs"] = sum(int(part.table["runs"].iloc[0]) for part in parts if len(part.table))
     return Results(table, {label: agents for part in parts for label, agents in part.agents.items()})
-
-
-def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":
-    """The table with settled column types, so that saving and loading gives the same table.
-
-    Measured columns get NumPy's types. Columns of the configuration get pandas' types that allow gaps, since a method
-    may lack a setting.
-    """
-    table = table.astype({**dict.fromkeys(WHOLE, "int64"), "return": float, "training_return": float, "complete": bool})
-    others = table.columns.difference([*WHOLE, "return", "training_return", "complete"])
-    table[others] = table[others].convert_dtypes()
-    return table.astype({"layout_seed": "Int64"})

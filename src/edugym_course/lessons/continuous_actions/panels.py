@@ -68,8 +68,7 @@ class WithBest(NamedTuple):
             band.set_color(stroke(number).color)
             if self.runs:
                 band.set_visible(False)
-                each = self.curves.points(method)
-                ax.plot(each.index, each.to_numpy(), color=stroke(number).color, linewidth=0.6, alpha=0.5)
+                ax.plot(*self.curves.points(method), color=stroke(number).color, linewidth=0.6, alpha=0.5)
             if method in self.best:
                 ax.axhline(self.best[method], **{**SOFT_REFERENCE, "color": stroke(number).color, "linewidth": 1.0})
         if self.best:

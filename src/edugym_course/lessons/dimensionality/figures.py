@@ -117,10 +117,10 @@ class Learning(Curves):
         for method, look, line, band in zip(methods, looks, ax.get_lines(), [*ax.collections], strict=False):
             line.set(color=look.color, linestyle=look.linestyle)
             band.set(color=look.color, linewidth=0)
-            points = self.points(method)
-            if points.shape[1] <= FEW:  # too few runs for an interval: each is drawn
+            steps, values = self.points(method)
+            if values.shape[1] <= FEW:  # too few runs for an interval: each is drawn
                 band.remove()
-                ax.plot(points.index, points.to_numpy(float), color=look.color, linewidth=0.7, alpha=0.6)
+                ax.plot(steps, values, color=look.color, linewidth=0.7, alpha=0.6)
         if self.results.methods[0] in (POSITIONS, NETWORK) and len(self.results.methods) == 2:
             ax.get_lines()[0].set(linewidth=4.0, alpha=0.6)  # the second line may lie on it
         if place.alone:
