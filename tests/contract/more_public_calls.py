@@ -69,6 +69,7 @@ CALLS: dict[str, Callable[[], Case]] = {
     "games.Soccer.create": lambda: Case(games.Soccer.create, {}, {"contact": "0"}),
     "games.minimax_value_iteration": lambda: Case(
         games.minimax_value_iteration, {"model": games.game_model(games.matrix_game([[1]]))}),
+    "games.parallel_env": lambda: Case(games.parallel_env, {"game": game_of_one()}, {"render_mode": "None"}),
     "games.solve_zero_sum": lambda: Case(games.solve_zero_sum, {"payoffs": [[1]]}),
     "games.table_shape": lambda: Case(games.table_shape, {"game": game_of_one(), "player": 0}, {"player": "0"}),
     "games.uniform_policy": lambda: Case(games.uniform_policy, {"game": game_of_one(), "player": 0}, {"player": "0"}),

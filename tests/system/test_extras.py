@@ -18,6 +18,7 @@ from edugym.adapters.playing.keyboard import play
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import axes_or_new
 from edugym.experiments.results.statistics import mean_interval, proportion_interval
+from edugym.games import MatchingPennies, parallel_env
 from edugym.rendering.gif import to_gif
 from edugym.system.packages import own_folders
 from edugym_course.lab.server import require_jupyterlab
@@ -100,6 +101,7 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
         ("matplotlib", "plot", lambda path: axes_or_new(None)),
         ("PIL", "plot", lambda path: to_gif([np.zeros((2, 2, 3), np.uint8)], path)),
         ("PIL", "plot", lambda path: play("Boulder", gif=path)),
+        ("pettingzoo", "games", lambda path: parallel_env(MatchingPennies.create())),
         ("sb3_contrib", "deep", lambda path: _class("RecurrentPPO")),
         ("jupyterlab", "lab", lambda path: require_jupyterlab()),
         ("ipywidgets", "lab", lambda path: require_jupyterlab()),

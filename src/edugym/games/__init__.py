@@ -10,6 +10,7 @@ from edugym.games.matrix_games import (
     matrix_game,
 )
 from edugym.games.model import expected_returns, exploitability, game_model
+from edugym.games.parallel_env import parallel_env
 from edugym.games.policies import uniform_policy
 from edugym.games.protocol import table_shape
 from edugym.games.shapley import minimax_value_iteration
@@ -29,6 +30,7 @@ __all__ = [
     "game_model",
     "matrix_game",
     "minimax_value_iteration",
+    "parallel_env",
     "solve_zero_sum",
     "table_shape",
     "uniform_policy",
