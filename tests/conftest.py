@@ -1,12 +1,14 @@
 """What all tests share: one folder of machine code for a session, and random examples that come again in every run."""
 
 import gc
+import math
 import os
 import shutil
 import signal
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Iterator
 
 import pytest
@@ -22,6 +24,22 @@ settings.register_profile("search", deadline=None)  # new examples each time: py
 settings.load_profile("repeatable")
 
 _folders: list[str] = []
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """For machines whose time is limited, where a run that is ended from outside would say nothing."""
+    parser.addoption(
+        "--begin-until",
+        type=float,
+        default=math.inf,
+        help="tests that have not begun by then, in seconds since 1970, are skipped, and the summary counts them",
+    )
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Skip what has not begun in time."""
+    if time.time() > item.config.getoption("--begin-until"):
+        pytest.skip("the time for tests was over (--begin-until)")
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -47,3 +47,12 @@ def test_the_version_is_the_same_everywhere() -> None:
     released, date = re.findall(r"^## \[(\d\S*)\] - (\S+)$", changelog, re.MULTILINE)[0]
     assert {edugym.__version__, cited["version"], released} == {tomllib.loads(project)["project"]["version"]}
     assert cited["date-released"] == date
+
+
+def test_tests_that_begin_too_late_are_skipped() -> None:
+    """So that a machine whose time is limited still says what has passed, and how much was not run."""
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/test_seeds.py"]
+    done = subprocess.run([*command, "--begin-until=5"], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+    assert "the time for tests was over" in done.stdout
+    assert "passed" not in done.stdout
