@@ -55,7 +55,7 @@ class GameEnv:
         self.game_state: Any = None
         self.steps = 0
         self._limit: int | None = getattr(game, "max_steps", None)
-        self._rng = np.random.default_rng()
+        self._rng, _ = seeding.np_random()
         self._steps_to_check = 0 if is_own(game) else CHECKED_STEPS
 
     def observation_space(self, agent: str) -> spaces.Space[Any]:
