@@ -87,7 +87,10 @@ def index() -> str:
         for e in in_course_order()
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
-    new = "The first nine are those of the paper. Switches is new: goals, which the paper leaves out."
+    new = (
+        "The first nine are those of the paper. Two are new, for what the paper leaves out: Switches for goals, and"
+        " Diver for several objectives."
+    )
     more = f"For users of the original code: [what has changed]({ORIGINAL})."
     return "\n".join(["# The environments", "", new, "", *head, *rows, "", more, ""])
 
@@ -112,7 +115,7 @@ def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
 
 
 def montage(
-    pictures: dict[str, Scene], columns: int = 5, side: int = 240, gap: int = 16, text: int = 26
+    pictures: dict[str, Scene], columns: int = 6, side: int = 240, gap: int = 16, text: int = 26
 ) -> Image.Image:
     """Arrange all pictures in rows, each scaled to fit a square, with its name below."""
     rows = -(-len(pictures) // columns)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 import edugym
-from edugym import deep, games
+from edugym import deep, games, objectives
 from edugym.experiments import figures
 from edugym.experiments.results import statistics, tables
 from edugym_course import grading, notebook
@@ -31,6 +31,13 @@ def challenge() -> Any:
 def game_of_one() -> Any:
     """The smallest game: each player has one action."""
     return games.matrix_game([[1]])
+
+
+def diver_env() -> Any:
+    """Vectors as rewards, in an episode."""
+    env = objectives.VectorRewardEnv(edugym.make_mdp("Diver"))
+    env.reset(seed=0)
+    return env
 
 
 CALLS: dict[str, Callable[[], Case]] = {
@@ -73,6 +80,17 @@ CALLS: dict[str, Callable[[], Case]] = {
     "games.solve_zero_sum": lambda: Case(games.solve_zero_sum, {"payoffs": [[1]]}),
     "games.table_shape": lambda: Case(games.table_shape, {"game": game_of_one(), "player": 0}, {"player": "0"}),
     "games.uniform_policy": lambda: Case(games.uniform_policy, {"game": game_of_one(), "player": 0}, {"player": "0"}),
+    "objectives.VectorRewardEnv": lambda: Case(objectives.VectorRewardEnv, {"mdp": edugym.make_mdp("Diver")}),
+    "objectives.VectorRewardEnv.descriptive_model": lambda: Case(
+        diver_env().descriptive_model, {"state": 0, "action": 0}),
+    "objectives.VectorRewardEnv.generative_model": lambda: Case(
+        diver_env().generative_model, {"state": 0, "action": 0}),
+    "objectives.VectorRewardEnv.model": lambda: Case(diver_env().model, {"state": 0, "action": 0}),
+    "objectives.VectorRewardEnv.reset": lambda: Case(diver_env().reset, {}, {"options": ANY}),
+    "objectives.VectorRewardEnv.step": lambda: Case(lambda action: diver_env().step(action), {"action": 0}),
+    "objectives.exact_front": lambda: Case(objectives.exact_front, {"mdp": edugym.make_mdp("Diver")}),
+    "objectives.pareto_front": lambda: Case(objectives.pareto_front, {"points": [[1, 2]]}),
+    "objectives.supported": lambda: Case(objectives.supported, {"points": [[1, 2]]}),
     "statistics.exactly": lambda: Case(statistics.exactly, {"value": 1}, {"value": NUMBER}),
     "statistics.share_interval": lambda: Case(statistics.share_interval, {"values": [0, 1]}, {"values": "[] array"}),
     "statistics.by_point": lambda: Case(statistics.by_point, {"values": np.zeros((2, 3))}),
@@ -121,6 +139,7 @@ CALLS: dict[str, Callable[[], Case]] = {
         grading.check, {"exercise": right, "answer": 3, "quiet": True}, {"answer": ANY, "exercise": "function"}),
     "grading.seed_from_name": lambda: Case(
         grading.seed_from_name, {"name": "Ada"}, {"name": "text -1 0 1e30 1e400"}),
+    "Diver.create": lambda: of_environment("Diver", concavity="0"),
     "Golf.create": lambda: of_environment("Golf", green_radius="2.5", stochasticity_level="0 2.5"),
     "Roadrunner.create": lambda: of_environment("Roadrunner", negative_reward="-1 0", stop_zone="0"),
     "Study.create": lambda: of_environment(

@@ -32,6 +32,7 @@ ROOMS = {
     "tables": "edugym.experiments.results.tables",
     "deep": "edugym.deep",
     "games": "edugym.games",
+    "objectives": "edugym.objectives",
     "notebook": "edugym_course.notebook",
     "grading": "edugym_course.grading",
 }
@@ -39,7 +40,18 @@ ROOMS = {
 CALLED_BY_LOOPS = ("edugym.agents.", "edugym.games.", "edugym.mdp.")
 """Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
 what the gates have looked at."""
-MADE_BY_LIBRARY = {"FiniteModel", "Interval", "Outcome", "Profile", "Results", "Run", "Sample", "Score", "Values"}
+MADE_BY_LIBRARY = {
+    "FiniteModel",
+    "Front",
+    "Interval",
+    "Outcome",
+    "Profile",
+    "Results",
+    "Run",
+    "Sample",
+    "Score",
+    "Values",
+}
 """Classes of which functions return values, and nobody else makes any."""
 NOT_CHECKED = {"statistics.in_short", "tables.with_types", "deep.PPO.gradient", "deep.PPO.learn", "deep.PPO.play"}
 """Functions for the package itself, and the parts of `PPO.train`."""

@@ -19,13 +19,15 @@ from edugym.system.packages import is_own, package_of
 def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> Iterator[gymnasium.Env[Any, Any]]:
     """Yield the environment with checks around what is inside our outermost wrapper, and take them away afterwards.
 
-    An environment that plays an MDP has checks of its own; wrappers around it have not.
+    An environment that plays an MDP has checks of its own; wrappers around it have not. (If its rewards are vectors,
+    which no agent can learn from, the checks say so.)
 
     Args:
         env: the environment.
         steps: how many steps are checked in every way.
     """
-    if all(map(is_own, _layers(env))):
+    layers = _layers(env)
+    if all(map(is_own, layers)) and not hasattr(layers[-1], "reward_space"):
         yield env
     elif isinstance(env, gymnasium.Wrapper) and (is_own(env) or isinstance(env, FlattenObservation)):
         inner = env.env
