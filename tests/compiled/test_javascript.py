@@ -28,6 +28,7 @@ from tests.compiled.test_late_programs import REFUSED as REFUSED_LATE
 pytestmark = pytest.mark.skipif(NODE is None, reason="needs Node.js: apt-get install nodejs")
 
 REFUSED_HERE = {
+    "whole at first": "whole numbers in one place and of real ones in another",
     "largest whole power": "more than 53 bits",
     "power of infinity": "a power of real numbers",
     "largest and smallest": "0 and -0",

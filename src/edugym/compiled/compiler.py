@@ -90,10 +90,16 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
         raise CompilationError(_reason(error, code)) from error
     machine_code = _find_or_build(numba, loop, signature, code)
     namesake = False  # whether Numba's fast path confuses a class with another of the same name
+    fitting = {_kinds(arguments)}
 
     def run(*given: Any) -> Any:
         nonlocal namesake
         arguments = _with_located(given, streams)
+        kinds = _kinds(given)
+        if kinds not in fitting:
+            if tuple(map(numba.typeof, arguments)) != signature:
+                return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
+            fitting.add(kinds)
         if not namesake:
             try:
                 return machine_code(*arguments)
@@ -103,9 +109,16 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
         if tuple(map(numba.typeof, arguments)) == signature:
             namesake = True
             return next(iter(machine_code.overloads.values())).entry_point(*arguments)
-        return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
+        return compiled(loop, *given)(*given)  # an array has another type now
 
     return run
+
+
+def _kinds(value: Any) -> Any:
+    """The classes of all parts of a value: Numba may take a float for an int, and cut it, without a word."""
+    if isinstance(value, tuple):
+        return type(value), *map(_kinds, tuple.__iter__(value))
+    return type(value)
 
 
 def _with_located(arguments: tuple[Any, ...], streams: list[int]) -> tuple[Any, ...]:
