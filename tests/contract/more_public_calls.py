@@ -40,6 +40,11 @@ def diver_env() -> Any:
     return env
 
 
+def player_of_one() -> Any:
+    """A player of it."""
+    return edugym.QLearning.create((1, 1))
+
+
 CALLS: dict[str, Callable[[], Case]] = {
     "figures.Curves": lambda: drawn(
         figures.Curves,
@@ -73,6 +78,17 @@ CALLS: dict[str, Callable[[], Case]] = {
         games.exploitability, {"model": games.game_model(game_of_one()), "policies": ([[1]], [[1]])}),
     "games.game_model": lambda: Case(games.game_model, {"game": game_of_one()}),
     "games.matrix_game": lambda: Case(games.matrix_game, {"first": [[1]]}, {"second": "None"}),
+    "games.FictitiousPlay.create": lambda: Case(
+        games.FictitiousPlay.create, {"game": game_of_one(), "player": 0}, {"player": "0"}),
+    "games.FixedPlayer.create": lambda: Case(
+        games.FixedPlayer.create, {"game": game_of_one(), "player": 0, "policy": [[1]]}, {"player": "0"}),
+    "games.MinimaxQ.create": lambda: Case(
+        games.MinimaxQ.create, {"game": game_of_one(), "player": 0}, {"player": "0", "decay": "0"}),
+    "games.learned_policy": lambda: Case(
+        games.learned_policy, {"game": game_of_one(), "player": 0, "agent": player_of_one()}, {"player": "0"}),
+    "games.train_players": lambda: Case(
+        games.train_players, {"game": game_of_one(), "agents": [player_of_one()] * 2, "n_steps": 9},
+        {"evaluate_every": "1e30 1e400"}),
     "games.Soccer.create": lambda: Case(games.Soccer.create, {}, {"contact": "0"}),
     "games.minimax_value_iteration": lambda: Case(
         games.minimax_value_iteration, {"model": games.game_model(games.matrix_game([[1]]))}),

@@ -43,6 +43,7 @@ what the gates have looked at."""
 MADE_BY_LIBRARY = {
     "FiniteModel",
     "Front",
+    "GameRun",
     "Interval",
     "Outcome",
     "Profile",

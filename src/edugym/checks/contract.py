@@ -18,6 +18,8 @@ from edugym.system.packages import is_own
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
+IN_GAMES = (*LEARN_PARAMETERS[:4], *LEARN_PARAMETERS[5:], "other_action")
+"""The same for players of games, who learn off-policy and also see what the other player has done."""
 METHODS = {
     "act": ("state", "rng"),
     "learn": ("state", "action", "reward", "next_state", "terminated"),
@@ -29,6 +31,12 @@ METHODS = {
 """
 OTHER_NAMES = {"done": "terminated", "observation": "state", "next_observation": "next_state", "obs": "state"}
 """Other names that students give these parameters."""
+ELSEWHERE = {
+    "rng": ": draw random numbers in act, which takes it.",
+    "other_action": ": only in a game is there another player; edugym.games.train_players passes its action.",
+    "next_action": ": a player of a game learns before it chooses its next action.",
+}
+"""What to say about parameters that a `learn` has where it may not."""
 TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})
 """Names that students give tables of real numbers."""
 
@@ -58,21 +66,22 @@ class Contract(NamedTuple):
         return "next_action" in self.learns_from
 
 
-def contract_of(agent: Any) -> Contract:
+def contract_of(agent: Any, may_learn_from: tuple[str, ...] = LEARN_PARAMETERS) -> Contract:
     """Look at what a user gave as an agent, and refuse what is not one.
 
     Args:
         agent: an agent, or a `Contract`, which is returned.
+        may_learn_from: the names of the parameters that its `learn` may have.
 
     Raises:
         ValueError: something is missing or not as it must be, see `require_agent`; or `learn` has a
-            parameter without a default that is not in `LEARN_PARAMETERS`.
+            parameter without a default that is not in `may_learn_from`.
     """
     if isinstance(agent, Contract):
         return agent
     own = is_own(agent)
     require_agent(agent, own=own)
-    takes, tabular = _taken(agent), getattr(agent, "tabular", True) is not False
+    takes, tabular = _taken(agent, may_learn_from), getattr(agent, "tabular", True) is not False
     return Contract(coerced(agent), takes, own, hasattr(recorded(agent), "greedy"), tabular, takes_vectors(agent))
 
 
@@ -129,8 +138,8 @@ def require_agent(agent: Any, *, own: bool = False) -> None:
         raise ValueError(f"learn of {type(agent).__name__} must have self as its first parameter")
 
 
-def _taken(agent: Any) -> tuple[str, ...]:
-    """Which of `LEARN_PARAMETERS` the agent's `learn` has, in its order.
+def _taken(agent: Any, allowed: tuple[str, ...]) -> tuple[str, ...]:
+    """Which of the allowed parameters the agent's `learn` has, in its order.
 
     Any other parameter must have a default, which is used; `**` parameters are allowed and get nothing.
 
@@ -139,16 +148,15 @@ def _taken(agent: Any) -> tuple[str, ...]:
     """
     taken = []
     for name, parameter in inspect.signature(agent.learn).parameters.items():
-        if name in LEARN_PARAMETERS and parameter.kind is not parameter.VAR_POSITIONAL:
+        if name in allowed and parameter.kind is not parameter.VAR_POSITIONAL:
             taken.append(name)
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
-            near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
+            near = difflib.get_close_matches(name, (*OTHER_NAMES, *allowed), 1)
             meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else "."
-            if name == "rng":
-                meant = ": draw random numbers in act, which takes it."
+            meant = ELSEWHERE.get(name, meant)
             raise ValueError(
                 f"learn of {type(agent).__name__} has the parameter {name!r}{meant} The parameters of learn without a"
-                f" default must be among {', '.join(LEARN_PARAMETERS)}, for example"
+                f" default must be among {', '.join(allowed)}, for example"
                 f" learn(self, {', '.join(METHODS['learn'])})"
             )
     return tuple(taken)
@@ -190,7 +198,7 @@ class GreedyActor(NamedTuple):
         self.agent.greedy_into(state, rng, action)
 
 
-def learner(agent: Any) -> Any:
+def learner(agent: Any, passed: tuple[str, ...] = LEARN_PARAMETERS) -> Any:
     """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
 
     The wrapper's `learn` takes state, action, reward, next state, whether the episode has terminated and whether it was
@@ -208,12 +216,13 @@ def learner(agent: Any) -> Any:
 
     Args:
         agent: the agent, or its contract.
+        passed: what the loop passes to `learn`, in this order; the next action only to agents that take it.
 
     Raises:
         ValueError: as `contract_of`.
     """
-    agent, taken, *_ = contract_of(agent)
-    told = [name for name in LEARN_PARAMETERS if name != "next_action" or name in taken]
+    agent, taken, *_ = contract_of(agent, passed)
+    told = [name for name in passed if name != "next_action" or name in taken]
     lines = [
         "    agent: object",
         "    def act(self, state, rng):",

@@ -27,7 +27,8 @@ from edugym.system.files import check_writable
 from edugym.system.interrupts import Interrupted, SignalGuard, StopFlag, call_interruptibly, stop_flag
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
-from edugym.training.train import check_stop, train
+from edugym.training.steps import check_stop
+from edugym.training.train import train
 
 MOST_JOBS = 1_000
 """The most runs at a time: each is a thread or a process."""

@@ -4,16 +4,16 @@ import math
 import time
 import warnings
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
-from edugym.checks.parameters import in_short, number_of_steps, true_or_false, whole_number
+from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
-from edugym.system.interrupts import Interrupted, SignalGuard, Stopped
-from edugym.training.progress import progress_bar
+from edugym.system.interrupts import Interrupted
 from edugym.training.run import Run
+from edugym.training.steps import take_steps
 from edugym.training.trainers import Trainer, trainer
 
 MOST_EPISODES = 1_000_000
@@ -77,47 +77,29 @@ def train(
     seed = whole_number("seed", seed, 0)
     if max_steps is not None:
         max_steps = number_of_steps("max_steps", max_steps)
-    true_or_false("progress", progress)
-    check_stop(stop)
-    began, done, curve, interrupted, guard = time.perf_counter(), 0, _Curve(), False, SignalGuard(stop)
+    began, curve, training = time.perf_counter(), _Curve(), None
+
+    def begin(expected: int) -> Trainer:
+        nonlocal training
+        training = trainer(environment, agent, seed, max_steps, expected)
+        return training
+
+    def measure(steps: int, should_stop: Callable[[], bool]) -> None:
+        curve.measure(steps, cast(Trainer, training), evaluation_episodes, should_stop)
+
     try:
-        with guard, progress_bar(n_steps, "steps", shown=progress) as bar:
-            expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
-            training = trainer(environment, agent, seed, max_steps, expected)
-            agent = training.agent
-            curve.measure(done, training, evaluation_episodes, guard.should_stop)
-            while done < n_steps and not guard.should_stop():
-                # A call of `training.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
-                # run can begin interpreted and become compiled, so we look at `is_compiled` before each call.
-                guard.defer(training.is_compiled)
-                steps = training.learn(at_most=min(n_steps - done, every - done % every))
-                done += steps
-                if done % every == 0 or done == n_steps:
-                    curve.measure(done, training, evaluation_episodes, guard.should_stop)
-                bar.update(steps)
-    except Stopped:
-        pass
-    except KeyboardInterrupt:
-        interrupted = True
+        taken = take_steps(n_steps, begin, measure, measure_every=every, stop=stop, progress=progress)
     except Exception as error:
         end_at_students_line(error)
         raise
-    run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
-    if run.complete:
+    trained = agent if training is None else training.agent
+    run = Run(*curve.columns(), trained, seed, time.perf_counter() - began, complete=curve.last == n_steps)
+    if run.complete and training is not None:
         for warning in training.warnings(run):
             warnings.warn(warning, stacklevel=2)
-    if interrupted:
-        where = f", in the loop at line {guard.loop} of your code" if guard.loop else ""
-        raise Interrupted(f"after {done} of {n_steps} steps{where}; the agent keeps what it has learned", lambda: run)
+    if taken.interrupted:
+        raise Interrupted(f"after {taken}; the agent keeps what it has learned", lambda: run)
     return run
-
-
-def check_stop(stop: Any) -> None:
-    """Refuse what is neither an event nor None."""
-    if isinstance(stop, type):
-        raise ValueError(f"stop must be a threading.Event or None, but is the class {stop.__name__}: add brackets, ()")
-    if stop is not None and not (hasattr(stop, "is_set") and hasattr(stop, "set")):
-        raise ValueError(f"stop must be a threading.Event or None, but is {in_short(stop)}")
 
 
 class _Curve:
