@@ -18,8 +18,8 @@ from edugym.system.packages import is_own
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
-IN_GAMES = (*LEARN_PARAMETERS[:4], *LEARN_PARAMETERS[5:], "other_action")
-"""The same for players of games, who learn off-policy and also see what the other player has done."""
+IN_GAMES = (*(name for name in LEARN_PARAMETERS if name != "next_action"), "other_action")
+"""The same for players of games: they learn before they choose the next action, and see what the other player did."""
 METHODS = {
     "act": ("state", "rng"),
     "learn": ("state", "action", "reward", "next_state", "terminated"),
@@ -36,7 +36,7 @@ ELSEWHERE = {
     "other_action": ": only in a game is there another player; edugym.games.train_players passes its action.",
     "next_action": ": a player of a game learns before it chooses its next action.",
 }
-"""What to say about parameters that a `learn` has where it may not."""
+"""What to say about a parameter that `learn` may not have here."""
 TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})
 """Names that students give tables of real numbers."""
 

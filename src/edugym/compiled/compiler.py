@@ -89,27 +89,22 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
     except Exception as error:  # Numba has no one class for all that can be wrong
         raise CompilationError(_reason(error, code)) from error
     machine_code = _find_or_build(numba, loop, signature, code)
+    kinds = _kinds(arguments)
     namesake = False  # whether Numba's fast path confuses a class with another of the same name
-    fitting = {_kinds(arguments)}
 
     def run(*given: Any) -> Any:
         nonlocal namesake
         arguments = _with_located(given, streams)
-        kinds = _kinds(given)
-        if kinds not in fitting:
-            if tuple(map(numba.typeof, arguments)) != signature:
-                return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
-            fitting.add(kinds)
-        if not namesake:
+        if not namesake and _kinds(given) == kinds:
             try:
                 return machine_code(*arguments)
             except TypeError as error:
                 if "No matching definition" not in str(error):
                     raise
-        if tuple(map(numba.typeof, arguments)) == signature:
-            namesake = True
-            return next(iter(machine_code.overloads.values())).entry_point(*arguments)
-        return compiled(loop, *given)(*given)  # an array has another type now
+                namesake = True
+        if tuple(map(numba.typeof, arguments)) != signature:
+            return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
+        return next(iter(machine_code.overloads.values())).entry_point(*arguments)
 
     return run
 

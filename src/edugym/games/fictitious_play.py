@@ -16,8 +16,8 @@ class FictitiousPlay(NamedTuple):
         Q(S, A, O) <- Q(S, A, O) + α [R + γ max_a Q̄(S', a) - Q(S, A, O)]
         Q̄(s, a)    = Σ_o Q(s, a, o) N(s, o) / Σ_o N(s, o)
 
-    In a zero-sum matrix game the average play of two such players comes to an equilibrium (Robinson), though what they
-    do at any time is no random policy. In games of many steps this is not known.
+    In a zero-sum matrix game with known payoffs the average play of two such players approaches an equilibrium
+    (Robinson), although each move is a best answer and no draw from it. In games of many steps nothing is guaranteed.
 
     Attributes:
         Q: shape (n_observations, n_actions, n_other_actions): the value of each pair of actions.

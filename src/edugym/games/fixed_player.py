@@ -24,7 +24,7 @@ class FixedPlayer(NamedTuple):
         """The same."""
         return draw_from(self.policy, state, rng)
 
-    def learn(self, reward: float) -> None:
+    def learn(self) -> None:
         """Nothing is learned."""
 
     @classmethod

@@ -14,6 +14,7 @@ from edugym.games.player_contract import player_contract
 from edugym.games.policies import checked_policy, uniform_policy
 from edugym.games.protocol import table_shape
 from edugym.mdp.protocol import Reals
+from edugym.system.interrupts import deferring_signals
 
 MOST_DRAWS = 1_000_000
 
@@ -46,7 +47,8 @@ def learned_policy(game: Any, player: int, agent: Any, *, draws: int = 100, seed
     count = count_actions
     if contract.is_own:
         count = executable(count_actions, (asked, draws, rng, counts), expected=shape[0] * draws)
-    count(shape[0], asked, draws, rng, counts)
+    with deferring_signals(machine_code=count is not count_actions):
+        count(shape[0], asked, draws, rng, counts)
     return counts / draws
 
 

@@ -24,8 +24,8 @@ class MinimaxQ(NamedTuple):
         V: shape (n_observations,): what the policy guarantees, if Q is right.
         policy: shape (n_observations, n_actions): the probability of each action.
         worst: shape (n_observations, n_other_actions): the other player's best answer to it, which may be random.
-        tableau: what the simplex method computes with.
-        labels: what it remembers of it.
+        tableau: shape (n_actions + 1, n_other_actions + 1): the tableau of the simplex method (see `zero_sum`).
+        labels: shape (n_actions + n_other_actions,): which variable stands at each of its rows and columns.
         share: shape (1,): what the decay has left of the learning rate.
         learning_rate: α at the start, greater than 0 and up to 1.
         decay: α is multiplied by this after each step, from 0 to 1.

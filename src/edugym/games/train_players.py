@@ -103,14 +103,13 @@ def train_players(
     began, points = time.perf_counter(), _Points(game, contracts)
 
     def begin(expected: int) -> "_Training":
-        training = _Training(game, contracts, seed, limit or NO_LIMIT, expected)
-        points.log = training.log
-        return training
+        return _Training(game, contracts, seed, limit or NO_LIMIT, expected)
+
+    def measure(steps: int, training: "_Training", _: Callable[[], bool]) -> None:
+        points.add(steps, training.log)
 
     try:
-        taken = take_steps(
-            n_steps, begin, lambda steps, _: points.add(steps), measure_every=every, stop=stop, progress=progress
-        )
+        taken = take_steps(n_steps, begin, measure, measure_every=every, stop=stop, progress=progress)
     except Exception as error:
         end_at_students_line(error)
         raise
@@ -164,19 +163,17 @@ class _Training:
         return n_steps
 
     def _compile(self) -> None:
+        interpreted: Callable[..., Any] = play
+
         def replay(n: int, *arguments: Any) -> Any:
             *others, carry = arguments
-            checked = self._checked(*others, steps=math.inf)
-            return interpreted(n, *checked, carry)
-
-        interpreted: Callable[..., Any] = play
+            return interpreted(n, *self._checked(*others, steps=math.inf), carry)
 
         self._play = executable(play, (*self._plain, self._carry), expected=self._expected, replay=replay)
 
-    def _checked(self, game: Any, first: Any, second: Any, *rest: Any, steps: float = CHECKED_STEPS) -> tuple[Any, ...]:
-        """The arguments of `play` with a student's game and players checked."""
-        game = getattr(game, "game", game) if not self._is_own else game
-        checked = game if is_own(game) else CheckedGame(game)
+    def _checked(self, _: Any, first: Any, second: Any, *rest: Any, steps: float = CHECKED_STEPS) -> tuple[Any, ...]:
+        """The arguments of `play`, with checks in place of the guard, which explain what is wrong."""
+        checked = self._game if is_own(self._game) else CheckedGame(self._game)
         players = (checked_agent(one, seat, steps) for one, seat in zip((first, second), self._seats, strict=True))
         return checked, *players, *rest
 
@@ -187,18 +184,17 @@ class _Points:
     def __init__(self, game: Any, contracts: tuple[Contract, Contract]) -> None:
         self._game, self._contracts = game, contracts
         self._points: list[tuple[int, tuple[Reals, Reals], Reals, int]] = []
-        self.log = GameLog(np.zeros(2), np.zeros(1, np.int64))
 
-    def add(self, steps: int) -> None:
+    def add(self, steps: int, log: GameLog) -> None:
         """Note the policies of now, and the returns since the last point."""
         first, second = (
-            learned_policy(self._game, player, contract.agent) for player, contract in enumerate(self._contracts)
+            learned_policy(self._game, player, contract) for player, contract in enumerate(self._contracts)
         )
-        ended = int(self.log.episodes[0])
-        means = self.log.returns / ended if ended else np.full(2, math.nan)
+        ended = int(log.episodes[0])
+        means = log.returns / ended if ended else np.full(2, math.nan)
         self._points.append((steps, (first, second), means, ended))  # Ctrl-C cannot leave half a point
-        self.log.returns[:] = 0.0
-        self.log.episodes[0] = 0
+        log.returns[:] = 0.0
+        log.episodes[0] = 0
 
     def run(self, seed: int, seconds: float, n_steps: int) -> GameRun:
         """The run with these points."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Generic, Protocol, TypeVar
 
 from edugym.checks.parameters import in_short, true_or_false
 from edugym.system.interrupts import SignalGuard, Stopped
@@ -20,17 +20,22 @@ class Learning(Protocol):
         """Take training steps for about 0.02 s; return their number."""
 
 
+Learns = TypeVar("Learns", bound=Learning)
+
+
 @dataclass(frozen=True)
-class Taken:
+class Taken(Generic[Learns]):
     """The steps that were taken.
 
     Attributes:
+        learning: what has learned; None if Ctrl-C came before it was made.
         n_steps: how many.
         of: how many there should have been.
         interrupted: whether Ctrl-C ended them.
         loop: the line of the loop in a student's code that Ctrl-C had to end; 0 if there was none.
     """
 
+    learning: Learns | None
     n_steps: int
     of: int
     interrupted: bool
@@ -44,20 +49,20 @@ class Taken:
 
 def take_steps(
     n_steps: int,
-    begin: Callable[[int], Learning],
-    measure: Callable[[int, Callable[[], bool]], None],
+    begin: Callable[[int], Learns],
+    measure: Callable[[int, Learns, Callable[[], bool]], None],
     *,
     measure_every: int,
     stop: Any,
     progress: Any,
-) -> Taken:
+) -> Taken[Learns]:
     """Take training steps, and measure every so often.
 
     Args:
         n_steps: how many.
         begin: makes what learns; it is told how many steps to expect.
-        measure: called with the number of steps so far and a function that says whether to stop: before the first step,
-            after every `measure_every` and after the last.
+        measure: called before the first step, after every `measure_every` steps and after the last. It is given the
+            number of steps so far, what learns, and a function that says whether to stop.
         measure_every: the steps between two measurements.
         stop: a `threading.Event` or None. When it is set, no more steps are taken.
         progress: whether to show a progress bar.
@@ -68,26 +73,27 @@ def take_steps(
     """
     true_or_false("progress", progress)
     check_stop(stop)
+    learning: Learns | None = None
     done, interrupted, guard = 0, False, SignalGuard(stop)
     try:
         with guard, progress_bar(n_steps, "steps", shown=progress) as bar:
             expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
-            training = begin(expected)
-            measure(done, guard.should_stop)
+            learning = begin(expected)
+            measure(done, learning, guard.should_stop)
             while done < n_steps and not guard.should_stop():
-                # A call of `training.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
+                # A call of `learning.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
                 # run can begin interpreted and become compiled, so we look at `is_compiled` before each call.
-                guard.defer(training.is_compiled)
-                steps = training.learn(at_most=min(n_steps - done, measure_every - done % measure_every))
+                guard.defer(learning.is_compiled)
+                steps = learning.learn(at_most=min(n_steps - done, measure_every - done % measure_every))
                 done += steps
                 if done % measure_every == 0 or done == n_steps:
-                    measure(done, guard.should_stop)
+                    measure(done, learning, guard.should_stop)
                 bar.update(steps)
     except Stopped:
         pass
     except KeyboardInterrupt:
         interrupted = True
-    return Taken(done, n_steps, interrupted, guard.loop)
+    return Taken(learning, done, n_steps, interrupted, guard.loop)
 
 
 def check_stop(stop: Any) -> None:

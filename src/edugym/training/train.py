@@ -4,7 +4,7 @@ import math
 import time
 import warnings
 from collections.abc import Callable
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -77,25 +77,23 @@ def train(
     seed = whole_number("seed", seed, 0)
     if max_steps is not None:
         max_steps = number_of_steps("max_steps", max_steps)
-    began, curve, training = time.perf_counter(), _Curve(), None
+    began, curve = time.perf_counter(), _Curve()
 
     def begin(expected: int) -> Trainer:
-        nonlocal training
-        training = trainer(environment, agent, seed, max_steps, expected)
-        return training
+        return trainer(environment, agent, seed, max_steps, expected)
 
-    def measure(steps: int, should_stop: Callable[[], bool]) -> None:
-        curve.measure(steps, cast(Trainer, training), evaluation_episodes, should_stop)
+    def measure(steps: int, training: Trainer, should_stop: Callable[[], bool]) -> None:
+        curve.measure(steps, training, evaluation_episodes, should_stop)
 
     try:
         taken = take_steps(n_steps, begin, measure, measure_every=every, stop=stop, progress=progress)
     except Exception as error:
         end_at_students_line(error)
         raise
-    trained = agent if training is None else training.agent
+    trained = agent if taken.learning is None else taken.learning.agent
     run = Run(*curve.columns(), trained, seed, time.perf_counter() - began, complete=curve.last == n_steps)
-    if run.complete and training is not None:
-        for warning in training.warnings(run):
+    if run.complete and taken.learning is not None:
+        for warning in taken.learning.warnings(run):
             warnings.warn(warning, stacklevel=2)
     if taken.interrupted:
         raise Interrupted(f"after {taken}; the agent keeps what it has learned", lambda: run)

@@ -28,6 +28,7 @@ from edugym.training import gymnasium_loops, loops
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 from edugym.training.run import Run
+from edugym.training.steps import Learning
 
 CALL_SECONDS = 0.02
 """About how long one call of `learn` takes: signals are looked at between two calls."""
@@ -43,7 +44,7 @@ EVALUATION_LIMIT = 1_000
 """The step limit of an evaluation episode where the task has none: a greedy policy may never get anywhere."""
 
 
-class Trainer(Protocol):
+class Trainer(Learning, Protocol):
     """An agent in a task.
 
     Attributes:
@@ -53,13 +54,6 @@ class Trainer(Protocol):
 
     agent: Any
     log: Log
-
-    @property
-    def is_compiled(self) -> bool:
-        """Whether training runs as machine code by now."""
-
-    def learn(self, at_most: int) -> int:
-        """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
 
     def play_episodes(self, at_most: int) -> list[float]:
         """Play an episode or more without learning, as the agent believes best; return their undiscounted returns."""
