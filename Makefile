@@ -34,9 +34,10 @@ test: .venv/dev.installed
 	.venv/bin/python docs/agents.py --check
 	.venv/bin/python docs/architecture.py --check
 
-# The tests that `make test` leaves out, and it alone: together the two commands run everything once.
+# The tests that `make test` leaves out, and it alone: together the two commands run everything once. They start kernels and
+# browsers, which hang now and then: a test that exceeds its time is run once more, and the summary says so.
 test-all: .venv/dev.installed
-	$(RUN) pytest -n $(JOBS) --dist worksteal -m slow $(ARGS)
+	$(RUN) pytest -n $(JOBS) --dist worksteal -m slow --reruns 1 --only-rerun "Timeout \(>" $(ARGS)
 
 # How fast it is, side by side with what one would use instead.
 bench: .venv/dev.installed
