@@ -37,8 +37,10 @@ SLACK = 0.3
 """The share by which a right program may explore more or less often, as one that draws among the *other* actions."""
 NATS = 20.0
 """How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
-SIGMAS = 4.0
-"""How many standard deviations are more than chance."""
+UNEXPLAINED = 0.25
+"""The share of the surprises above those by ε that a mistake may leave; one that leaves more is another mistake."""
+SIGMAS, CLEARLY = 4.0, 2.0
+"""How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
 LAYERS, WIDTH, ACTIONS = 6, 2, 4
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
 
@@ -181,10 +183,14 @@ class Surprises(NamedTuple):
         return float(self.found.sum()) - self.expected
 
     @property
+    def deviation(self) -> float:
+        """The standard deviation of their number."""
+        return math.sqrt(float((self.chances * (1 - self.chances)).sum()))
+
+    @property
     def is_usual(self) -> bool:
         """Whether there are about as many as are to be expected."""
-        deviation = math.sqrt(float((self.chances * (1 - self.chances)).sum()))
-        return abs(self.too_many) <= SIGMAS * deviation + SLACK * self.expected
+        return abs(self.too_many) <= SIGMAS * self.deviation + SLACK * self.expected
 
     def explains_better_than(self, other: "Surprises") -> bool:
         """Whether it makes the actions more probable, by more than chance.
@@ -193,6 +199,10 @@ class Surprises(NamedTuple):
         below e⁻ᵏ (Markov's inequality).
         """
         return bool(self.logs.sum() > other.logs.sum() + NATS)
+
+    def explains_those_of(self, other: "Surprises") -> bool:
+        """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
+        return self.too_many < UNEXPLAINED * other.too_many + CLEARLY * self.deviation
 
 
 def surprises(steps: Sequence[Step], learner: Learner, shape: tuple[int, int], epsilon: float) -> Surprises:
@@ -271,8 +281,8 @@ class Rule:
         if right.is_usual and not better:
             return
         likely = max(better, key=lambda sentence: counted[sentence].logs.sum(), default="")
-        fits = likely and (counted[likely].is_usual or counted[likely].too_many < right.too_many / 3)
-        cause = f"They fit a usual mistake: {likely}" if fits else self._cause(right)
+        explains_all = likely and counted[likely].explains_those_of(right)
+        cause = f"They fit a usual mistake: {likely}" if explains_all else self._cause(right)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
             " that its own steps make look best by the equation of this lesson, and with ε ="

@@ -86,6 +86,8 @@ class Listener:
         learning_rate: α.
         surprised: whether it learns from R less the value, or from R alone.
         one: whether the weights of the action that was taken change, or those of all.
+        moved: whether the weights of the message "before" the action move, or of the one "after" it.
+        valued: whether the value in the difference is that "before" the action, or "after" it.
     """
 
     def __init__(
@@ -95,23 +97,27 @@ class Listener:
         learning_rate: float = LEARNING_RATE,
         surprised: bool = True,
         one: bool = True,
+        moved: str = "before",
+        valued: str = "before",
     ) -> None:
         """Know no word."""
         self._n_actions = shape[1]
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.zeros(shape[1]))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
+        self._moved, self._valued = moved, valued
 
     def values(self, state: Message) -> Reals:
         """The value of each action after an observation."""
         terms = (weight * self._theta[word] for word, weight in self._take(state[1:]))
         return sum(terms, np.zeros(self._n_actions))
 
-    def learn(self, state: Message, action: int, reward: float) -> None:
+    def learn(self, state: Message, action: int, reward: float, next_state: Message) -> None:
         """Move the weights of what was heard."""
-        moved = action if self._one else slice(None)
-        delta = reward - self.values(state)[moved] * self._surprised
-        for word, weight in self._take(state[1:]):
-            self._theta[word][moved] += self._learning_rate * weight * delta
+        messages = {"before": state, "after": next_state}
+        actions = action if self._one else slice(None)
+        delta = reward - self.values(messages[self._valued])[actions] * self._surprised
+        for word, weight in self._take(messages[self._moved][1:]):
+            self._theta[word][actions] += self._learning_rate * weight * delta
 
     def act(self, state: Message, rng: Random) -> int:
         """Choose an action by ε-greedy."""
@@ -141,7 +147,15 @@ RULE = Rule(
         "the weights move by R, not by R − q(O, A): without the difference they grow without end": mistake(
             surprised=False
         ),
-        "the weights of all actions move: learn about the one that was taken": mistake(one=False),
+        "the values of all actions are alike: do the weights of all move, or of none? Learn about the one "
+        "that was taken": mistake(one=False),
+        "the weights of the *next* message move: those of the message before the action should": mistake(moved="after"),
+        "it learns from the *next* message alone: keep the one before the action until its weights have moved": mistake(
+            moved="after", valued="after"
+        ),
+        "the value in R − q(O, A) is that of the *next* message: O is the one before the action": mistake(
+            valued="after"
+        ),
         "the learning rate is much too large: it is 0.01 in the text": mistake(learning_rate=0.5),
     },
     EPSILON,

@@ -50,7 +50,7 @@
 # -     G += 0.99**n * Q[S[tau + n], A[tau + n]]
 
 # %% only the last pair at the end
-# says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
+# says: pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
 # in: three steps later
 # - for tau in range(len(R)) if over else [len(R) - n]:
 # + for tau in [len(R) - n]:

@@ -77,7 +77,7 @@ def my_program(environment, n_steps, seed):
 # + delta = r
 
 # %% all actions
-# says: the weights of all actions move: learn about the one that was taken
+# says: the values of all actions are alike: do the weights of all move, or of none? Learn about the one that was taken
 # in: weights in an array
 # - delta = r - q[a]
 # - theta[:, a] += 0.01 * delta * x
@@ -97,3 +97,41 @@ def my_program(environment, n_steps, seed):
 # -     x[o[k]] += 1 / L
 # + for k in range(L):
 # +     x[o[k] % W] += 1 / L
+
+
+# %% the weights of the next message
+# says: the weights of the *next* message move: those of the message before the action should
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.01 * delta * shares(o2)
+
+# %% the next message alone
+# says: it learns from the *next* message alone: keep the one before the action until its weights have moved
+# in: a dictionary, word by word
+# - listener.learn(words, action, reward)
+# - words, over, steps = next_words, terminated or truncated, steps + 1
+# + words, over, steps = next_words, terminated or truncated, steps + 1
+# + listener.learn(words, action, reward)
+
+# %% the value of the next message
+# says: the value in R − q(O, A) is that of the *next* message: O is the one before the action
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r - (shares(o2) @ theta)[a]
+
+# %% nothing is learned
+# says: the values of all actions are alike: do the weights of all move, or of none? Learn about the one that was taken
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+
+# %% a value of the next message too, which is not R alone
+# says: the update with its equation, term by term; the first entry of an observation is no word, it is the hit points
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r + 0.9 * (shares(o2) @ theta).max() * (not terminated) - q[a]
+
+# %% ten times too fast
+# says: If ε is right, compare α, γ and the first values with those of the text
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.1 * delta * x
