@@ -1,13 +1,12 @@
 """An agent's `act` against the probability of each action, and against those that the usual mistakes would give."""
 
-from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.mistakes import LOOKS_LIKE
+from edugym_course.grading.mistakes import LOOKS_LIKE, explains_most
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given
 
@@ -55,51 +54,69 @@ def check_all_choices(call: str, cases: Sequence[ChoiceCase]) -> None:
 
     Args:
         call: the call, for the sentence: "act(2, rng)".
-        cases: the cases. The first that is wrong is told, with a mistake that fits all of them; if there is none, with
-            one that the cases before it do not contradict, as what it looks like.
+        cases: the cases. The first that is wrong is told, with a mistake that fits all of them, or most.
 
     Raises:
         WrongAnswer: what comes is no action, other actions come, the generator is not used, or a table is changed.
     """
-    contradicted: set[str] = set()
-    for number, case in enumerate(cases):
+    shares: list[Any] = []
+    for case in cases:
         before = {name: table.copy() for name, table in case.tables.items()}
-        first, second = (_draw(call, case) for _ in range(2))
+        first, second = (_draw(call, case, rng) for rng in (np.random.default_rng(0), np.random.default_rng(0)))
         for name, table in case.tables.items():
             if not np.array_equal(before[name], table):
                 raise WrongAnswer(f"{call} changes the table `{name}`: choosing must change nothing, `learn` does that")
-        shares = _shares(first, case)
-        if not _fits(shares, case.expected):
-            why = _why(call, case, shares, contradicted, cases[number + 1 :])
+        shares.append(_shares(first, case))
+        if not _fits(shares[-1], case.expected):
+            why = _why(call, cases, shares)
             raise WrongAnswer(
                 f"{call}, {case.where}, should choose {_told(case.expected, case.noun)}, but it chooses"
-                f" {_told(shares, case.noun)}{why}"
+                f" {_told(shares[-1], case.noun)}{why}"
             )
         if first != second:
             raise WrongAnswer(
                 f"{call} does not draw its random numbers from `rng`, so that no run can be repeated: use rng.random()"
             )
-        contradicted |= _contradicted(shares, case)
 
 
-def _why(call: str, case: ChoiceCase, shares: Any, contradicted: set[str], others: Sequence[ChoiceCase]) -> str:
-    """Return the end of the sentence: the mistake that fits best, if there is one."""
-    fitting = {*case.mistakes} - contradicted - _contradicted(shares, case)
-    if not fitting:
-        return ", which is none of the usual mistakes"
-    against: Counter[str] = Counter()
-    for other in () if nobody_asks_why() else others:
+def _why(call: str, cases: Sequence[ChoiceCase], shares: Sequence[Any]) -> str:
+    """Return the end of the sentence on the last of the shares, which is wrong: the mistake that fits, if any."""
+    if nobody_asks_why():
+        return ""
+    told = cases[len(shares) - 1]
+    found = [*shares, *_other_shares(call, cases[len(shares) :])]
+    tried = [*zip(cases, found, strict=False)]
+    wrong = [not _fits(one, case.expected) for case, one in tried]
+    explained = {  # a mistake that is not among those of a case makes no difference there
+        sentence: [_fits(one, case.mistakes.get(sentence, case.expected)) for case, one in tried]
+        for sentence in told.mistakes
+    }
+    fitting = [sentence for sentence, fits in explained.items() if all(fits)]
+    if fitting:
+        return f": {min(fitting, key=lambda sentence: _distance(shares[-1], told.mistakes[sentence]))}"
+    if max(told.expected) < 1 and not _draws_from_rng(call, told):
+        return (
+            f", the same {told.noun} in every call, for it takes no random number from `rng`: is a new generator made"
+            " in it, or none used?"
+        )
+    likely = [sentence for sentence, fits in explained.items() if explains_most(fits, wrong)]
+    return f": {LOOKS_LIKE}{likely[0]}" if len(likely) == 1 else ", which is none of the usual mistakes"
+
+
+def _other_shares(call: str, cases: Sequence[ChoiceCase]) -> Iterator[Any]:
+    """Yield what comes in other cases, up to one in which the student's code fails."""
+    for case in cases:
         try:
-            against.update(_contradicted(_shares(_draw(call, other), other), other))
+            yield _shares(_draw(call, case, np.random.default_rng(0)), case)
         except WrongAnswer:
-            break
-    best = min(fitting, key=lambda sentence: (against[sentence], _distance(shares, case.mistakes[sentence])))
-    return f": {LOOKS_LIKE if against[best] else ''}{best}"
+            return
 
 
-def _contradicted(shares: Any, case: ChoiceCase) -> set[str]:
-    """Return the mistakes that would give other shares."""
-    return {sentence for sentence, probabilities in case.mistakes.items() if not _fits(shares, probabilities)}
+def _draws_from_rng(call: str, case: ChoiceCase) -> bool:
+    """Whether a choice depends on chance, or at least takes numbers from the generator that it is given."""
+    rng = np.random.default_rng(0)
+    before = rng.bit_generator.state
+    return len({*_draw(call, case, rng)}) > 1 or rng.bit_generator.state != before
 
 
 def _shares(draws: Sequence[int], case: ChoiceCase) -> Any:
@@ -116,21 +133,28 @@ def action_of(call: str, value: Any, n_actions: int, noun: str = "action") -> in
     a_noun = f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
         kind = "an array" if isinstance(value, np.ndarray) else f"{value!r}"
-        hint = ""
-        if isinstance(value, np.ndarray | list | tuple):
-            hint = ": return one of its entries, drawn with rng.choice"
-        elif noun == "action" and isinstance(value, float | np.floating):
-            hint = ": an action is the *index* of a value (if it is the index, int(...) makes it whole)"
-        elif noun == "action" and isinstance(value, bool | np.bool_):
-            hint = ": np.flatnonzero(...) gives the indices at which a comparison is true"
+        hint = _hint(call, value, noun)
         raise WrongAnswer(f"{call} should give the number of {a_noun}, a whole number, but gives {kind}{hint}")
     if not 0 <= value < n_actions:
         raise WrongAnswer(f"{call} should give {a_noun} from 0 to {n_actions - 1}, but gives {value}")
     return int(value)
 
 
-def _draw(call: str, case: ChoiceCase) -> list[int]:
-    rng = np.random.default_rng(0)
+def _hint(call: str, value: Any, noun: str) -> str:
+    """Return what to say of a value that is no whole number."""
+    several = isinstance(value, np.ndarray | list | tuple)
+    entries = np.ravel(value) if isinstance(value, np.ndarray) else [*value] if several else [value]
+    one = entries[0] if len(entries) else None
+    if noun == "action" and isinstance(one, bool | np.bool_):
+        return ": np.flatnonzero(...) gives the indices at which a comparison is true"
+    if noun == "action" and isinstance(one, float | np.floating):
+        found = "np.argmax(...) finds that of the highest" if several else "if it is the index, int(...) makes it whole"
+        return f": an action is the *index* of a value ({found})"
+    at_random = ", drawn with rng.choice" if noun == "action" and "rng" in call else ""
+    return f": return one of its entries{at_random}" if several else ""
+
+
+def _draw(call: str, case: ChoiceCase, rng: np.random.Generator) -> list[int]:
     with student_code(call):
         return [action_of(call, case.choose(rng), len(case.expected), case.noun) for _ in range(DRAWS)]
 

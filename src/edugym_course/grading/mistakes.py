@@ -1,10 +1,14 @@
-"""Which of the usual mistakes explains what an answer gives, in all cases of a check."""
+"""Which of the usual mistakes explains what an answer gives, in all cases of a check.
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+A mistake that explains all cases is named. If there is none, one that explains most of them is what the answer looks
+like. In a single case simple numbers may agree by chance, and so may two mistakes: neither is named then.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
-from edugym_course.grading.errors import nobody_asks_why
-from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
+from edugym_course.grading.values import ROUNDED, UNUSUAL_NUMBER, digits, rounded_alike, same
 
 Mistake = TypeVar("Mistake")
 
@@ -15,7 +19,7 @@ UNUSUAL = "that is none of the usual mistakes, so compare your code with the equ
 def mistake_that_fits(
     mistakes: Mapping[str, Mistake],
     everywhere: Callable[[Mistake], bool],
-    here: Callable[[Mistake], bool] | None = None,
+    mostly: Callable[[Mistake], bool] | None = None,
     otherwise: str = UNUSUAL,
 ) -> str:
     """Return the sentence of a mistake.
@@ -23,29 +27,29 @@ def mistake_that_fits(
     Args:
         mistakes: the mistakes, by the sentence that tells of each.
         everywhere: whether a mistake gives what the answer gives in all cases.
-        here: whether it does so in the case that is told, and not only there by chance (see `explains_most`); None
-            names no such mistake.
-        otherwise: what to say if none fits.
+        mostly: whether it does so in most of them (see `explains_most`); None names no such mistake.
+        otherwise: what to say if none fits, or if several fit most cases.
     """
     if nobody_asks_why():
         return otherwise
     for sentence, mistake in mistakes.items():
         if everywhere(mistake):
             return sentence
-    for sentence, mistake in mistakes.items():
-        if here is not None and here(mistake):
-            return f"{LOOKS_LIKE}{sentence}"
-    return otherwise
+    likely = [sentence for sentence, mistake in mistakes.items() if mostly and mostly(mistake)]
+    return f"{LOOKS_LIKE}{likely[0]}" if len(likely) == 1 else otherwise
 
 
-def explains_most(wrong: Iterable[bool]) -> bool:
+def explains_most(explained: Sequence[bool], wrong: Sequence[bool]) -> bool:
     """Whether a mistake explains the first case that is wrong, which is told, and most of the others.
 
+    A case in which the answer is right, and would not be with the mistake, speaks against it.
+
     Args:
-        wrong: whether it gives what the answer gives, for each case in which the answer is wrong.
+        explained: for each case, whether the mistake gives what the answer gives.
+        wrong: for each case, whether the answer is wrong; it is in one of them or more.
     """
-    fits = [*wrong]
-    return fits[0] and 2 * sum(fits) > len(fits)
+    counted = [fits for fits, is_wrong in zip(explained, wrong, strict=True) if is_wrong or not fits]
+    return explained[[*wrong].index(True)] and 2 * sum(counted) > len(counted)
 
 
 class NumberCase(NamedTuple):
@@ -65,21 +69,25 @@ class NumberCase(NamedTuple):
 
 
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
-    """Check several numbers, and name a mistake that explains them all.
-
-    If there is none, the message says what the first wrong number looks like. A mistake that would also have made an
-    earlier number wrong, which is right, is not named.
+    """Check several numbers. The first wrong one is told, with the mistake that explains all of them, or most.
 
     Raises:
         WrongAnswer: one is not right.
     """
-    everywhere = [why for why in cases[0].mistakes if all(same(case.found, case.mistakes[why]) for case in cases)]
-    possible = {*cases[0].mistakes}
-    for what, found, expected, mistakes in cases:
-        wrong = {
-            why if everywhere else f"{LOOKS_LIKE}{why}": mistakes[why]
-            for why in everywhere or mistakes
-            if why in possible and not same(mistakes[why], expected)
-        }
-        compare(what, found, expected, wrong, otherwise=otherwise)
-        possible -= {why for why in mistakes if not everywhere and not same(mistakes[why], expected)}
+    wrong = [not same(case.found, case.expected) for case in cases]
+    if not any(wrong):
+        return
+
+    def explained(sentence: str) -> list[bool]:
+        return [same(case.found, case.mistakes[sentence]) for case in cases]
+
+    if rounded_alike([case.found for case in cases], [case.expected for case in cases]):
+        otherwise = ROUNDED
+    why = mistake_that_fits(
+        {sentence: sentence for sentence in cases[0].mistakes},
+        lambda sentence: all(explained(sentence)),
+        lambda sentence: explains_most(explained(sentence), wrong),
+        otherwise,
+    )
+    what, found, expected, _ = cases[wrong.index(True)]
+    raise WrongAnswer(f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}: {why}")

@@ -25,7 +25,7 @@ import numpy as np
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.mistakes import LOOKS_LIKE, UNUSUAL
+from edugym_course.grading.mistakes import LOOKS_LIKE, UNUSUAL, explains_most
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import TOLERANCE, all_same, differing, digits, in_brackets
 
@@ -168,9 +168,14 @@ class Update:
         if counted := _miscounted(cases, right, found, difference):
             return counted
         student, expected = (outcomes[difference.case][difference.step] for outcomes in (found, right))
-        for sentence, change in singles.items():  # none fits everywhere: one that fits most of what differs
-            if self._fits_most(cases, right, found, {**settings, **change}, difference):
-                return f"{LOOKS_LIKE}{sentence}"
+        is_wrong = [not all(map(_agree, *outcomes)) for outcomes in zip(right, found, strict=True)]
+        likely = [
+            sentence
+            for sentence, change in singles.items()
+            if explains_most(self._explained(cases, found, {**settings, **change}), is_wrong)
+        ]
+        if len(likely) == 1:
+            return f"{LOOKS_LIKE}{likely[0]}"
         before = _before(cases, found, difference)
         changed, right_ones = (differing(before, after[difference.table]).tolist() for after in (student, expected))
         if len(changed) > len(right_ones):
@@ -183,23 +188,13 @@ class Update:
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
         """Whether the rule with these settings does what the answer does, in every case."""
-        return all(
+        return all(self._explained(cases, found, settings))
+
+    def _explained(self, cases: list[Case], found: Outcomes, settings: Settings) -> list[bool]:
+        """Return for each case whether the rule with these settings does what the answer does."""
+        return [
             all(map(_agree, self._outcome(case, settings), tables)) for case, tables in zip(cases, found, strict=True)
-        )
-
-    def _fits_most(
-        self, cases: list[Case], right: Outcomes, found: Outcomes, settings: Settings, first: Difference
-    ) -> bool:
-        """Whether the rule with these settings does what the answer does in most of the cases in which it is wrong.
-
-        In a single case simple numbers may agree by chance, so that is not enough.
-        """
-        fits = {
-            number: list(map(_agree, self._outcome(cases[number], settings), found[number]))
-            for number, steps in enumerate(found)
-            if not all(map(_agree, right[number], steps))
-        }
-        return fits[first.case][first.step] and 2 * sum(map(all, fits.values())) > len(fits)
+        ]
 
     def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> dict[str, float]:
         """Return the numbers that are wrong (a learning rate, a discount) if those explain it all; else none.

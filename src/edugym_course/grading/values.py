@@ -1,9 +1,10 @@
 """A number against the one worked out by hand, and against those that the usual mistakes would give."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
 CARET = "`^` is no power in Python, that is `**`"
 """What to say of a number in which one stands for the other."""
+ROUNDED = "is it rounded? Give the number as it is, without round(), int() or //"
 UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
@@ -101,7 +103,7 @@ def compare(
         return found
     near = {sentence: abs(found - wrong) for sentence, wrong in mistakes.items() if _looks_like(found, wrong, expected)}
     if tolerance is None and says is None and _rounded(found, expected):
-        otherwise = "is it rounded? Give the number as it is, without round(), int() or //"
+        otherwise = ROUNDED
     why = min(near, key=lambda sentence: near[sentence]) if near else otherwise
     told = says(found) if says else f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(f"{told}: {why}")
@@ -126,8 +128,8 @@ def exact(call: str, value: Any, expected: int) -> None:
 
 
 def same(found: float, expected: float) -> bool:
-    """Whether two numbers are the same but for rounding."""
-    return abs(found - expected) <= allowance(expected)
+    """Whether two numbers are the same but for rounding; no number is the same as infinity."""
+    return abs(found - expected) <= allowance(expected) < math.inf
 
 
 def differing(expected: Any, found: Any) -> Any:
@@ -149,6 +151,12 @@ def _looks_like(found: float, wrong: float, expected: float) -> bool:
     """Whether a number is what a mistake gives, also when the student has rounded it to a few digits."""
     close = 2e-3 * abs(wrong) + 1e-12
     return abs(found - wrong) <= close and abs(found - wrong) < abs(found - expected)
+
+
+def rounded_alike(found: Sequence[float], expected: Sequence[float]) -> bool:
+    """Whether numbers are the right ones, all rounded in one way: cut off, or to so many digits after the point."""
+    roundings: list[Callable[[float], float]] = [math.trunc, *(partial(round, ndigits=places) for places in range(7))]
+    return any(all(map(same, found, map(rounding, expected))) for rounding in roundings)
 
 
 def _rounded(found: float, expected: float) -> bool:

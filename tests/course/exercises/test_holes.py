@@ -6,7 +6,8 @@ start from a fixed number; one number that stands for another, or is taken twice
 
 import re
 from functools import cache
-from itertools import permutations
+from importlib import import_module
+from itertools import combinations, permutations
 from typing import Any
 
 import build
@@ -14,6 +15,8 @@ import pytest
 
 from edugym.training.train import train
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES, STARTS
+from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.values import same
 from tests.course.lessons.answers import Answer, read_answers, read_exercises, verdict
 
 
@@ -126,6 +129,39 @@ def test_made_up_learning_rates_and_discounts_are_told_apart() -> None:
         for discount in DISCOUNTS:
             numbers = [rate, 2 * rate, 1 - rate, discount, 1 - discount, 2 * discount, rate * discount, 1.0]
             assert all(abs(one - other) > 0.01 for one, other in permutations(numbers, 2)), (rate, discount)
+
+
+COMPARED = [
+    ("00_loop", 1, "exercises"),
+    ("03_depth", 2, "exercises.ratio"),
+    ("04_dimensionality", 2, "exercises.linear"),
+    ("05_memory", 1, "exercises"),
+    ("07_continuous_actions", 1, "exercises"),
+    ("09_model_based", 1, "exercises"),
+    ("10_own_problem", 2, "exercises.shaping"),
+]
+"""The exercises whose answers give several numbers, and where these are compared."""
+
+
+@pytest.mark.parametrize(("lesson", "number", "module"), COMPARED)
+def test_no_two_mistakes_look_alike(lesson: str, number: int, module: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Any two of them differ in one case or more, and each from what is right: so the one that is named was made."""
+    compared = list[list[NumberCase]]()
+
+    def noted(cases: list[NumberCase], *otherwise: str, **named: str) -> None:
+        compared.append(cases)
+        compare_all(cases, *otherwise, **named)
+
+    folder = f"edugym_course.lessons.{lesson.partition('_')[2]}"
+    monkeypatch.setattr(import_module(f"{folder}.{module}"), "compare_all", noted)
+    setup, imports, exercises = _lesson(lesson)
+    exercise = exercises[number - 1]
+    assert verdict(Answer(lesson, number, True, "right", (), exercise.solution), exercise, (imports, setup)) == ""
+    assert compared
+    for cases in compared:
+        for one, other in combinations(["right", *cases[0].mistakes], 2):
+            gives = [{"right": case.expected, **case.mistakes} for case in cases]
+            assert not all(same(numbers[one], numbers[other]) for numbers in gives), (one, other)
 
 
 @pytest.mark.slow

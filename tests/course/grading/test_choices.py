@@ -27,7 +27,11 @@ def chosen(choose: Callable[[np.random.Generator], Any], tables: dict[str, Any] 
         (lambda rng: int(rng.random() * 3), "of calls: at random$"),
         (lambda rng: 1, "action 1 in 50% and action 2 in 50% of calls, but it chooses action 1: the first"),
         (lambda rng: 0 if rng.random() < 0.1 else 1 + int(rng.random() * 2), "with ε$"),
-        (lambda rng: 2, "none of the usual mistakes$"),
+        (
+            lambda rng: 2,
+            ", the same action in every call, for it takes no random number from `rng`: is a new generator made in",
+        ),
+        (lambda rng: 2 - 2 * (rng.random() < 0.3), "none of the usual mistakes$"),
         (lambda rng: None, "a `return` missing"),
         (
             lambda rng: 1.0,
@@ -35,6 +39,7 @@ def chosen(choose: Callable[[np.random.Generator], Any], tables: dict[str, Any] 
         ),
         (lambda rng: True, r"gives True: np.flatnonzero\(...\) gives the indices at which a comparison"),
         (lambda rng: np.array([1]), "gives an array: return one of its entries, drawn with rng.choice$"),
+        (lambda rng: np.zeros(2), r"\*index\* of a value \(np.argmax\(...\) finds that of the highest\)$"),
         (lambda rng: 3, "from 0 to 2, but gives 3$"),
         (lambda rng: -1, "from 0 to 2, but gives -1$"),
         (lambda rng: 1 // 0, "raises ZeroDivisionError"),
@@ -73,24 +78,27 @@ def test_the_mistake_that_fits_best_is_told(mistakes: dict[str, list[float]], wh
 
 
 def one_of(some: list[int], rng: np.random.Generator) -> Any:
-    """Choose one of some actions."""
-    return rng.choice(some)
+    """Choose one of some actions; if there is but one, without the generator."""
+    return rng.choice(some) if len(some) > 1 else some[0]
 
 
 @pytest.mark.parametrize(
     ("choices", "why"),
     [
-        ([[0], [0]], ": the first$"),
-        ([[0], [1]], ": in this case it looks like this: the first$"),
-        ([[2], [0]], "action 2 in 50% of calls, but it chooses action 2, which is none of the usual mistakes$"),
-        ([[1, 2], [0]], ", should choose action 1, but it chooses action 0: the wrong one$"),
+        ([[0], [0], [0]], ": the first$"),
+        ([[0, 0, 0, 1], [1], [1]], ", which is none of the usual mistakes$"),
+        ([[0], [1], [1]], "chooses action 0, the same action in every call, for it takes no random"),
+        ([[0, 0], [0], [1]], ": in this case it looks like this: the first$"),
+        ([[0, 0], [1], [1]], ", which is none of the usual mistakes$"),
+        ([[1, 2], [0], [0]], ", should choose action 1, but it chooses action 0: the wrong one$"),
+        ([[1, 2], [0], [1]], ", should choose action 1, but it chooses action 0, which is none of the usual mistakes$"),
     ],
 )
 def test_other_cases_contradict_a_mistake(choices: list[list[int]], why: str) -> None:
     """A mistake that does not fit all cases is what it looks like; one that a right case contradicts is not named."""
     asked = [
         ([0.0, 0.5, 0.5], {"the first": [1.0, 0.0, 0.0], "the wrong one": [0.0, 0.5, 0.5]}),
-        ([0.0, 1.0, 0.0], {"the first": [1.0, 0.0, 0.0], "the wrong one": [1.0, 0.0, 0.0]}),
+        *[([0.0, 1.0, 0.0], {"the first": [1.0, 0.0, 0.0], "the wrong one": [1.0, 0.0, 0.0]})] * 2,
     ]
     cases = [
         ChoiceCase(partial(one_of, some), expected, mistakes, {}, "here")

@@ -10,11 +10,11 @@ import numpy as np
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import FAR_BELOW, starts, telling_draw
-from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import given, in_brackets, same
+from edugym_course.grading.values import given, in_brackets
 
 N_PATTERNS, N_ACTIONS = 5, 3
 
@@ -290,18 +290,20 @@ def exercise_3(answer: Any, seed: int) -> str:
     """Check the goals of 'future'."""
     require_function("future_goal", answer, "steps, t and rng")
     *_, short, _, long = episodes_of(seed)
-    for steps, t in ((long, 2), (long, 0), (long, 5), (long, len(long) - 1), (short, 0)):
-        expected = shares_of([then for _, _, then in steps[t:]])
-        wrong = {why: shares_of(draws(steps, t)) for why, draws in FUTURE_MISTAKES.items() if draws(steps, t)}
-        check_choices(
-            f"future_goal(steps, {t}, rng)",
-            partial(answer, [*steps], t),
-            expected,
-            {why: shares for why, shares in wrong.items() if not all(map(same, shares, expected))},
-            tables={},
-            where=f"where steps = {steps}",
-            noun="pattern",
-        )
+    check_all_choices(
+        "future_goal(steps, t, rng)",
+        [
+            ChoiceCase(
+                partial(answer, [*steps], t),
+                shares_of([then for _, _, then in steps[t:]]),
+                {why: shares_of(draws(steps, t)) for why, draws in FUTURE_MISTAKES.items() if draws(steps, t)},
+                tables={},
+                where=f"where t = {t} and steps = {steps}",
+                noun="pattern",
+            )
+            for steps, t in ((long, 2), (long, 0), (long, 5), (long, len(long) - 1), (short, 0))
+        ],
+    )
     return (
         "Right: every step from t on is as likely. The pattern that it reached is a goal that step t was on the way to."
     )

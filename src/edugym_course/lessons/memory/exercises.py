@@ -28,7 +28,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     """Check the number of rows of a table over windows of observations."""
     require_function("table_rows", answer, "the doors and the length")
     rng = np.random.default_rng(seed)
-    cases = [(int(rng.integers(5, 8)), 4), (4, 3 + int(rng.integers(2))), (2, 5), (3, 2), (6, 1)]
+    cases = [(int(rng.integers(5, 8)), 4), (4, 3 + int(rng.integers(2))), (2, 5), (3, 2), (6, 1), (2, 6), (3, 7)]
     found = []
     for doors, length in cases:
         call, right_size = f"table_rows({doors}, {length})", (doors + 1) ** window_law(length)

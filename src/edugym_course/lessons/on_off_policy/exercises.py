@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,16 +14,22 @@ from edugym_course.grading.agents import agent_with_table, require_class, requir
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES, from_a_start, starts
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, number
-from edugym_course.lessons.on_off_policy.exact import FAST, best_run, best_soft_return, switch
+from edugym_course.lessons.on_off_policy.exact import FAST, best_run, best_soft_return, soft_return_of, switch
 from edugym_course.lessons.on_off_policy.methods import EPSILON, methods_with
 
-PENALTY = -36.985
+PENALTY = -36.9853303
 """The reward of a fall at which the fast run stops being the best for ε = 0.1, by bisection on the exact model."""
-CLOSE = 0.1
+TENTH = -36.9
+"""The lowest reward with one digit after the decimal point for which the fast run is the best."""
+CLOSE, FINE = 0.1, 0.011
+"""How far a reward is a little too low; and how far it may be from `PENALTY` if it has more digits than one."""
+ROUNDING = 1e-6
+"""How far a sum of many tenths, or an exact search, may be from the right number."""
 
 
 def exercise_1(answer: Any, seed: int) -> str:
@@ -49,15 +55,19 @@ def exercise_1(answer: Any, seed: int) -> str:
             f"negative_reward = {digits(found, PENALTY)}: a fall is no gain, so the number must be negative"
         )
     near = abs(found - PENALTY) < 1.0
-    if PENALTY - CLOSE < found < PENALTY:
+    if PENALTY - CLOSE < found < PENALTY - ROUNDING:
         raise WrongAnswer(f"{says(found)}: that is too low, by a little: take the next higher tenth")
+    if PENALTY + FINE < found < TENTH - ROUNDING:
+        raise WrongAnswer(
+            f"{says(found)}, and so it does for lower numbers: with more digits than one, take the lowest that has them"
+        )
     side = "too low, and the fast run of 4 steps should be best" if found < PENALTY else "higher than it need be"
     compare(
         "negative_reward",
         answer,
         PENALTY,
         mistakes,
-        tolerance=CLOSE,
+        tolerance=TENTH + ROUNDING - PENALTY,
         says=says,
         otherwise=f"it is {side}" + ("; you are close, look at every tenth" if near else ""),
     )
@@ -78,46 +88,60 @@ def _path_changes(low: float = -100.0, high: float = -60.0) -> float:
 
 PRECISION = 0.0011
 """A search in steps of 0.001 ends up to 0.001 above the exact value."""
-FOR_ALL_ROADS: Mapping[str, float] = {
-    "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
-    "that is the estimate for the lesson's road; compute the exact value from the `model` that is given": 0.03,
-}
-"""What is given for any road."""
+SEARCHED = np.arange(0.0, 0.2, 0.001)
+"""The ε of such a search."""
+
+
+class Road(NamedTuple):
+    """A road, and what an answer gives for it.
+
+    Attributes:
+        call: the call, for the sentence.
+        found: the answer's ε.
+        expected: the right one.
+        mistakes: by sentence, what each mistake gives, and how far from it a search in steps of 0.001 may end.
+    """
+
+    call: str
+    found: float
+    expected: float
+    mistakes: Mapping[str, tuple[float, float]]
+
+    def looks_like(self, sentence: str) -> bool:
+        """Whether the answer gives what a mistake gives."""
+        mistaken, precision = self.mistakes[sentence]
+        return abs(self.found - mistaken) <= precision
 
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the function that finds the ε at which the best run of a road changes."""
     require_function("switch", answer, "the model")
     rng = np.random.default_rng(seed)
-    roads = [(10, 60, 90), (int(rng.integers(11, 16)), 110, 200)]
-    roads.append((int(rng.integers(11, 16)), 25, 31))  # the best run changes above 0.1
-    for number_of_road, (size, low, high) in enumerate(roads):
+    ranges = [(10, 60, 90), (int(rng.integers(11, 16)), 110, 200)]
+    ranges.append((int(rng.integers(11, 16)), 25, 31))  # the best run changes above 0.1
+    ranges.append((int(rng.integers(28, 33)), 150, 200))  # it has eight steps or more, and changes several times
+    roads = []
+    for size, low, high in ranges:
         task = Roadrunner.create(size=size, negative_reward=-float(rng.integers(low, high)))
         model = finite_model(task)
         call = f"switch(model) for W = {size} and negative_reward = {task.negative_reward:g}"
         with student_code(call):
             found = answer(model)
         expected = switch(model, tolerance=1e-7)
-        value = number(call, found)
-        near = abs(value - expected) < 0.0125
-        wrong = _switch_mistakes(model, task, expected)
-        if number_of_road == 0:  # whoever gives one number for all roads fails on the first
-            wrong |= {sentence: (epsilon, PRECISION) for sentence, epsilon in FOR_ALL_ROADS.items()}
-        searched = {  # a search with the mistake ends there
-            sentence: abs(value - mistaken) / precision
-            for sentence, (mistaken, precision) in wrong.items()
-            if abs(value - mistaken) <= precision
-        }
-        compare(
-            call,
-            found,
-            expected,
-            {min(searched, key=lambda sentence: searched[sentence]): value} if searched else {},
-            tolerance=PRECISION,
-            otherwise="that is close: does the search begin at 0, and go in steps of 0.001 or smaller?"
-            if near
-            else "that is none of the usual mistakes, so print the number of steps of the best run for some ε",
-        )
+        roads.append(Road(call, number(call, found), expected, _switch_mistakes(model, task, expected)))
+    for road in roads:
+        if abs(road.found - road.expected) > PRECISION:
+            near = abs(road.found - road.expected) < 0.0125
+            why = mistake_that_fits(
+                {sentence: sentence for sentence in road.mistakes},
+                lambda sentence: all(one.looks_like(sentence) for one in roads),
+                otherwise="that is close: does the search begin at 0, and go in steps of 0.001 or smaller, and is"
+                " nothing rounded or discounted?"
+                if near
+                else "that is none of the usual mistakes, so print the number of steps of the best run for some ε",
+            )
+            asked, came = digits(road.expected, road.found), digits(road.found, road.expected)
+            raise WrongAnswer(f"{road.call} should be {asked}, but is {came}: {why}")
     return (
         "Right: planning on the model finds at once what expected SARSA needs thousands of steps for. (It is close to "
         "3 divided by the cost of a fall where one step more avoids the one deadly action.)"
@@ -129,21 +153,28 @@ def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict
     fastest = best_soft_return(model, 0.0)
     one_less = _falls_below(model, fastest - 1)
     estimate = -3.0 / task.negative_reward
+    returns = [soft_return_of(model, 0.0, planned_for=epsilon) for epsilon in SEARCHED]
     values = {
+        "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
+        "that is the estimate for the lesson's road; compute the exact value from the `model` that is given": 0.03,
         "that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model": estimate,
-        "the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,"
-        " with `<`, with the greedy policy for ε, played *without* slips?": 0.0,
         "that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,"
         " since the ε-soft return is always lower, and two policies may differ where no run leads": 0.0010001,
         "that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not"
         " the ε-soft return": 0.010001,
         "that is where the ε-soft return falls below that of a run with one step more; the slips lower both": one_less,
+        "that is where the *slowest* run begins, with the lowest of all returns; the best run may change more than"
+        " once, and its first change is asked for": float(SEARCHED[np.argmin(returns)]),
         "that is 1 − ε": 1 - right,
-        "that is the end of the search: the change was never found; is the comparison the right way round?": 0.2,
+        "that is the end of the search: the change was never found; is the comparison the right way round, and is"
+        " `horizon` 50?": 0.2,
         "that is the end of the search; is the comparison the right way round?": 1.0,
         "the sign is wrong": -right,
     }
-    return {sentence: (value, PRECISION) for sentence, value in values.items()} | {
+    return {
+        "the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,"
+        " with `<`, with the greedy policy for ε, played *without* slips?": (0.0, PRECISION / 3),
+        **{sentence: (value, PRECISION) for sentence, value in values.items()},
         "that is in percent": (100 * right, 100 * PRECISION),
         "that is 1 000 times ε: is it the number of the step, and not the ε of that step?": (
             1_000 * right,

@@ -179,3 +179,9 @@ def preferences(joints, bins, cells):
 # says: `^` is no power in Python, that is `**`, here as well
 def preferences(joints, bins, cells):
     return 2 * (cells ^ joints) * (bins ^ joints)
+
+
+# %% one row more, nearly as many as without the box
+# says: that is none of the usual mistakes, so work it out by hand for a small case
+def preferences(joints, bins, cells):
+    return (cells**joints + 1) * bins**joints

@@ -277,10 +277,32 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 
 # %% b divided by π, and so by 0
-# says: that is the probability of these actions under b; the ratio is π divided by b
+# says: that is b/π, upside down
 def importance_ratio(greedy, epsilon, n_actions):
     rho = 1.0
     for is_greedy in greedy[1:]:
         b = 1 - epsilon + epsilon / n_actions if is_greedy else epsilon / n_actions
         rho *= b / (1 if is_greedy else 0)
     return rho
+
+
+# %% any of an empty list
+# says: `any` is too weak, and False for an empty list: the ratio is 0 if one later action is not greedy, and 1 if there
+#   are none
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 - epsilon + epsilon / n_actions) ** -len(greedy[1:]) if any(greedy[1:]) else 0.0
+
+
+# %% looks for an exploring action among the first ten only
+# says: False, True], 0.3, 5) should be 0, but is
+# says: that is none of the usual mistakes, so work it out once more by hand
+def importance_ratio(greedy, epsilon, n_actions):
+    if not all(greedy[1:11]):
+        return 0.0
+    return (1 - epsilon + epsilon / n_actions) ** (1 - len(greedy))
+
+
+# %% multiplies ten factors at most
+# says: ], 0.3, 5) should be 35.43, but is 15.55
+def importance_ratio(greedy, epsilon, n_actions):
+    return math.prod(float(is_greedy) / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:11])

@@ -78,6 +78,8 @@ def exercise_2(answer: Any, seed: int) -> str:
         ([True], epsilon, n_actions),
         ([False], epsilon, n_actions),
         ([True, True, False], 0.3, 5),
+        ([True] * 14, 0.3, 5),
+        ([True] * 12 + [False, True], 0.3, 5),
         ([True] * 3, 0.0, n_actions),
         ([True] * 3, 1.0, n_actions),
     ]

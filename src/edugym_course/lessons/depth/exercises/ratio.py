@@ -54,7 +54,7 @@ def ratio(
     if how == "once":
         return of_best if all(actions) else 0.0
     if how == "any":
-        return of_best ** len(actions) if any(actions) else 0.0
+        return of_best ** len(actions) if any(actions) or not actions else 0.0
     if how == "turned":
         return math.prod(0.0 if is_greedy else of_best for is_greedy in actions)
     if how == "precedence":
@@ -119,6 +119,8 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "otherwise": "stop"
     },
     "`any` is too weak: one later action that is not greedy is enough to make the ratio 0": {"how": "any"},
+    "`any` is too weak, and False for an empty list: the ratio is 0 if one later action is not greedy, and 1 if there"
+    " are none": {"how": "any", "empty": 0.0},
     "it is 0 where the actions are greedy, and not where one of them is not: True means greedy": {"how": "turned"},
     "that is one factor where all later actions are greedy; there are as many as actions": {"how": "once"},
     "it stays 0: a product starts at 1": {"how": "zero"},

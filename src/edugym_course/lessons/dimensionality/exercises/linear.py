@@ -221,14 +221,15 @@ def exercise_2(answer: Any, seed: int) -> str:
     cases = steps_for(seed)
     _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
-    wrong = [pair for pair in zip(cases, outcomes, strict=True) if not all_same(right_update(pair[0]), pair[1])]
-    if wrong:
+    pairs = [*zip(cases, outcomes, strict=True)]
+    wrong = [not _gives(*pair, right_update) for pair in pairs]
+    if any(wrong):
         why = mistake_that_fits(
             UPDATES,
-            lambda rule: all(_gives(*pair, rule) for pair in zip(cases, outcomes, strict=True)),
-            lambda rule: explains_most(_gives(*pair, rule) for pair in wrong),
+            lambda rule: all(_gives(*pair, rule) for pair in pairs),
+            lambda rule: explains_most([_gives(*pair, rule) for pair in pairs], wrong),
         )
-        raise WrongAnswer(f"{_told_update(*wrong[0])}: {why}")
+        raise WrongAnswer(f"{_told_update(*pairs[wrong.index(True)])}: {why}")
     return "Right: the error times the features. See it catch:"
 
 

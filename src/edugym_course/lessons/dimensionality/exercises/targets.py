@@ -241,15 +241,16 @@ def _values(weights: Layers, x: Any) -> Any:
 
 
 def _check_targets(cases: list[Remembered], found: list[float]) -> None:
-    wrong = [pair for pair in zip(cases, found, strict=True) if not same(_right(pair[0]), pair[1])]
-    if not wrong:
+    pairs = [*zip(cases, found, strict=True)]
+    wrong = [not _gives(*pair, _right) for pair in pairs]
+    if not any(wrong):
         return
     why = mistake_that_fits(
         TARGETS,
-        lambda rule: all(_gives(*pair, rule) for pair in zip(cases, found, strict=True)),
-        lambda rule: explains_most(_gives(*pair, rule) for pair in wrong),
+        lambda rule: all(_gives(*pair, rule) for pair in pairs),
+        lambda rule: explains_most([_gives(*pair, rule) for pair in pairs], wrong),
     )
-    case, target = wrong[0]
+    case, target = pairs[wrong.index(True)]
     right = _right(case)
     raise WrongAnswer(
         f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"

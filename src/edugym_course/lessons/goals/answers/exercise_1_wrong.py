@@ -108,7 +108,8 @@ def greedy(Q, state, goal):
 
 
 # %% a row
-# says: should give the number of an action, a whole number, but gives an array
+# says: should give the number of an action, a whole number, but gives an array: an action is the *index* of a value
+#   (np.argmax(...) finds that of the highest)
 def greedy(Q, state, goal):
     return Q[state, goal]
 
@@ -129,3 +130,9 @@ def greedy(Q, state, goal):
 # says: the goal is left out: it looks up Q[state, 0], whatever the goal is
 def greedy(Q, state, goal):
     return np.argmax(Q[state, 0])
+
+
+# %% all of the best
+# says: , a whole number, but gives an array: return one of its entries
+def greedy(Q, state, goal):
+    return np.flatnonzero(Q[state, goal] == Q[state, goal].max())

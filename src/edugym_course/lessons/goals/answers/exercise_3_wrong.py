@@ -65,7 +65,7 @@ def future_goal(steps, t, rng):
 
 
 # %% another start
-# says: which is none of the usual mistakes
+# says: , the same pattern in every call, for it takes no random number from `rng`
 def future_goal(steps, t, rng):
     return steps[0][0]
 
@@ -79,3 +79,19 @@ def future_goal(steps, t, rng):
 # %% a number
 # says: steps, t and rng
 future_goal = 3
+
+
+# %% a new generator in each call, which draws the last step first
+# says: , the same pattern in every call, for it takes no random number from `rng`: is a new generator made in it, or none
+#   used?
+def future_goal(steps, t, rng):
+    rng = np.random.default_rng(0)
+    return steps[rng.integers(t, len(steps))][2]
+
+
+# %% two steps at most
+# says: future_goal(steps, t, rng)
+# says: , where t = 2 and steps = [
+# says: of calls, which is none of the usual mistakes
+def future_goal(steps, t, rng):
+    return steps[rng.integers(t, min(t + 2, len(steps)))][2]

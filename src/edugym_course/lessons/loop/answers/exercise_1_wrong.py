@@ -284,3 +284,37 @@ def discounted_return(rewards, discount):
 # says: in this case it looks like this: the rewards are divided by γ^k; multiply
 def discounted_return(rewards, discount):
     return sum(reward / discount**k for k, reward in enumerate(rewards) if discount)
+
+
+# %% the first ten rewards
+# says: , -4.0], 0.5) should be
+# says: that is none of the usual mistakes, so work it out once more by hand
+def discounted_return(rewards, discount):
+    return sum(discount**k * reward for k, reward in enumerate(rewards[:10]))
+
+
+# %% the first hundred rewards
+# says: with 500 rewards, 1.0) should be
+def discounted_return(rewards, discount):
+    G = 0.0
+    for k in range(min(100, len(rewards))):
+        G += discount**k * rewards[k]
+    return G
+
+
+# %% the largest
+# says: that is the largest of the discounted rewards; add all of them up
+def discounted_return(rewards, discount):
+    return max(discount**k * reward for k, reward in enumerate(rewards))
+
+
+# %% a sum without a discount, and without its last reward, is in one case what the whole sum times γ is
+# says: that is none of the usual mistakes, so work it out once more by hand
+def discounted_return(rewards, discount):
+    return discount * sum(rewards[:-1]) + rewards[-1] / 2
+
+
+# %% rounded to two digits
+# says: is it rounded? Give the number as it is, without round(), int() or //
+def discounted_return(rewards, discount):
+    return round(sum(discount**k * reward for k, reward in enumerate(rewards)), 2)

@@ -81,7 +81,8 @@ def choose(values, epsilon, rng):
 
 
 # %% a generator of its own
-# says: makes a new generator in each call, so it draws the same number every time: use the `rng` that it is given
+# says: , the same action in every call, for it takes no random number from `rng`: is a new generator made in it, or none
+#   used?
 def choose(values, epsilon, rng):
     rng = np.random.default_rng(0)
     if rng.random() < epsilon:
@@ -214,3 +215,19 @@ def choose(values, epsilon, rng):
         if value > highest:
             highest = value
     return rng.choice(np.flatnonzero(values == highest))
+
+
+# %% explores twice
+# says: of calls, which is none of the usual mistakes
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon and rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% all of the best
+# says: but gives an array: return one of its entries, drawn with rng.choice
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return np.flatnonzero(values == values.max())

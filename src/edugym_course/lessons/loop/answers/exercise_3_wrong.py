@@ -292,3 +292,21 @@ def learn(self, state, action, reward, next_state, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(self.Q[next_state, action])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the last reward in full
+# says: terminated=True), where
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def learn(self, state, action, reward, next_state, terminated):
+    if terminated:
+        self.Q[state, action] = reward
+    else:
+        target = reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the second best
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else sorted(self.Q[next_state])[-2]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

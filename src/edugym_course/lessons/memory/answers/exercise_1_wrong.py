@@ -171,3 +171,9 @@ def table_rows(num_doors, length):
 # says: 7 is the window of corridor 4 alone; compute it from the length
 def table_rows(num_doors, length):
     return (num_doors + 1) ** 7
+
+
+# %% a third in place of a half, which is 2L - 3 for some lengths
+# says: that is none of the usual mistakes, so work it out by hand for a small case
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 3 + 1)

@@ -16,4 +16,16 @@ negative_reward = high
 # %% by the switch
 negative_reward = -38.0
 while exact.switch(finite_model(make_mdp("Roadrunner", negative_reward=negative_reward))) < 0.1:
-    negative_reward += 0.05
+    negative_reward += 0.1
+
+# %% with two digits
+negative_reward = -40.0
+while len(exact.best_run(0.1, negative_reward=negative_reward)) > 5:
+    negative_reward = round(negative_reward + 0.01, 2)
+
+# %% as exactly as it goes
+low, high = -100.0, -10.0
+for _ in range(50):
+    middle = (low + high) / 2
+    low, high = (low, middle) if len(exact.best_run(0.1, negative_reward=middle)) == 5 else (middle, high)
+negative_reward = high

@@ -46,3 +46,15 @@ while exact.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
 # %% all rewards for which the fast run is the best
 # says: should be one number, but is a
 negative_reward = [-36.9, -36.8, -36.7]
+
+
+# %% in steps of 0.05
+# says: with negative_reward = -36.95 the best run at ε = 0.1 takes 4 steps
+# says: , and so it does for lower numbers: with more digits than one, take the lowest that has them
+negative_reward = -38.0
+while exact.switch(finite_model(make_mdp("Roadrunner", negative_reward=negative_reward))) < 0.1:
+    negative_reward += 0.05
+
+# %% between two tenths
+# says: with negative_reward = -36.94 the best run at ε = 0.1 takes 4 steps
+negative_reward = -36.94

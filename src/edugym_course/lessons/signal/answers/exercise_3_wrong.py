@@ -376,7 +376,7 @@ def act(self, observation, rng):
 
 
 # %% ties go to the next one
-# says: , which is none of the usual mistakes
+# says: , the same action in every call, for it takes no random number from `rng`
 def act(self, observation, rng):
     votes = np.zeros(4)
     for i in range(1, len(observation)):
