@@ -821,6 +821,9 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # \end{aligned}
 # $$
 #
+# An action is greedy if no other has a *higher* value. Where several tie, all of them are, and not only the first, which
+# `argmax` finds.
+#
 # Without the third line this is Monte Carlo. With it, $G$ passes through greedy actions and is cut at the others. You
 # write plain Python, and it runs as machine code. Predict: can this line beat all four depths?
 #

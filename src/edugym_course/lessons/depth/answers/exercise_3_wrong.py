@@ -418,3 +418,26 @@ def hand_back(self, length):
     G = 0.0
     for k in range(length - 1, -1, -1):
         G = rewards[k] + self.discount * G
+
+
+# %% the number of the best action
+# says: G is cut at an action that ties with the best where it is not the *first* of them, as argmax finds it: compare its
+#   value with the largest
+# in: while
+# - if self.Q[s, a] != self.Q[s].max():
+# + if a != np.argmax(self.Q[s]):
+
+
+# %% the number of the last best action
+# says: G is cut at an action that ties with the best where it is not the *last* of them: compare its value with the
+#   largest
+# in: while
+# - if self.Q[s, a] != self.Q[s].max():
+# + if a != max(range(self.Q.shape[1]), key=lambda b: (self.Q[s, b], b)):
+
+
+# %% better than all others
+# says: G is cut at an action that ties with the best, and is as good: cut only where its value is *below* the largest
+# in: while
+# - if self.Q[s, a] != self.Q[s].max():
+# + if not self.Q[s, a] > np.delete(self.Q[s], a).max():

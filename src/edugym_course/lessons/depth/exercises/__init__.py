@@ -115,7 +115,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
     settings = {"learning_rate": float(rng.choice(LEARNING_RATES)), "discount": float(rng.choice(DISCOUNTS))}
-    all_cases, found = cases(seed), []
+    all_cases, found = cases(seed, settings["learning_rate"]), []
     for Q, episodes in all_cases:
         agent = _small_agent(answer, settings)
         table_of(agent, "Q", Q.shape)[...] = Q

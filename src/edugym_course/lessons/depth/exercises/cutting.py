@@ -1,7 +1,7 @@
 """Exercise 3: learning as deep as the actions were greedy, with the mistakes that are usually made in it."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import combinations, product
+from itertools import combinations, permutations, product
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -89,6 +89,9 @@ def hand_back(
             "first": False,
             "always": True,
             "inverted": not mine < best,
+            "first of equals": a != int(Q[s].argmax()),
+            "last of equals": a != N_ACTIONS - 1 - int(Q[s, ::-1].argmax()),
+            "not above the others": not mine > float(np.delete(Q[s], a).max()),
         }
         if cut == "stop":
             if mine < best:
@@ -115,6 +118,13 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "cut": "always"
     },
     "the condition is upside down: G is cut where the action is *not* the best": {"cut": "inverted"},
+    "G is cut at an action that ties with the best where it is not the *first* of them, as argmax finds it: compare its"
+    " value with the largest": {"cut": "first of equals"},
+    "G is cut at an action that ties with the best where it is not the *last* of them: compare its value with the"
+    " largest": {"cut": "last of equals"},
+    "G is cut at an action that ties with the best, and is as good: cut only where its value is *below* the largest": {
+        "cut": "not above the others"
+    },
     "whether the action is the best is asked before the update; ask it after": {"cut": "before"},
     "G is cut before the update, and the value of the action learns from it; the third line comes after the second": {
         "cut": "too early"
@@ -166,11 +176,11 @@ class Case(NamedTuple):
     episodes: list[Episode]
 
 
-def cases(seed: int) -> list[Case]:
-    """Make cases up: episodes of one to five steps, and sometimes a second one."""
+def cases(seed: int, learning_rate: float) -> list[Case]:
+    """Make cases up: episodes of one to five steps, sometimes a second one, and some that end with a tie."""
     rng = np.random.default_rng(seed)
     values = np.arange(-4.0, 8.5, 0.5)
-    no_ties = 0.1 * np.arange(N_ACTIONS)  # so that an answer may choose the best action by `argmax`
+    no_ties = 0.1 * np.arange(N_ACTIONS)  # so that ties come only where they are made
     far_below = [FAR_BELOW * (np.arange(N_STATES) == rng.integers(N_STATES))[:, np.newaxis] for _ in range(24)]
     return [
         Case(
@@ -178,7 +188,17 @@ def cases(seed: int) -> list[Case]:
             [make_episode(1 + i % 5, rng), *([make_episode(3, rng)] if i % 3 == 2 else [])],
         )
         for i in range(24)
-    ]
+    ] + [_tie(action, other, learning_rate, rng) for action, other in permutations(range(N_ACTIONS), 2)]
+
+
+def _tie(action: int, other: int, learning_rate: float, rng: np.random.Generator) -> Case:
+    """Make a case up in which the last action of an episode is worth as much as another one after the update."""
+    Q, episode = rng.choice(np.arange(-4.0, 8.5, 0.5), (N_STATES, N_ACTIONS)), make_episode(3, rng)
+    episode.actions[-1], episode.rewards[-1] = action, 4.0
+    Q[episode.states[-1]] = -8.0
+    Q[episode.states[-1], action] = -2.0
+    Q[episode.states[-1], other] = -2.0 + learning_rate * 6.0  # exact, whatever the order of its terms
+    return Case(Q, [episode])
 
 
 def outcomes(all_cases: Sequence[Case], settings: Settings) -> Iterator[Reals]:
