@@ -21,6 +21,18 @@ DRAWN = {
 
 
 @pytest.mark.parametrize("name", DRAWN)
+def test_solutions_are_right_with_other_seeds(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Cases in which all mistakes differ are found with each of them."""
+    monkeypatch.setattr("edugym.experiments.repeat.train", train)
+    exercise, before = DRAWN[name]
+    [line] = [line for line in exercise.check.splitlines() if "seed=1" in line]
+    for seed in range(2, 8):
+        check = line.replace("seed=1", f"seed={seed}")
+        solved = Answer("", 0, True, name, (), exercise.solution)
+        assert verdict(solved, Exercise(exercise.placeholder, exercise.solution, check), before) == ""
+
+
+@pytest.mark.parametrize("name", DRAWN)
 def test_another_seed_makes_other_cases(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The first numbers that the check draws are others."""
     monkeypatch.setattr("edugym.experiments.repeat.train", train)  # the setup of answers may leave training out

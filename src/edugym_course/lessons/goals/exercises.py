@@ -64,12 +64,16 @@ HIGHEST = (3.0, 0.0, -0.5, -5.0, -50.0, -500.0, -FAR_BELOW)
 
 
 def _values(rng: np.random.Generator) -> list[Values]:
-    """Make up tables with other values for every state, goal and action."""
-    made = []
-    for highest in HIGHEST:
-        Q = 0.5 * rng.permutation(N_PATTERNS * N_PATTERNS * N_ACTIONS).reshape(N_PATTERNS, N_PATTERNS, N_ACTIONS)
-        state, goal = rng.choice(N_PATTERNS, 2, replace=False)
-        made.append((Q - Q[state, goal].max() + highest, int(state), int(goal)))
+    """Make up tables with other values for every state, goal and action; the best two of a row are close."""
+    made = list[Values]()
+    numbers = np.arange(0.0, 0.5 * N_PATTERNS * N_PATTERNS * N_ACTIONS, 0.5)
+    for highest in 2 * HIGHEST:
+        Q = rng.permutation(numbers).reshape(N_PATTERNS, N_PATTERNS, N_ACTIONS)
+        state, goal = map(int, rng.choice(N_PATTERNS, 2, replace=False))
+        Q += highest - Q[state, goal].max()
+        second = int(rng.choice(np.flatnonzero(Q[state, goal] < highest)))
+        Q[state, goal, second] = highest - 0.25
+        made.append((Q, state, goal))
     return made
 
 
