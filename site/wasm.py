@@ -22,6 +22,7 @@ from linker import linked
 
 from edugym.compiled import compiler
 from edugym.compiled.code import code_of
+from edugym.compiled.numba_setup import CompilationError, numba_ready
 
 binding: Any = importlib.import_module("llvmlite.binding")
 ir: Any = importlib.import_module("llvmlite.ir")
@@ -95,7 +96,7 @@ def compiled(loop: Callable[..., Any], arguments: tuple[Any, ...], fingerprint: 
     Raises:
         CompilationError: it cannot be compiled, or it allocates memory, for which a kernel has no room.
     """
-    numba = compiler._numba()
+    numba = numba_ready()
     code = code_of(loop, arguments)
     signature = signature_of(arguments)
     made = compiler._compile(numba, loop, signature, None, code, compiler.LEAN).overloads[signature]
@@ -126,7 +127,7 @@ def optimised(source: str, exported: tuple[str, ...]) -> bytes:
 def signature_of(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """Numba's types of the arguments of a loop."""
     streams = [k for k, argument in enumerate(arguments) if isinstance(argument, np.random.Generator)]
-    return tuple(map(compiler._numba().typeof, compiler._with_located(arguments, streams)))
+    return tuple(map(numba_ready().typeof, compiler._with_located(arguments, streams)))
 
 
 class Slot(NamedTuple):
@@ -215,11 +216,11 @@ class _Kernel:
         elif isinstance(kind, types.NoneType):
             add("ptr null")
         else:
-            raise compiler.CompilationError(f"a kernel takes no {kind} ({name})")
+            raise CompilationError(f"a kernel takes no {kind} ({name})")
 
     def _array(self, kind: Any, name: str) -> None:
         if kind.layout != "C":
-            raise compiler.CompilationError(f"a kernel takes arrays that are contiguous, not {kind} ({name})")
+            raise CompilationError(f"a kernel takes arrays that are contiguous, not {kind} ({name})")
         size = self._context.get_abi_sizeof(self._context.get_data_type(kind.dtype))
         address = self._load(name, f"array {kind.dtype}", "i64")
         pointer = self._new(f"inttoptr i64 {address} to ptr")

@@ -15,7 +15,8 @@ import pytest
 from numba.core.errors import TypingError
 
 from edugym.compiled import compiler, namedtuples
-from edugym.compiled.compiler import CompilationError, compiled
+from edugym.compiled.compiler import compiled
+from edugym.compiled.numba_setup import CompilationError
 from tests.compiled.cells import cell
 from tests.compiled.processes import printed
 

@@ -8,9 +8,10 @@ import pytest
 from edugym import QLearning, train
 from edugym.compiled import compiler
 from edugym.compiled.code import code_of
-from edugym.compiled.compiler import CompilationError, compiled
+from edugym.compiled.compiler import compiled
 from edugym.compiled.error_messages import reason
 from edugym.compiled.execution import COMPILE_FROM
+from edugym.compiled.numba_setup import CompilationError
 from tests.compiled.cells import WALK, cell
 from tests.compiled.test_compiler import plain_loop
 

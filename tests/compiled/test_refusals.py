@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numba.typed import List
 
-from edugym.compiled.code import Code, place
+from edugym.compiled.byte_code import place
+from edugym.compiled.code import Code
 from edugym.compiled.subset import refusal
 from tests.compiled.cells import cell
 

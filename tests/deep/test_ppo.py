@@ -12,15 +12,9 @@ from torch.nn import functional
 
 from edugym import MDPEnv
 from edugym.deep import PPO
+from edugym.deep.actor_critic import ActorCritic, Gaussian, Softmax
 from edugym.deep.curves import Curve, copies
-from edugym.deep.ppo import (
-    ActorCritic,
-    Adam,
-    Gaussian,
-    Softmax,
-    advantages_of,
-    normalised,
-)
+from edugym.deep.ppo import Adam, advantages_of, normalised
 from tests.adapters.playing.tasks import Walk
 from tests.deep.test_curves import measured
 from tests.messages import named

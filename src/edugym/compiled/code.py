@@ -1,6 +1,5 @@
 """The code that a loop can reach, and its fingerprint: machine code is never run for code that has changed."""
 
-import dis
 import hashlib
 import re
 import sys
@@ -13,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from edugym.compiled.byte_code import global_names, in_order, inside, place
 from edugym.system.packages import is_ours, package_of
 
 LIBRARIES = frozenset(
@@ -21,7 +21,6 @@ LIBRARIES = frozenset(
 """Packages whose code does not change while a program runs."""
 MOST_FROZEN = 250_000
 """The largest arrays, in bytes, that may be constants of a student's machine code."""
-EXTENDED_ARG, LOAD_GLOBAL = dis.opmap["EXTENDED_ARG"], dis.opmap["LOAD_GLOBAL"]
 NAMEDTUPLE_MEMBERS = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """Members that every NamedTuple has."""
 _ABSENT = object()
@@ -297,7 +296,7 @@ class Code:
             self._visit(value)
         names = self._hash_bytecode(function.__code__)
         self._names.update(dict.fromkeys(names))
-        loaded = _global_names(function.__code__)
+        loaded = global_names(function.__code__)
         self._remember(function.__globals__, loaded)
         for name in sorted(loaded & function.__globals__.keys()):
             self._add(name)
@@ -333,31 +332,11 @@ class Code:
             if isinstance(constant, CodeType):
                 names |= self._hash_bytecode(constant)
             else:
-                self._add(type(constant), _ordered(constant))
+                self._add(type(constant), in_order(constant))
         return names
 
     def _add(self, *things: Any) -> None:
         self._hash.update(repr(things).encode())
-
-
-def _global_names(code: CodeType) -> set[str]:
-    """The names that byte code looks up among the globals, and not as attributes, those of inner functions included.
-
-    Decoded by hand: `dis` takes ten times as long, and a run begins with some hundred functions.
-    """
-    names: set[str] = set()
-    high = 0
-    for operation, low in zip(code.co_code[::2], code.co_code[1::2], strict=True):
-        argument = high | low
-        high = argument << 8 if operation == EXTENDED_ARG else 0
-        if operation == LOAD_GLOBAL:
-            names.add(code.co_names[argument >> 1])  # its last bit is about a call
-    return names.union(*(_global_names(constant) for constant in code.co_consts if isinstance(constant, CodeType)))
-
-
-def _ordered(constant: Any) -> Any:
-    """A constant of code in a form whose `repr` is the same in every process: sets have no order."""
-    return ("set", sorted(repr(_ordered(part)) for part in constant)) if isinstance(constant, frozenset) else constant
 
 
 def arrays_in(*values: Any) -> Iterator[np.ndarray[Any, Any]]:
@@ -367,21 +346,6 @@ def arrays_in(*values: Any) -> Iterator[np.ndarray[Any, Any]]:
             yield value
         elif isinstance(value, tuple):
             yield from arrays_in(*tuple.__iter__(value))
-
-
-def inside(cell: CellType, default: Any = None) -> Any:
-    """The value of a variable of an outer function, or `default` where it has none yet."""
-    try:
-        return cell.cell_contents
-    except ValueError:
-        return default
-
-
-def place(file: str, line: int) -> str:
-    """A line as its author knows it: without the file of a notebook's cell, whose name is made of digits."""
-    name = file.replace("\\", "/").rpartition("/")[2]
-    stem = name.partition(".")[0]
-    return f"line {line}" if stem.isdigit() or name.startswith("<ipython") else f"{name}, line {line}"
 
 
 def is_foreign(thing: Any) -> bool:

@@ -8,20 +8,15 @@ edit a method in place or change a global number, and the next call compiles ane
 of the disk cache.
 """
 
-import hashlib
 import importlib
-import importlib.util
 import logging
 import math
-import os
 import re
 import threading
 import time
-import warnings
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from types import FunctionType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,8 +24,8 @@ import numpy as np
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.error_messages import reason
-from edugym.compiled.namedtuples import skip_check_of_scipy, teach
-from edugym.system.interrupts import call_interruptibly, call_within
+from edugym.compiled.numba_setup import CompilationError, numba_ready, processor, refused_error, replacements
+from edugym.system.interrupts import call_within
 
 Function = Callable[..., Any]
 
@@ -51,18 +46,9 @@ KEPT = 3
 MOST_SECONDS = 20.0
 """When compiling a student's code has taken so much processor time, it is given up."""
 _lock = threading.RLock()
-_setup_error: list[str] = []  # empty until Numba is set up; then what is wrong with this version of it, or ""
 logger = logging.getLogger("edugym")
 LEAN = {"_nrt": False, "boundscheck": True}
 WITH_COUNTS = {"boundscheck": True}
-
-
-class CompilationError(Exception):
-    """Something in the loop cannot be compiled: `str(error)` says what and, if known, where."""
-
-
-class NoCompiler(CompilationError):
-    """Nothing can be compiled here: Numba is not installed, or was switched off."""
 
 
 def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Function:
@@ -81,7 +67,7 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
         CompilationError: something in it cannot be compiled.
         NoCompiler: there is no compiler here.
     """
-    numba = _numba()
+    numba = numba_ready()
     code = code or code_of(loop, arguments)
     streams = [k for k, argument in enumerate(arguments) if isinstance(argument, np.random.Generator)]
     try:
@@ -134,20 +120,6 @@ def _locator() -> Callable[[Any], Any]:
     return located
 
 
-def may_compile() -> bool:
-    """Whether there seems to be a compiler: Numba is not loaded for that, which takes half a second."""
-    return importlib.util.find_spec("numba") is not None and os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0")
-
-
-def check_compiler() -> None:
-    """Loads Numba.
-
-    Raises:
-        NoCompiler: nothing can be compiled here.
-    """
-    _numba()
-
-
 def is_built(loop: Function, code: Code) -> bool:
     """Whether this process holds machine code of the loop over this code."""
     return any(key.loop is loop and key.fingerprint == code.fingerprint for key in _built)
@@ -165,15 +137,8 @@ def seconds_to_build() -> float:
 
 def _folders(code: Code) -> tuple[Path, Path]:
     """Where builds without and with reference counts are kept."""
-    name = f"{code.fingerprint}-{_numba().__version__}-{_processor()}"
+    name = f"{code.fingerprint}-{numba_ready().__version__}-{processor()}"
     return cache_directory() / f"{name}-lean", cache_directory() / name
-
-
-@cache
-def _processor() -> str:
-    """The processor for which Numba writes machine code."""
-    target: Any = importlib.import_module("numba.core.registry").cpu_target
-    return hashlib.sha256(repr(target.target_context.codegen().magic_tuple()).encode()).hexdigest()[:8]
 
 
 def _find_or_build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
@@ -227,7 +192,7 @@ def _build_once(numba: Any, loop: Function, signature: tuple[Any, ...], code: Co
 
 def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
     """Whether types are the same, or differ only in NamedTuple classes of the same names and fields."""
-    types = _numba().types
+    types = numba_ready().types
 
     def same(kind: Any, other_kind: Any) -> bool:
         if kind is other_kind or kind == other_kind:
@@ -244,7 +209,7 @@ def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
 
 def _returns_class(made: Any) -> bool:
     """Whether machine code returns a value of a NamedTuple class, which would be the class it was made for."""
-    types = _numba().types
+    types = numba_ready().types
 
     def has_class(kind: Any) -> bool:
         if isinstance(kind, types.BaseNamedTuple):
@@ -282,7 +247,7 @@ def _build_anew(
         try:
             return _build_and_keep(numba, loop, signature, lean, code, LEAN)
         except Exception as error:  # something allocates; any other mistake shows in the next build as well
-            if isinstance(error, _refused_error()):
+            if isinstance(error, refused_error()):
                 raise
             logger.debug("no build of %s without reference counts: %s", code.names(), _reason(error, code))
     return _build_and_keep(numba, loop, signature, counting, code, WITH_COUNTS)
@@ -320,7 +285,7 @@ def _compile(
         made = numba.njit(pipeline_class=pipelines.Loop, **caching, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
-    functions = {*code.functions, *_replacements()}
+    functions = {*code.functions, *replacements()}
     pipelines.compile_until_known(made, signature, options, functions, code.foreign)
     if folder and (folder / SEAL).exists() and not sum(made.stats.cache_hits.values()):
         seal(folder)  # Numba thought that what was there is older than the source, and has written it again
@@ -330,7 +295,7 @@ def _compile(
 
 def _needs_no_counts(kind: Any) -> bool:
     """Whether a value of this type is safe in a build without reference counts: numbers, arrays, and tuples of them."""
-    types = _numba().types
+    types = numba_ready().types
     if isinstance(kind, types.BaseTuple):
         return all(_needs_no_counts(part) for part in kind)
     generator = types.NumPyRandomGeneratorType
@@ -343,7 +308,7 @@ def _check_no_counts(build: Any) -> None:
     Raises:
         CompilationError: it does.
     """
-    types = _numba().types
+    types = numba_ready().types
 
     def only_numbers(kind: Any) -> bool:
         return all(map(only_numbers, kind)) if isinstance(kind, types.BaseTuple) else not isinstance(kind, types.Array)
@@ -357,52 +322,7 @@ def _check_no_counts(build: Any) -> None:
 
 def _reason(error: Exception, code: Code) -> str:
     """Why it cannot be compiled, in a few words."""
-    if not isinstance(error, CompilationError | _refused_error()):
+    if not isinstance(error, CompilationError | refused_error()):
         return reason(error, code)
     method = getattr(error, "method", None)
     return f"{error}{code.place_of(method)}" if method else str(error)
-
-
-@cache
-def _numba() -> Any:
-    """Numba, imported when it is first needed, and taught about NamedTuples."""
-    return call_interruptibly(_load_numba)
-
-
-def _load_numba() -> Any:
-    with _lock:  # an abandoned thread may still be loading it
-        try:
-            numba = importlib.import_module("numba")
-        except ImportError as error:
-            raise NoCompiler("Numba is not installed") from error
-        if numba.config.DISABLE_JIT:
-            raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
-        if not _setup_error:
-            try:
-                skip_check_of_scipy()
-                teach(numba, importlib.import_module("edugym.compiled.compiler_pipelines"))
-                _processor()
-            except Exception as error:  # anything may be missing in another version of Numba
-                _setup_error.append(f"{type(error).__name__}: {error}")
-                message = f"this version of Numba ({numba.__version__}) is not known to EduGym"
-                warnings.warn(f"{message}: everything runs interpreted ({_setup_error[0]})", stacklevel=2)
-            else:
-                _setup_error.append("")
-        if _setup_error[0]:
-            raise NoCompiler(f"this version of Numba is not known: {_setup_error[0]}")
-        return numba
-
-
-def _refused_error() -> Any:
-    """The class `Refused`, imported late since it needs Numba."""
-    return importlib.import_module("edugym.compiled.untyped_checks").Refused
-
-
-@cache
-def _replacements() -> frozenset[FunctionType]:
-    """The functions that compiler passes put into code: checked ones in place of Python's own, and polling."""
-    arithmetic: Any = importlib.import_module("edugym.compiled.arithmetic")
-    polling: Any = importlib.import_module("edugym.compiled.interrupt_polling").count_iteration
-    drawn: Any = importlib.import_module("edugym.compiled.draws").DRAWN
-    tables = arithmetic.REPLACED, arithmetic.CALLED, arithmetic.EXTREMES, drawn
-    return frozenset({polling, *(function for table in tables for function in table.values())})

@@ -4,7 +4,8 @@ import inspect
 import re
 from pathlib import Path
 
-from edugym.compiled.code import Code, place
+from edugym.compiled.byte_code import place
+from edugym.compiled.code import Code
 
 MAX_LENGTH = 150
 """How many letters of a message are shown."""

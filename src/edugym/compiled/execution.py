@@ -25,18 +25,10 @@ from enum import Enum
 from typing import Any
 
 from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
-from edugym.compiled.compiler import (
-    CompilationError,
-    NoCompiler,
-    check_compiler,
-    compiled,
-    is_built,
-    is_on_disk,
-    may_compile,
-    seconds_to_build,
-)
+from edugym.compiled.compiler import compiled, is_built, is_on_disk, seconds_to_build
 from edugym.compiled.javascript import program as javascript
 from edugym.compiled.javascript.kinds import Untranslatable
+from edugym.compiled.numba_setup import CompilationError, NoCompiler, may_compile, numba_ready
 from edugym.compiled.snapshot import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
 from edugym.system import waiting
@@ -101,7 +93,7 @@ def executable(
             made = _rehearsed_javascript(loop, arguments, code, min(rehearsed, REHEARSED), replay or loop)
             return _with_replay(made, loop, code, replay or loop)
         if not foreign:
-            check_compiler()
+            numba_ready()
             with _announced(loop, code):
                 return compiled(loop, rehearsed, *arguments, code=code)
         rehearsed = min(rehearsed, REHEARSED)
@@ -164,7 +156,7 @@ def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, 
     Raises:
         CompilationError: it cannot be compiled, or it does something else.
     """
-    check_compiler()
+    numba_ready()
     with _announced(loop, code):
         machine_code = compiled(loop, n, *arguments, code=code)
     copies = copied(arguments)

@@ -23,7 +23,8 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.code import LIBRARIES, MOST_FROZEN, Code, arrays_in, inside, is_foreign, place
+from edugym.compiled.byte_code import inside, place
+from edugym.compiled.code import LIBRARIES, MOST_FROZEN, Code, arrays_in, is_foreign
 from edugym.system.packages import is_ours, package_of
 
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
-from edugym.compiled.code import place
+from edugym.compiled.byte_code import place
 from edugym.compiled.draws import DRAWN
 from edugym.compiled.interrupt_polling import insert_polling
 from edugym.compiled.subset import words

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
-from edugym.compiled.code import place
+from edugym.compiled.byte_code import place
 from edugym.compiled.javascript.kinds import (
     BOOL,
     INT,

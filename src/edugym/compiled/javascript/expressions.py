@@ -5,7 +5,7 @@ from inspect import getattr_static
 from types import FunctionType, ModuleType
 from typing import Any
 
-from edugym.compiled.code import inside
+from edugym.compiled.byte_code import inside
 from edugym.compiled.javascript.calls import call, own_function
 from edugym.compiled.javascript.iterations import Iterations
 from edugym.compiled.javascript.kinds import (

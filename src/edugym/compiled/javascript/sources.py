@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from types import CodeType, FunctionType
 
-from edugym.compiled.code import place
+from edugym.compiled.byte_code import place
 from edugym.compiled.javascript.kinds import Untranslatable
 
 

@@ -50,5 +50,5 @@ def learn_with_ppo(labels: tuple[str, ...] = tuple(ACTIONS), n_steps: int = N_ST
 STORED = Stored(
     "continuous_actions.ppo",
     learn_with_ppo,
-    ("edugym.envs.trashbot.task", "edugym.envs.trashbot.geometry", "edugym.deep.ppo"),
+    ("edugym.envs.trashbot.task", "edugym.envs.trashbot.geometry", "edugym.deep.ppo", "edugym.deep.actor_critic"),
 )

@@ -84,6 +84,7 @@ STORED = Stored(
         "edugym.envs.catch",
         "edugym.deep.baselines",
         "edugym.deep.ppo",
+        "edugym.deep.actor_critic",
         "edugym_course.lessons.dimensionality.boards",
         "edugym_course.lessons.dimensionality.tasks",
         "edugym_course.lessons.dimensionality.layers",
