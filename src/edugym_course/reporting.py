@@ -3,7 +3,7 @@
     report(*, repetitions=..., seed=0, jobs=-1, progress=False, stop=None, folder=None) -> Report
 
 It runs the experiments, saves their results in the folder one by one, and returns the claims and figures. Ctrl-C ends
-all of it with a `KeyboardInterrupt`. `reporting` makes it of two functions, one that measures and one that judges.
+all of it with a `KeyboardInterrupt`. `reporting` builds it from two functions: one measures, one judges.
 """
 
 import threading
@@ -17,7 +17,7 @@ from edugym_course.report import Report
 
 
 def for_mdp(make: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """A function that makes an agent for an environment, from one that makes it for the MDP in it."""
+    """Turn a function that makes an agent for an MDP into one that takes an environment of it."""
     return partial(_make_for_mdp, make)
 
 
@@ -84,7 +84,7 @@ class SharedArguments(NamedTuple):
 def reporting(
     measure: Callable[[SharedArguments], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int
 ) -> Reporter:
-    """The function `report` of a lesson.
+    """Build the function `report` of a lesson.
 
     Args:
         measure: runs all experiments, and returns their results.

@@ -1,13 +1,9 @@
-"""Files are written whole or not at all; links, modes, devices and pipes stay what they are."""
+"""Files are written whole or not at all; links and modes stay what they are."""
 
 import os
 import resource
-import socket
 import stat
-import subprocess
-import sys
 import tempfile
-import threading
 from pathlib import Path
 
 import pytest
@@ -32,19 +28,15 @@ def test_a_new_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_replaced_file_keeps_its_mode(tmp_path: Path) -> None:
-    """And its owner; and is a new file: whoever has the old one open goes on to read it."""
-    path, mode = tmp_path / "file", 0o640
+    """And is a new file: whoever has the old one open goes on to read it."""
+    path, mode = tmp_path / "file", 0o646  # a usual umask would take the last 6 from a new file
     path.write_bytes(b"old")
-    if os.geteuid() == 0:  # only root can give it away
-        os.chown(path, 12345, 23456)
     path.chmod(mode)
-    before = path.stat()
     with path.open("rb") as reader:
         write_whole(path, b"new")
         assert reader.read() == b"old"
     assert path.read_bytes() == b"new"
-    after = path.stat()
-    assert (stat.S_IMODE(after.st_mode), after.st_uid, after.st_gid) == (mode, before.st_uid, before.st_gid)
+    assert stat.S_IMODE(path.stat().st_mode) == mode
 
 
 def test_symbolic_links_are_followed(tmp_path: Path) -> None:
@@ -59,53 +51,6 @@ def test_symbolic_links_are_followed(tmp_path: Path) -> None:
         assert (tmp_path / "first").is_symlink()
         assert (tmp_path / "second").is_symlink()
     assert os.listdir(tmp_path / "folder") == ["file"]
-
-
-def test_pipes_are_written_to(tmp_path: Path) -> None:
-    """The pipe is still there afterwards, and a check does not open it, which would end what its reader reads."""
-    pipe, path = tmp_path / "pipe", tmp_path / "link"
-    os.mkfifo(pipe)
-    path.symlink_to(pipe)
-    read: list[bytes] = []
-    reader = threading.Thread(target=lambda: read.append(pipe.read_bytes()), daemon=True)
-    reader.start()
-    check_writable(path)
-    contents = bytes(range(256)) * 1000  # more than a pipe holds
-    write_whole(path, contents)
-    reader.join(10)
-    assert read == [contents]
-    assert stat.S_ISFIFO(pipe.stat().st_mode)
-
-
-def test_devices_are_written_to(tmp_path: Path) -> None:
-    """A full device says so, and stays what it is."""
-    full, link = tmp_path / "full", tmp_path / "link"
-    try:
-        os.mknod(full, stat.S_IFCHR | 0o666, os.makedev(1, 7))  # a copy of /dev/full, which a mistake may replace
-        full.open("wb").close()
-    except OSError:
-        pytest.skip("devices cannot be made here")
-    link.symlink_to(full)
-    for path in (full, link):
-        check_writable(path)
-        with pytest.raises(OSError, match=f"{path}: No space left on device"):
-            write_whole(path, b"contents")
-    assert stat.S_ISCHR(link.stat().st_mode)
-    assert sorted(os.listdir(tmp_path)) == ["full", "link"]
-
-
-def test_the_standard_output_is_a_path_too(tmp_path: Path) -> None:
-    """A link to it leads to a pipe, or to a file that has no name any more."""
-    link = tmp_path / "link"
-    link.symlink_to("/proc/self/fd/1")
-    program = "import sys; from edugym.system.files import write_whole; write_whole(sys.argv[1], b'contents')"
-    command = [sys.executable, "-c", program, str(link)]
-    assert subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout == b"contents"
-    with (tmp_path / "file").open("w+b") as opened:
-        (tmp_path / "file").unlink()
-        subprocess.run(command, stdout=opened, check=True)
-        assert opened.read() == b"contents"
-    assert link.is_symlink()
 
 
 @pytest.mark.parametrize("exists", [False, True])
@@ -141,25 +86,19 @@ def test_what_cannot_be_written_is_explained(tmp_path: Path, monkeypatch: pytest
     """Before the work and after it, in the same words."""
     (tmp_path / "file").touch()
     (tmp_path / "folder").mkdir()
-    (tmp_path / "round").symlink_to("about")
-    (tmp_path / "about").symlink_to("round")
-    server = socket.socket(socket.AF_UNIX)
-    server.bind(str(tmp_path / "socket"))
+    os.mkfifo(tmp_path / "pipe")
     for name, reason in {
         "folder": "it is a folder",
         "file/new": "file is not a folder",
         "file/new/file": "file is not a folder",
-        "round": "its symbolic links lead in a circle",
+        "pipe": "it is no ordinary file",
     }.items():
         path = tmp_path / name
         for write in (check_writable, lambda path: write_whole(path, b"")):
             with pytest.raises(OSError, match=f"^cannot write to {path}: .*{reason}"):
                 write(path)
-    with pytest.raises(OSError, match="socket: No such device"):
-        write_whole(tmp_path / "socket", b"")
-    server.close()
     monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK)  # a protected file, also where root may
     for write in (check_writable, lambda path: write_whole(path, b"new")):
         with pytest.raises(PermissionError, match="file: permission denied"):
             write(tmp_path / "file")
-    assert sorted(os.listdir(tmp_path)) == ["about", "file", "folder", "round", "socket"]
+    assert sorted(os.listdir(tmp_path)) == ["file", "folder", "pipe"]

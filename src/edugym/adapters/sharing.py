@@ -208,7 +208,7 @@ def _home(name: str, value: Any) -> tuple[str, str] | None:
 
 
 def _names(text: str) -> list[str]:
-    """The names that code takes from outside, in order; Python's own included, such as `max`."""
+    """The names that a piece of code uses and does not define, in order; Python's own, such as `max`, included."""
     outside = {*_from_outside(symtable.symtable(text, "<shared>", "exec"))}
     nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name))
     names = dict.fromkeys(node.id for node in nodes)
@@ -216,7 +216,7 @@ def _names(text: str) -> list[str]:
 
 
 def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
-    """The names that are not local to a scope or to one around it, and that of the class or function itself."""
+    """The names that no scope of the code has as its own, and the name of the class or function itself."""
     is_whole = table.get_type() == "module"
     for symbol in table.get_symbols():
         if is_whole or symbol.is_global():
@@ -226,7 +226,7 @@ def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
 
 
 def _meaning(name: str, user: Any) -> Any:
-    """What a name stands for where a class or function was defined; `_NOTHING` for a local variable."""
+    """The value of a name where a class or function was defined; `_NOTHING` if it has none there."""
     for function in _functions(user):
         if name in function.__globals__:
             return function.__globals__[name]
@@ -243,7 +243,7 @@ def _functions(value: Any) -> Iterator[FunctionType]:
 
 
 def _written(member: Any, kind: Any) -> FunctionType | None:
-    """The function of a member of a class, if it is one of the student's."""
+    """The function behind a member of a class (a method, a property), if the student wrote it."""
     inside = getattr(member, "fget", None) or getattr(member, "__func__", None) or member
     return inside if isinstance(inside, FunctionType) and inside.__module__ == kind.__module__ else None
 

@@ -1,7 +1,7 @@
 """Checked random draws for students' machine code: they give what NumPy gives, or raise an error.
 
-Numba checks no parameters, draws one whole number as an array, and has no `rng.choice`. Where one of these raises an
-error the interpreter repeats the call, as in `edugym.compiled.arithmetic`.
+Numba checks no parameters, returns a single whole number as an array, and has no `rng.choice`. After an error the
+interpreter repeats the call of the loop, as in `edugym.compiled.arithmetic`.
 """
 
 import importlib
@@ -56,16 +56,17 @@ def _binomial(rng: Any, n: Any, p: Any) -> Any:
 
 
 def _is_none(kind: Any) -> bool:
-    """Whether a parameter, which is None by default, is None or is left out."""
+    """Whether the type of a parameter says that it is None, or was left out."""
     return kind is None or isinstance(kind, types.NoneType | types.Omitted)
 
 
 def _integers_of_kind(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
+    """In machine code, what `_choose_integers` returns."""
     raise NotImplementedError
 
 
 def _choose_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
-    """Chooses the implementation for these types, while compiling."""
+    """Chooses the implementation for these types while Numba compiles; None if `rng.integers` takes no such types."""
     if not _is_none(dtype) and getattr(dtype, "dtype", None) != types.int64:
         return None
     if _is_none(size) and _is_none(high):
@@ -121,7 +122,7 @@ def _weighted_index(rng: Any, n: Any, p: Any) -> Any:
 
 
 def _is_sequence(kind: Any) -> bool:
-    """Whether it is a list, a tuple or an array of one dimension, with numbers of one type."""
+    """Whether a type is a list, a tuple or an array of one dimension, with numbers of one type."""
     row = isinstance(kind, types.List | types.UniTuple) or (isinstance(kind, types.Array) and kind.ndim == 1)
     return row and isinstance(kind.dtype, types.Number | types.Boolean)
 

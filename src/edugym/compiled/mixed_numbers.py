@@ -32,7 +32,6 @@ from edugym.compiled.number_kinds import (
     passes_on,
 )
 from edugym.compiled.operations import CHECK_EXACT, CHECK_NUMBER, MIXED, MIXED_NEGATIVE, signature_of
-from edugym.compiled.subset import words
 from edugym.compiled.untyped_checks import Refused, refuse, statements
 from edugym.mdp.membership import wholeness
 
@@ -40,8 +39,6 @@ ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
 ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
-SHARING = words("phi cast build_tuple static_getitem getitem exhaust_iter")
-"""Expressions that give a list which they were given."""
 WRITE = "write 0.0 for 0, and so on"
 
 

@@ -1,4 +1,7 @@
-"""What is asked of types and functions to follow mixed numbers (`edugym.compiled.mixed_numbers`)."""
+"""What Numba's types and functions do with mixed numbers: whole in one branch, real in another.
+
+`edugym.compiled.mixed_numbers` explains them and follows them through a program.
+"""
 
 import importlib
 import math
@@ -19,20 +22,20 @@ SAME_OF_WHOLE: set[Any] = {
     *(getattr(np, name) for name in words("sqrt tan tanh sinh cosh arcsin arccos arctan float64")),
     float, int, bool, round, len, range,
 }  # fmt: skip
-"""Functions that give the same of a whole number and of the real number that equals it."""
+"""Functions that give the same result for a whole number and for the real number that equals it."""
 PASSED_ON: set[Any] = {max, min, abs, sorted, list, enumerate, zip, reversed, iter, tuple}
-"""Functions whose result may be one of the numbers that they were given, or made of them."""
+"""Functions that may return one of their arguments, or a collection of them."""
 PASSED_ON_NAMES = words("np.max np.min max min np.clip abs sum")
-"""The same of the replacements in `edugym.compiled.arithmetic`, by name."""
+"""The names of such functions among the replacements in `edugym.compiled.arithmetic`."""
 
 
 def method_name(key: Any) -> str:
-    """The name of a method, by Numba's key of it."""
+    """The name of a method, from the key under which Numba has it."""
     return str(key[1] if isinstance(key, tuple) else key).rpartition(".")[2]
 
 
 def is_in(key: Any, table: set[Any]) -> bool:
-    """Whether a table has it."""
+    """Whether a set has an element; an element that cannot be hashed is in none."""
     try:
         return key in table
     except TypeError:  # it has no hash
@@ -40,7 +43,7 @@ def is_in(key: Any, table: set[Any]) -> bool:
 
 
 def passes_on(called: Any, key: Any) -> bool:
-    """Whether a function's result may be one of the mixed numbers that it was given."""
+    """Whether a function may return one of its arguments, which may be a mixed number."""
     if isinstance(called, types.NamedTupleClass) or is_in(key, PASSED_ON):
         return True
     choice = isinstance(called, types.BoundFunction) and isinstance(called.this, types.NumPyRandomGeneratorType)
@@ -48,7 +51,7 @@ def passes_on(called: Any, key: Any) -> bool:
 
 
 def holds_real(kind: Any) -> bool:
-    """Whether it is a real number, or holds some (but not as an array, whose numbers are real in Python as well)."""
+    """Whether a type is a real number or contains one. Arrays do not count: their numbers are real in Python too."""
     kind = types.unliteral(kind)
     if isinstance(kind, types.Array):
         return False
@@ -66,17 +69,17 @@ def holds_real(kind: Any) -> bool:
 
 
 def holds_list(kind: Any) -> bool:
-    """Whether it is a list, or a tuple with one in it."""
+    """Whether a type is a list, or a tuple that contains one."""
     return isinstance(kind, types.List) or (isinstance(kind, types.BaseTuple) and any(map(holds_list, kind)))
 
 
 def is_whole_array(kind: Any) -> bool:
-    """Whether it is an array of whole numbers."""
+    """Whether a type is an array of whole numbers."""
     return isinstance(kind, types.Array) and isinstance(kind.dtype, types.Integer)
 
 
 def pairs_of_types(one: Any, other: Any) -> Iterator[tuple[Any, Any]]:
-    """The types of the numbers in two tuples, in pairs."""
+    """The types of the numbers at the same places in two tuples."""
     for part, other_part in zip(one, other, strict=False):
         if isinstance(part, types.BaseTuple) and isinstance(other_part, types.BaseTuple):
             yield from pairs_of_types(part, other_part)

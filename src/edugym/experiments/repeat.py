@@ -275,11 +275,8 @@ def _checkpoints(
     agents: Mapping[str, Any],
     training: dict[str, Any],
 ) -> Checkpoints:
-    """Where finished runs are kept: in the folder, or else beside the file.
-
-    There are no checkpoints if `save_to` is a device such as /dev/null.
-    """
-    if folder is None and save_to is not None and (Path(save_to).is_file() or not Path(save_to).exists()):
+    """Where finished runs are kept: in the folder, or else beside the file."""
+    if folder is None and save_to is not None:
         folder = f"{os.fspath(save_to)}.unfinished"
     store = Checkpoints(None if folder is None else Path(folder))
     for label, agent in agents.items():

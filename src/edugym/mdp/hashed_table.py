@@ -1,4 +1,4 @@
-"""Rows for what has been met, in order of first appearance: a table that is as large as what occurs."""
+"""A table with rows only for the keys that occur, in the order in which they first appear."""
 
 import math
 from typing import Any, NamedTuple
@@ -25,7 +25,7 @@ class HashedTable(NamedTuple):
         keys: shape (capacity, length of a key): those met, in order.
         slots: shape (n_slots,): the row of the key that belongs in a slot plus 1; 0 where there is none.
         rows: shape (1,): how many rows are used.
-        shares: whether keys that come when the table is full share its last row; if not, they are an error.
+        shares: whether all new keys share the last row when the table is full; if not, they are an error.
     """
 
     keys: Any
@@ -93,7 +93,7 @@ class HashedTable(NamedTuple):
         Args:
             key: an array like the keys, of int64 or float64.
             capacity: how many rows there are, from 1 to 2^28.
-            overflow: whether keys that come when the table is full share its last row.
+            overflow: whether all new keys share the last row when the table is full.
 
         Raises:
             ValueError: a parameter is not as said.

@@ -311,10 +311,6 @@ def asked_to_stop(line: int) -> bool:
     return stops
 
 
-GRACE = 2.0
-"""How many seconds a function that is to end is waited for."""
-
-
 def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
     """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
 

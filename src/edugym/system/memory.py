@@ -1,4 +1,4 @@
-"""How much memory a table needs, before it is made."""
+"""Refuses a table that would not fit into memory, before it is made."""
 
 import math
 import os
@@ -14,7 +14,7 @@ def require_memory(name: str, shape: tuple[int, ...], advice: str, item_bytes: i
 
     Args:
         name: what the table is called in the message.
-        shape: of the table, in Python's whole numbers, which hold any size.
+        shape: of the table, as Python's whole numbers, which never overflow.
         advice: what to do instead; the message ends with it.
         item_bytes: the size of one entry.
 

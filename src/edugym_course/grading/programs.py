@@ -61,7 +61,7 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
     def __init__(
         self, environment: Environment, n_steps: float, seed: int, who: str = NAME, fixed: int | None = None
     ) -> None:
-        """Note the steps of `who`, at most `n_steps` and those to the end of the episode.
+        """Note the steps of `who`: at most `n_steps`, and then those to the end of the episode under way.
 
         The environment draws from the seed that the first reset gives, or from `seed` if it gives none; with `fixed`,
         always from that.
@@ -205,7 +205,7 @@ def run_program(
 
 
 def _require_policy(call: str, policy: Any) -> None:
-    """Refuse what is no function of an observation."""
+    """Refuse a returned value that cannot be called with an observation."""
     if policy is None:
         raise WrongAnswer(f"{call} gives None: return the policy, a function from a state to an action")
     if isinstance(policy, type) or not callable(policy):
@@ -258,7 +258,7 @@ def require_reproducible(program: Any, make: Callable[[], Environment], n_steps:
     """Refuse a program whose seed changes nothing, or that does not repeat itself with the same seed.
 
     Raises:
-        WrongAnswer: so it is, or it breaks the contract.
+        WrongAnswer: it does one of the two, or it breaks the contract.
     """
 
     def actions(number: int) -> list[Any]:

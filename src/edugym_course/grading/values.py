@@ -1,4 +1,4 @@
-"""A number against the one worked out by hand, and against those that the usual mistakes would give."""
+"""Compares a student's number with the right one, and with those that the usual mistakes would give."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -14,13 +14,13 @@ from edugym_course.grading.errors import Unsolved, WrongAnswer
 TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
 CARET = "`^` is no power in Python, that is `**`"
-"""What to say of a number in which one stands for the other."""
+"""The hint for a number that comes out if `^` is written for `**`."""
 ROUNDED = "is it rounded? Give the number as it is, without round(), int() or //"
 UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
 def given(what: str, value: Any) -> None:
-    """Refuse an answer that was not given.
+    """Refuse a value that is missing: the placeholder of an exercise, or None.
 
     Raises:
         Unsolved: the value is the placeholder `...`, or None.
@@ -90,7 +90,7 @@ def compare(
         mistakes: by the sentence that tells of it, what each mistake would give. They must differ from `expected`.
         tolerance: how far the number may be from the right one; by default only as far as rounding takes it.
         says: what the sentence says of the number instead of the right one, which would give the answer away.
-        otherwise: what to say of a number that is neither.
+        otherwise: what to say of any other number.
 
     Returns:
         The number.
@@ -148,13 +148,13 @@ def allowance(expected: float) -> float:
 
 
 def _looks_like(found: float, wrong: float, expected: float) -> bool:
-    """Whether a number is what a mistake gives, also when the student has rounded it to a few digits."""
+    """Whether a number is what a mistake gives, perhaps rounded by the student to a few digits."""
     close = 2e-3 * abs(wrong) + 1e-12
     return abs(found - wrong) <= close and abs(found - wrong) < abs(found - expected)
 
 
 def rounded_alike(found: Sequence[float], expected: Sequence[float]) -> bool:
-    """Whether numbers are the right ones, all rounded in one way: cut off, or to so many digits after the point."""
+    """Whether numbers are the right ones, all rounded alike: to whole numbers towards 0, or to some decimal places."""
     roundings: list[Callable[[float], float]] = [math.trunc, *(partial(round, ndigits=places) for places in range(7))]
     return any(all(map(same, found, map(rounding, expected))) for rounding in roundings)
 

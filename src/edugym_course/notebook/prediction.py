@@ -51,7 +51,7 @@ class Prediction(NotebookWidget):
             return None
 
     def measured(self, value: Any, explanation: str = "") -> "Comparison":
-        """Compare the answer with what was measured: `prediction.measured(41.3)`.
+        """Compare the answer with what was measured, as in `prediction.measured(41.3)`.
 
         Args:
             value: what was measured: a number, or the option that turned out to be right.
@@ -77,11 +77,11 @@ class Comparison:
     """A prediction beside what was measured. In a notebook it shows itself."""
 
     def __init__(self, answer: Any, value: Any, unit: str, explanation: str) -> None:
-        """Keep the four."""
+        """Keep what it will show."""
         self._parts = answer, value, unit, explanation
 
     def __repr__(self) -> str:
-        """Both and the explanation, in words."""
+        """The prediction, what was measured, and the explanation, in words."""
         answer, value, unit, explanation = self._parts
         seen = f"Measured: {_written(value, unit)}."
         if answer is None:

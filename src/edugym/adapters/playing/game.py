@@ -130,7 +130,7 @@ class Game:
         return "\n".join(filter(None, lines))
 
     def history(self) -> str:
-        """A line about the finished episodes: their number, the last ten totals, and the mean of all."""
+        """A line on the finished episodes: how many there are, the last ten totals, and the mean of all totals."""
         if not self.returns:
             return "No episode finished yet."
         last = ", ".join(f"{value:.4g}" for value in self.returns[-10:])

@@ -262,16 +262,13 @@ class Results:
         """Write the table as a compact CSV file, and a JSON file beside it with what is the same in all rows.
 
         The JSON file has the name of the CSV file with `.json` added. It holds the configuration, seeds and layout
-        seeds, and a hash of the CSV file, so that two files that do not belong together are noticed. To a device or a
-        pipe, such as /dev/stdout, the whole table is written as one CSV file.
+        seeds, and a hash of the CSV file, so that two files that do not belong together are noticed.
 
         Raises:
             ValueError: the path is none.
             OSError: a file cannot be written.
         """
         path = a_path("path", path)
-        if path.exists() and not path.is_file():
-            return write_whole(path, _csv(self.table))
         import pandas
 
         rest = self.table

@@ -120,11 +120,6 @@ def noise_label(tau: float) -> str:
     return "τ = ∞" if tau == math.inf else f"τ = {tau:g}"
 
 
-def compare_noise(taus: Sequence[float] = TAUS, **how: Any) -> dict[float, Results]:
-    """Train Q-learning on messages of one word at several τ; arguments as in `learn`."""
-    return {tau: learn(parameters={"tau": tau}, **how) for tau in taus}
-
-
 def compare_vocabularies(sizes: Sequence[int] = VOCABULARIES, **how: Any) -> Results:
     """Train Q-learning without noise on vocabularies of several sizes; arguments as in `learn`."""
     return conditions({f"{size} words": learn(parameters={"vocab_size": size}, **how) for size in sizes})
