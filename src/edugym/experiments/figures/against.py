@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, axes_or_new, dress, plot_with_band
+from edugym.experiments.figures.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    add_legend,
+    axes_or_new,
+    dress,
+    plot_with_band,
+    stroke,
+)
 from edugym.experiments.results.statistics import by_point
 from edugym.mdp.protocol import Reals
 
@@ -41,7 +49,7 @@ class Against(NamedTuple):
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
         ax = axes_or_new(ax)
         for i, (method, rows) in enumerate(self.measured.items()):
-            plot_with_band(ax, i, np.array(self.x), by_point(np.array(rows)), method, marker="o", markersize=3)
+            plot_with_band(ax, stroke(i), np.array(self.x), by_point(np.array(rows)), method, marker="o", markersize=3)
         for (label, line), look in zip(self.theory.items(), cycle((REFERENCE, SOFT_REFERENCE)), strict=False):
             ax.plot(self.x, line, label=label, **look)
         if self.log:

@@ -1,6 +1,6 @@
 """Learning curves."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -10,11 +10,13 @@ from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
+    Stroke,
     add_legend,
     axes_or_new,
     dress,
     format_steps,
     plot_with_band,
+    strokes_of,
 )
 from edugym.experiments.results.statistics import by_point
 from edugym.experiments.results.tables import Results
@@ -50,6 +52,7 @@ class Curves(NamedTuple):
             averages none. Training returns are weighted by their numbers of episodes.
         y_label: the label of the y axis; None describes the column.
         y_range: both ends of the y axis, to cut off a bad start; None shows everything.
+        strokes: by label of the method, the look of its curve; else it is that of its place among the methods.
     """
 
     results: Results
@@ -63,6 +66,7 @@ class Curves(NamedTuple):
     smooth: int | None = None
     y_label: str | None = None
     y_range: tuple[float, float] | None = None
+    strokes: Mapping[str, Stroke] | None = None
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes.
@@ -72,10 +76,10 @@ class Curves(NamedTuple):
         """
         self._check()
         ax = axes_or_new(ax)
-        for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
+        for method, drawn in strokes_of(self.shown, self.strokes).items():
             steps, values = self.points(method)
             intervals = by_point(values, share=self.share and self.smooth is None)
-            plot_with_band(ax, i, steps, intervals, method)
+            plot_with_band(ax, drawn, steps, intervals, method)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         if self.soft_optimum is not None:
@@ -110,6 +114,11 @@ class Curves(NamedTuple):
         if self.y_range is not None:
             for end in an_array("y_range", self.y_range, (2,)):
                 a_number("y_range", end)
+
+    @property
+    def shown(self) -> Sequence[str]:
+        """The labels of the methods that are drawn, in order."""
+        return self.results.methods if self.methods is None else self.methods
 
     def points(self, method: str) -> tuple[Integers, Reals]:
         """The steps of a method, and its curves, smoothed: shape (n_points, n_repetitions)."""

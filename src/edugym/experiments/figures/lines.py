@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edugym.checks.parameters import an_array, in_short, true_or_false
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, plot_line
+from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, axes_or_new, dress, plot_line, strokes_of
 from edugym.mdp.protocol import Reals
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ class Lines(NamedTuple):
         y_label: the label of the y axis.
         theory: by label, the values that theory predicts, shape (n,).
         log: whether the y axis is logarithmic.
+        strokes: by label of the method, the look of its line; else it is that of its place among the lines.
     """
 
     x: Reals
@@ -33,6 +34,7 @@ class Lines(NamedTuple):
     y_label: str = ""
     theory: Mapping[str, Reals] = MappingProxyType({})
     log: bool = False
+    strokes: Mapping[str, Stroke] | None = None
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
@@ -40,8 +42,8 @@ class Lines(NamedTuple):
         true_or_false("log", self.log)
         lines, theory = (self._checked(name, len(x)) for name in ("lines", "theory"))
         ax = axes_or_new(ax)
-        for i, (method, line) in enumerate(lines.items()):
-            plot_line(ax, i, x, line, method)
+        for method, drawn in strokes_of(lines, self.strokes).items():
+            plot_line(ax, drawn, x, lines[method], method)
         for label, line in theory.items():
             ax.plot(x, line, label=label, **REFERENCE)
         if self.log:

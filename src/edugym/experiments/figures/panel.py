@@ -50,6 +50,31 @@ class Panel(Protocol):
         """
 
 
+class With(NamedTuple):
+    """A panel, and what is drawn on it besides, such as lines to compare with.
+
+    Attributes:
+        panel: the panel.
+        more: draws the rest on the panel's axes.
+    """
+
+    panel: Panel
+    more: Callable[["Axes"], object]
+
+    @property
+    def title(self) -> str:
+        """The text above the axes."""
+        return self.panel.title
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the panel and then the rest on `ax`, by default in a new figure, and return the axes."""
+        ax = self.panel.draw(ax, place)
+        self.more(ax)
+        if place.alone and ax.get_legend_handles_labels()[1]:
+            add_legend(ax)
+        return ax
+
+
 def on_axes(draw: Callable[[Any, "Axes"], None]) -> Callable[..., "Axes"]:
     """Make the method `draw` of a panel from one that draws on the axes that it is given.
 

@@ -1,7 +1,7 @@
 """The look of all figures. No setting of Matplotlib changes, so that a reader's own figures stay as they are."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from io import BytesIO
 from pathlib import Path
 from types import MappingProxyType
@@ -80,17 +80,28 @@ def axes_or_new(ax: "Axes | None") -> "Axes":
     return pyplot.subplots(figsize=(5.2, 3.6), layout="constrained")[1]
 
 
-def plot_line(ax: "Axes", index: int, x: Integers | Reals, values: Reals, label: str, **look: Any) -> None:
-    """Draw the line of the method with this index."""
-    color, linestyle = stroke(index)
-    ax.plot(x, values, color=color, linestyle=linestyle, linewidth=1.6, label=label, **look)
+def strokes_of(methods: Iterable[str], chosen: Mapping[str, Stroke] | None) -> dict[str, Stroke]:
+    """The stroke of each method: the chosen one, or else that of its place among the methods.
+
+    Raises:
+        ValueError: `chosen` is no dictionary of strokes.
+    """
+    chosen = {} if chosen is None else chosen
+    if not isinstance(chosen, Mapping) or not all(isinstance(one, Stroke) for one in chosen.values()):
+        raise ValueError(f"strokes must be a dictionary from labels to `Stroke`, but is {in_short(chosen)}")
+    return {method: chosen.get(method, stroke(i)) for i, method in enumerate(methods)}
 
 
-def plot_with_band(ax: "Axes", index: int, x: Integers | Reals, intervals: Reals, label: str, **look: Any) -> None:
-    """Draw the line of the method with this index through estimates, with intervals (from `by_point`) as a band."""
+def plot_line(ax: "Axes", drawn: Stroke, x: Integers | Reals, values: Reals, label: str, **look: Any) -> None:
+    """Draw the line of a method."""
+    ax.plot(x, values, color=drawn.color, linestyle=drawn.linestyle, linewidth=1.6, label=label, **look)
+
+
+def plot_with_band(ax: "Axes", drawn: Stroke, x: Integers | Reals, intervals: Reals, label: str, **look: Any) -> None:
+    """Draw the line of a method through estimates, with intervals (from `by_point`) as a band."""
     estimate, low, high = intervals.T
-    plot_line(ax, index, x, estimate, label, **look)
-    ax.fill_between(x, low, high, color=stroke(index).color, alpha=0.16, linewidth=0)
+    plot_line(ax, drawn, x, estimate, label, **look)
+    ax.fill_between(x, low, high, color=drawn.color, alpha=0.16, linewidth=0)
 
 
 def add_legend(ax: "Axes") -> None:

@@ -9,7 +9,9 @@ from edugym.agents.features import linear_value
 from edugym.envs.trashbot.geometry import SHOULDER_Y, arm
 from edugym.envs.trashbot.task import Trashbot
 from edugym.experiments.figures.curves import Curves
+from edugym.experiments.figures.panel import With
 from edugym.experiments.figures.sheet import Sheet
+from edugym.experiments.figures.style import stroke
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results, joined
 from edugym.mdp.tabular import Tabular
@@ -34,7 +36,8 @@ from edugym_course.lessons.continuous_actions.panels import (
     Noise,
     Places,
     Slope,
-    WithBest,
+    run_by_run,
+    with_best,
 )
 from edugym_course.lessons.continuous_actions.ppo import ACTIONS
 from edugym_course.lessons.continuous_actions.release import (
@@ -58,12 +61,12 @@ def exact_figure(width: float = WIDTH, bins: Sequence[int] = SHOWN_BINS) -> Shee
     return Sheet("exact", [[places, BestReturns(bins, width)]])
 
 
-def curves(results: Results, title: str = "", width: float = WIDTH, **look: Any) -> WithBest:
+def curves(results: Results, title: str = "", width: float = WIDTH, **look: Any) -> With:
     """Return learning curves, with the best return that each number of bins allows."""
     labels = [label for label in ACTIONS if label in results.methods]
     best = {label: best_return(ACTIONS[label], width) for label in labels}
-    strokes = [list(ACTIONS).index(label) for label in labels]
-    return WithBest(Curves(results, title, methods=labels, y_range=(-2.1, 5.2), **look), strokes, best)
+    strokes = {label: stroke(i) for i, label in enumerate(ACTIONS)}
+    return with_best(Curves(results, title, methods=labels, y_range=(-2.1, 5.2), strokes=strokes, **look), best)
 
 
 def ppo_figure(stored: Results) -> Sheet:
@@ -111,8 +114,9 @@ def one_setting(
         f"{bins} bins, {cells} cells, α = {alpha:g}; σ = {sigma:g}, actor's rate {actor_rate:g};"
         f"\nγ = {gamma:g}, width {width:g}"
     )
-    both = joined([table.renamed("REINFORCE, table"), real.renamed("Gaussian actor-critic")])
-    return Sheet("one_setting", [[WithBest(Curves(both, title, y_range=(-2.1, 5.2)), strokes=(6, 3), runs=True)]])
+    strokes = {"REINFORCE, table": stroke(6), "Gaussian actor-critic": stroke(3)}
+    both = joined([one.renamed(label) for one, label in zip((table, real), strokes, strict=True)])
+    return Sheet("one_setting", [[run_by_run(Curves(both, title, y_range=(-2.1, 5.2), strokes=strokes))]])
 
 
 def gradient_figure(mu: float = 0.6, sigma: float = 0.5, n: int = 1_000, baseline: float = 0.0, seed: int = 0) -> Sheet:
@@ -191,13 +195,15 @@ def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 40_000, repe
     parts.append(repeat(in_a_table(n_bins), dict(own), n_steps, **mine))
     results = joined(parts)
     best = dict.fromkeys(results.methods[:1], best_return(n_bins))
-    look = Curves(results, f"{n_bins} bins, {CELLS} cells", y_range=(-2.1, 5.2))
-    return Sheet("race", [[WithBest(look, (4, 5, 6), best)]])
+    strokes = {label: stroke(i) for i, label in enumerate(results.methods, start=4)}
+    curves = Curves(results, f"{n_bins} bins, {CELLS} cells", y_range=(-2.1, 5.2), strokes=strokes)
+    return Sheet("race", [[with_best(curves, best)]])
 
 
 def lake_figure(lake: Results) -> Sheet:
     """Return the learning curves of REINFORCE on the frozen lake, with a baseline and without."""
-    return Sheet("lake", [[WithBest(Curves(lake, "FrozenLake", smooth=3, y_range=(-0.05, 1.1)), (4, 5))]])
+    strokes = {label: stroke(i) for i, label in enumerate(lake.methods, start=4)}
+    return Sheet("lake", [[Curves(lake, "FrozenLake", smooth=3, y_range=(-0.05, 1.1), strokes=strokes)]])
 
 
 def maps(table: Any, real: Any, n_bins: int = 5, n: int = 120) -> Sheet:

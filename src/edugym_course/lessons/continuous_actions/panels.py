@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym.envs.trashbot.geometry import REACH
 from edugym.experiments.figures.curves import Curves
-from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.panel import ALONE, Place, With, on_axes
 from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
@@ -18,6 +18,7 @@ from edugym.experiments.figures.style import (
     axes_or_new,
     dress,
     stroke,
+    strokes_of,
 )
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
@@ -39,43 +40,27 @@ def shade(share: float) -> tuple[float, float, float]:
     return 0.55 * share + 0.25, 0.65 * (1 - share) + 0.1, 0.75 - 0.25 * share
 
 
-class WithBest(NamedTuple):
-    """Learning curves, and for each method a dotted line in its colour: the best return that its actions allow.
+def with_best(curves: Curves, best: Mapping[str, float]) -> With:
+    """Return learning curves, and for methods a dotted line in their colour: the best return that is possible."""
 
-    Attributes:
-        curves: the learning curves.
-        strokes: the number of the stroke of each method, in order.
-        best: by label, the best return.
-        runs: whether to draw each run as a thin line in the place of the band.
-    """
+    def best_return_of_each(ax: "Axes") -> None:
+        for method, drawn in strokes_of(curves.shown, curves.strokes).items():
+            if method in best:
+                ax.axhline(best[method], **{**SOFT_REFERENCE, "color": drawn.color, "linewidth": 1.0})
+        ax.plot([], [], label="best possible", **SOFT_REFERENCE)
 
-    curves: Curves
-    strokes: Sequence[int]
-    best: Mapping[str, float] = MappingProxyType({})
-    runs: bool = False
+    return With(curves, best_return_of_each)
 
-    @property
-    def title(self) -> str:
-        """The text above the axes."""
-        return self.curves.title
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = self.curves.draw(ax, place)
-        methods = self.curves.methods or self.curves.results.methods
-        for method, line, band, number in zip(methods, ax.lines[:], ax.collections[:], self.strokes, strict=False):
-            line.set(color=stroke(number).color, linestyle=stroke(number).linestyle)
-            band.set_color(stroke(number).color)
-            if self.runs:
-                band.set_visible(False)
-                ax.plot(*self.curves.points(method), color=stroke(number).color, linewidth=0.6, alpha=0.5)
-            if method in self.best:
-                ax.axhline(self.best[method], **{**SOFT_REFERENCE, "color": stroke(number).color, "linewidth": 1.0})
-        if self.best:
-            ax.plot([], [], label="best possible", **SOFT_REFERENCE)
-        if place.alone:
-            add_legend(ax)
-        return ax
+def run_by_run(curves: Curves) -> With:
+    """Return learning curves with each run as a thin line in the place of the band."""
+
+    def runs(ax: "Axes") -> None:
+        for band, (method, drawn) in zip(ax.collections, strokes_of(curves.shown, curves.strokes).items(), strict=True):
+            band.set_visible(False)
+            ax.plot(*curves.points(method), color=drawn.color, linewidth=0.6, alpha=0.5)
+
+    return With(curves, runs)
 
 
 class Places(NamedTuple):

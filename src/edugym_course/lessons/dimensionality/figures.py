@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.catch import Fall
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.panel import ALONE, Place, With, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     BLACK,
@@ -95,52 +95,37 @@ ARROWS = ("←", "•", "→")
 CAUGHT, MISSED = "#cfe8d5", "#f4c7c3"
 
 
-def looks_of(methods: Iterable[str]) -> list[Stroke]:
+def looks_of(methods: Iterable[str]) -> dict[str, Stroke]:
     """Return the stroke of each method."""
-    own, looks = 0, []
-    for method in methods:
-        looks.append(LOOKS.get(method, OWN[own % len(OWN)]))
-        own += method not in LOOKS
-    return looks
+    methods = [*methods]
+    own = [method for method in methods if method not in LOOKS]
+    return {method: LOOKS.get(method) or OWN[own.index(method) % len(OWN)] for method in methods}
 
 
 class Learning(Curves):
-    """Learning curves in the colours of the lesson."""
+    """Learning curves of which a few runs are drawn one by one."""
 
     __slots__ = ()
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = super().draw(ax, place)
-        looks = looks_of(self.results.methods if self.methods is None else self.methods)
-        methods = self.results.methods if self.methods is None else [*self.methods]
-        for method, look, line, band in zip(methods, looks, ax.get_lines(), [*ax.collections], strict=False):
-            line.set(color=look.color, linestyle=look.linestyle)
-            band.set(color=look.color, linewidth=0)
+        for (method, look), band in zip(looks_of(self.shown).items(), [*ax.collections], strict=False):
             steps, values = self.points(method)
             if values.shape[1] <= FEW:  # too few runs for an interval: each is drawn
                 band.remove()
                 ax.plot(steps, values, color=look.color, linewidth=0.7, alpha=0.6)
         if self.results.methods[0] in (POSITIONS, NETWORK) and len(self.results.methods) == 2:
             ax.get_lines()[0].set(linewidth=4.0, alpha=0.6)  # the second line may lie on it
-        if place.alone:
-            add_legend(ax)
+            if place.alone:
+                add_legend(ax)
         return ax
 
 
-class Coloured(Lines):
-    """Lines in the colours of the lesson."""
-
-    __slots__ = ()
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = super().draw(ax, place)
-        for look, line in zip(looks_of(self.lines), ax.get_lines(), strict=False):
-            line.set(color=look.color, linestyle=look.linestyle)
-        if place.alone:
-            add_legend(ax)
-        return ax
+def learning(results: Results, title: str, **how: Any) -> Learning:
+    """Return learning curves in the colours of the lesson; other arguments as of `Curves`."""
+    how = {"optimum": 1.0, "y_range": (-1.05, 1.05), **how}
+    return Learning(results, title, strokes=looks_of(how.get("methods", results.methods)), **how)
 
 
 class Dots(NamedTuple):
@@ -157,7 +142,7 @@ class Dots(NamedTuple):
     @on_axes
     def draw(self, ax: "Axes") -> None:
         """Draw both."""
-        for row, (by_column, look) in enumerate(zip(self.tests.values(), looks_of(self.tests), strict=True)):
+        for row, (by_column, look) in enumerate(zip(self.tests.values(), looks_of(self.tests).values(), strict=True)):
             for at, columns, filled in ((row - 0.14, TRAINED, True), (row + 0.14, WITHHELD, False)):
                 found = mean_interval(by_column[[*columns]].mean(axis=0))
                 ax.plot([max(found.low, -1.0), min(found.high, 1.0)], [at, at], color=look.color, linewidth=1.4)
@@ -216,7 +201,7 @@ def _listed(columns: Sequence[int]) -> str:
 
 def table_and_network(panels: Mapping[str, Results]) -> Sheet:
     """Return a panel of learning curves for each kind of observation."""
-    curves = [Learning(results, title, optimum=1.0, y_range=(-1.05, 1.05)) for title, results in panels.items()]
+    curves = [learning(results, title) for title, results in panels.items()]
     half = -(-len(curves) // 2)
     return Sheet("dimensionality", [curves[:half], curves[half:]] if len(curves) > 3 else [curves])
 
@@ -238,13 +223,12 @@ def boards_figure(
     how: dict[str, Any] = {"n_steps": n_steps, "repetitions": repetitions, "jobs": 1}
     size = learn(on_board(columns, "vectorised"), TABLE, make, **how)
     noise = learn(pixels(levels=levels, capacity=60_000), TABLE, make, **how)
-    look: dict[str, Any] = {"optimum": 1.0, "y_range": (-1.05, 1.05)}
     settings = f"ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
     titles = (
         f"{columns} columns, {2 * columns} rows, no noise\n{settings}",
         f"one pixel of {levels} levels\n{settings}" if levels else f"no noise\n{settings}",
     )
-    return Sheet("boards", [[Learning(one, title, **look) for one, title in zip((size, noise), titles, strict=True)]])
+    return Sheet("boards", [[learning(one, title) for one, title in zip((size, noise), titles, strict=True)]])
 
 
 def network_figure(
@@ -256,7 +240,7 @@ def network_figure(
     make = network(hidden=hidden, learning_rate=alpha, discount=gamma, exploration=EpsilonGreedy(epsilon))
     results = learn(seen(sigma=sigma), NETWORK, make, n_steps=n_steps, points=10, repetitions=repetitions, jobs=1)
     title = f"{hidden} hidden units, σ = {sigma:g}\nε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
-    return Sheet("network", [[Learning(results, title, optimum=1.0, y_range=(-1.05, 1.05))]])
+    return Sheet("network", [[learning(results, title)]])
 
 
 def withheld(tests: Mapping[str, Reals], own: Mapping[str, Reals] | None = None) -> Sheet:
@@ -289,7 +273,8 @@ def size_sheet(sizes: Sequence[int] = (3, 4, 5, 6, 7, 8, 9, 10)) -> Sheet:
     weights = np.array([math.log10(n_weights(2 * n, n)) for n in sizes])
     lines = {**dense, "boards that occur": occur, "weights of a network (64 hidden units)": weights}
     names = "columns (and twice as many rows)", "power of ten"
-    return Sheet("table_sizes", [[Coloured(np.array(sizes, float), lines, "how large?", *names, log=True)]])
+    panel = Lines(np.array(sizes, float), lines, "how large?", *names, log=True, strokes=looks_of(lines))
+    return Sheet("table_sizes", [[panel]])
 
 
 def costs_figure(costs: Mapping[int, Mapping[str, float]]) -> Sheet:
@@ -297,7 +282,8 @@ def costs_figure(costs: Mapping[int, Mapping[str, float]]) -> Sheet:
     sizes = [*costs]
     lines = {label: np.array([costs[n][label] for n in sizes]) for label in (TABLE, NETWORK)}
     names = "columns (and twice as many rows)", "training steps to a return of 0.99"
-    return Sheet("costs", [[Coloured(np.array(sizes, float), lines, "cost against the size of the board", *names)]])
+    title = "cost against the size of the board"
+    return Sheet("costs", [[Lines(np.array(sizes, float), lines, title, *names, strokes=looks_of(lines))]])
 
 
 def growth(gamma: float = 0.9, alpha: float = 0.1, copy_every: int = 20, n_updates: int = 100) -> Sheet:
@@ -308,7 +294,8 @@ def growth(gamma: float = 0.9, alpha: float = 0.1, copy_every: int = 20, n_updat
         "both steps, as on-policy": w_to_2w(n_updates, gamma, alpha, whole_way=True),
     }
     title = f"γ = {gamma:g}, α = {alpha:g}"
-    panel = Coloured(np.arange(n_updates + 1.0), lines, title, "updates", "weight w (should become 0)", log=True)
+    names = "updates", "weight w (should become 0)"
+    panel = Lines(np.arange(n_updates + 1.0), lines, title, *names, log=True, strokes=looks_of(lines))
     return Sheet("triad", [[panel]])
 
 
@@ -319,36 +306,14 @@ def stored_networks(live: Mapping[str, Any] | None = None) -> Sheet:
         live: by label, the `Run`.
     """
     results = STORED.load()
-    look: dict[str, Any] = {"optimum": 1.0, "y_range": (-1.05, 1.05)}
-    panels: list[Any] = [
-        Learning(results, "grid (50 numbers)", methods=[DQN_GRID, PPO_GRID, OUR_PPO], **look),
-        WithRuns(Learning(results, "image (150)", methods=[DQN_IMAGE, PPO_IMAGE, PPO_DARK], **look), live or {}),
-    ]
-    return Sheet("networks", [panels])
 
-
-class WithRuns(NamedTuple):
-    """Learning curves, and single runs as thin black lines.
-
-    Attributes:
-        curves: the learning curves.
-        runs: by label, a `Run`.
-    """
-
-    curves: Learning
-    runs: Mapping[str, Any]
-
-    @property
-    def title(self) -> str:
-        """The text above the axes."""
-        return self.curves.title
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = self.curves.draw(ax, place)
-        for label, run in self.runs.items():
+    def single_runs(ax: "Axes") -> None:
+        for label, run in (live or {}).items():
             ax.plot(run.steps, run.returns, color=BLACK, linewidth=1.0, label=label)
-        return ax
+
+    grid = learning(results, "grid (50 numbers)", methods=[DQN_GRID, PPO_GRID, OUR_PPO])
+    image = learning(results, "image (150)", methods=[DQN_IMAGE, PPO_IMAGE, PPO_DARK])
+    return Sheet("networks", [[grid, With(image, single_runs)]])
 
 
 def shared_by_column(label: str) -> Reals:
@@ -359,7 +324,5 @@ def shared_by_column(label: str) -> Reals:
 
 def car_figure(results: Results) -> Sheet:
     """Return the training returns of the car."""
-    curves = Learning(
-        results, "MountainCar", column="training_return", y_label="mean return of the episodes", y_range=CAR_RANGE
-    )
-    return Sheet("car", [[curves]])
+    how: dict[str, Any] = {"column": "training_return", "y_label": "mean return of the episodes"}
+    return Sheet("car", [[learning(results, "MountainCar", optimum=None, y_range=CAR_RANGE, **how)]])

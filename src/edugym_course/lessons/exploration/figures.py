@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from edugym.experiments.figures import Curves, Lines, Sheet, VisitMap
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import With
 from edugym.experiments.figures.sheet import in_pairs
 from edugym.experiments.figures.style import format_steps
 from edugym.experiments.results.tables import Results
@@ -27,19 +27,6 @@ from edugym_course.reporting import for_mdp
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-
-class Progress(Lines):
-    """Lines over the training steps."""
-
-    __slots__ = ()
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = super().draw(ax, place)
-        ax.set_xlim(self.x[0], self.x[-1])
-        format_steps(ax)
-        return ax
 
 
 def learning_curves(by_height: Mapping[int, Results], n_grips: int = 2, epsilon: float = EPSILON) -> Sheet:
@@ -85,16 +72,23 @@ def curves(results: Results, height: int, n_grips: int = 2, epsilon: float = EPS
     )
 
 
-def progress(results: Results, height: int) -> Progress:
+def progress(results: Results, height: int) -> With:
     """Return the highest position that was visited so far, in the course of training: a mean over the runs."""
     runs = {method: visits_of(results, method) for method in results.methods}
-    return Progress(
-        np.linspace(0.0, results.table["step"].max(), 101),
+    last = float(results.table["step"].max())
+    lines = Lines(
+        np.linspace(0.0, last, 101),
         {method: np.mean([highest_so_far(run) for run in visits], axis=0) for method, visits in runs.items() if visits},
         f"how far, on height {height}",
         "training steps",
         "highest position so far",
     )
+
+    def over_steps(ax: "Axes") -> None:
+        ax.set_xlim(0.0, last)
+        format_steps(ax)
+
+    return With(lines, over_steps)
 
 
 def highest_so_far(visits: Integers) -> Integers:

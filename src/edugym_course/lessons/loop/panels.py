@@ -7,7 +7,7 @@ import numpy as np
 from edugym.adapters.registration import make_environment
 from edugym.envs.supermarket import Supermarket
 from edugym.experiments.figures.panel import ALONE, Place, on_axes
-from edugym.experiments.figures.style import VERMILION, axes_or_new, dress, plot_line
+from edugym.experiments.figures.style import VERMILION, axes_or_new, dress, plot_line, stroke
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
@@ -94,7 +94,7 @@ class RewardBars(NamedTuple):
             label=None if self.returns is None else "reward of this step",
         )
         if self.returns is not None:
-            plot_line(ax, 0, steps, self.returns, "return from this step on")
+            plot_line(ax, stroke(0), steps, self.returns, "return from this step on")
         ax.axhline(0.0, color=INK, linewidth=0.6)
         top = self.rewards if self.returns is None else self.returns
         ax.set_ylim(-3.0, max(52.0, 1.1 * float(top.max())))

@@ -1,14 +1,13 @@
 """The figures of lesson 5."""
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.panel import With, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     DEEP_BLUE,
@@ -18,14 +17,11 @@ from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
     VERMILION,
-    add_legend,
-    axes_or_new,
     dress,
     stroke,
 )
 from edugym.experiments.results.statistics import Interval, mean_interval
 from edugym.experiments.results.tables import Results
-from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK, SHADE, WHITE
 from edugym_course.lessons.memory.network import WINDOWS
 from edugym_course.lessons.memory.players import (
@@ -60,37 +56,15 @@ STEPS = 100_000
 """The training steps of the lesson's runs."""
 
 
-class WithBest(NamedTuple):
-    """Learning curves, and for each method a dotted line in its colour: the best play that its window allows.
+def with_best(curves: Curves, best: Mapping[str, float]) -> With:
+    """Return learning curves, and for each method a dotted line in its colour: the best play that its window allows."""
 
-    Attributes:
-        curves: the learning curves.
-        best: by label, the value of the best play.
-        log: whether the y axis is logarithmic.
-    """
+    def best_play_of_each(ax: "Axes") -> None:
+        for i, method in enumerate(curves.results.methods):
+            ax.axhline(best[method], **{**SOFT_REFERENCE, "color": stroke(i).color, "linewidth": 1.1})
+        ax.plot([], [], label=BEST, **SOFT_REFERENCE)
 
-    curves: Curves
-    best: Mapping[str, float] = MappingProxyType({})
-    log: bool = False
-
-    @property
-    def title(self) -> str:
-        """The text above the axes."""
-        return self.curves.title
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = self.curves.draw(ax, place)
-        for i, method in enumerate(self.curves.results.methods):
-            if method in self.best:
-                ax.axhline(self.best[method], **{**SOFT_REFERENCE, "color": stroke(i).color, "linewidth": 1.1})
-        if self.best:
-            ax.plot([], [], label=BEST, **SOFT_REFERENCE)
-        if self.log:
-            ax.set_yscale("log")
-        if place.alone:
-            add_legend(ax)
-        return ax
+    return With(curves, best_play_of_each)
 
 
 class Walk(NamedTuple):
@@ -203,7 +177,7 @@ def compare_windows(
     top = 1.1 * max(best_play(int(label[4:]), True, num_doors).value for label in both.methods)
     for results, actions, title in zip((frames, both), (False, True), titles, strict=True):
         best = {label: best_play(int(label[4:]), actions, num_doors).value for label in results.methods}
-        panels.append(WithBest(Curves(results, title, y_range=(0.0, top)), best))
+        panels.append(with_best(Curves(results, title, y_range=(0.0, top)), best))
     return Sheet("windows", [panels])
 
 
@@ -234,37 +208,11 @@ def one_window(
     parts = [_renamed(learn_all([k], actions, **how), label, k) for label, actions in kinds.items()]
     best = {label: best_play(k, actions and k > 1, num_doors).value for label, actions in kinds.items()}
     title = f"k = {k}, {num_doors} doors, ε = {epsilon:g}, α = {learning_rate:g}, γ = {discount:g}"
-    return Sheet("one_window", [[WithBest(Curves(joined(parts), title), best)]])
+    return Sheet("one_window", [[with_best(Curves(joined(parts), title), best)]])
 
 
-class WithLaws(NamedTuple):
-    """Lines, and circles for what the laws say.
-
-    Attributes:
-        lines: the lines.
-        laws: for each law its values, shape (n,).
-    """
-
-    lines: Lines
-    laws: Sequence[Reals]
-
-    @property
-    def title(self) -> str:
-        """The text above the axes."""
-        return self.lines.title
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw lines and circles on `ax`, by default in a new figure, and return the axes."""
-        ax = self.lines.draw(axes_or_new(ax), place)
-        for i, law in enumerate(self.laws):
-            ax.plot(self.lines.x, law, "o", color=INK, fillstyle="none", markersize=7, label="" if i else "the laws")
-        if place.alone:
-            add_legend(ax)
-        return ax
-
-
-def window_lines(lengths: Sequence[int]) -> WithLaws:
-    """Return the smallest windows of perfect play, found by trying all doors, and both laws."""
+def window_lines(lengths: Sequence[int]) -> With:
+    """Return the smallest windows of perfect play, found by trying all doors, and circles for what both laws say."""
     lines = Lines(
         np.array(lengths, float),
         {
@@ -275,7 +223,12 @@ def window_lines(lengths: Sequence[int]) -> WithLaws:
         "L",
         "smallest window",
     )
-    return WithLaws(lines, [np.array([law(length) for length in lengths], float) for law in (window_law, action_law)])
+
+    def circles(ax: "Axes") -> None:
+        for label, law in (("the laws", window_law), ("", action_law)):
+            ax.plot(lengths, [*map(law, lengths)], "o", color=INK, fillstyle="none", markersize=7, label=label)
+
+    return With(lines, circles)
 
 
 class Worth(NamedTuple):
@@ -370,7 +323,8 @@ def race(
     parts = [_renamed(frames, FRAMES_ALONE, 4), _renamed(both, WITH_ACTIONS, 4)]
     settings: dict[str, Any] = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT, "epsilon": EPSILON}
     parts += [learn_on(task, label, **settings, **how) for label, task in own.items()]
-    return Sheet("race", [[WithBest(Curves(joined(parts), "yours, and windows of 4"), log=log)]])
+    curves = Curves(joined(parts), "yours, and windows of 4")
+    return Sheet("race", [[With(curves, lambda ax: ax.set_yscale("log" if log else "linear"))]])
 
 
 def _renamed(results: Results, label: str, k: int) -> Results:

@@ -570,7 +570,7 @@ depth
 short = {label: LEARNED[label] for label in ("Q-learning", "Dyna-10")}
 beginners = compare(short, n_steps=2_000, repetitions=30)
 looking = figures.look_ahead_lines(beginners)
-display(Sheet("ahead", [[looking, figures.Close(looking, (50.0, 100.0))]]))
+display(Sheet("ahead", [[looking, figures.close(looking, 50.0, 100.0)]]))
 depths = [0, 7, 8, 9, 10, 11, 12]
 print(f"{'it looks ahead':14}:", *(f"{d:5}" for d in depths))
 for method, returns in looking.lines.items():

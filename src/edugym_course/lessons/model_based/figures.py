@@ -10,13 +10,12 @@ import numpy as np
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.panel import With, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import BLACK, BROWN, PURPLE, REFERENCE, Stroke, add_legend, dress, stroke
+from edugym.experiments.figures.style import BLACK, BROWN, PURPLE, REFERENCE, Stroke, dress, plot_line, stroke
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
-from edugym.rendering.palette import INK
 from edugym_course.lessons.model_based.methods import (
     DECAYING,
     DYNA_10,
@@ -66,7 +65,7 @@ OWN = (
 """The strokes of a reader's own methods, in their order."""
 
 
-def strokes_of(methods: Iterable[str]) -> dict[str, dict[str, Any]]:
+def looks_of(methods: Iterable[str]) -> dict[str, Stroke]:
     """Return the look of the line of each method; Dyna with another number of updates has that of Dyna-10."""
     methods = [*methods]
     looks: dict[str, Stroke] = {}
@@ -76,64 +75,12 @@ def strokes_of(methods: Iterable[str]) -> dict[str, dict[str, Any]]:
         index = STROKES.get(method, STROKES[DYNA_10] if other_dyna else None)
         looks[method] = OWN[own % len(OWN)] if index is None else stroke(index)
         own += index is None
-    return {method: look._asdict() for method, look in looks.items()}
+    return looks
 
 
-class Learning(Curves):
-    """Learning curves in the colours of the lesson."""
-
-    __slots__ = ()
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = super().draw(ax, place)
-        looks = strokes_of(self.results.methods if self.methods is None else self.methods)
-        for look, line, band in zip(looks.values(), ax.get_lines(), ax.collections, strict=False):
-            line.set(**look)
-            band.set(color=look["color"], linewidth=0)
-        if place.alone:
-            add_legend(ax)
-        return ax
-
-
-class Coloured(Lines):
-    """Lines in the colours of the lesson."""
-
-    __slots__ = ()
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = super().draw(ax, place)
-        for look, line in zip(strokes_of(self.lines).values(), ax.get_lines(), strict=False):
-            line.set(**look)
-        if place.alone:
-            add_legend(ax)
-        return ax
-
-
-class Close(NamedTuple):
-    """A part of the y axis of other lines.
-
-    Attributes:
-        lines: the lines.
-        y_range: both ends of the y axis.
-    """
-
-    lines: Lines
-    y_range: tuple[float, float]
-
-    @property
-    def title(self) -> str:
-        """The text above the axes: that of the lines, and the part."""
-        low, high = self.y_range
-        return f"{self.lines.title}: {low:g} to {high:g}"
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = self.lines.draw(ax, place)
-        ax.set_ylim(*self.y_range)
-        ax.set_title(self.title, color=INK, fontsize=10)
-        return ax
+def close(lines: Lines, low: float, high: float) -> With:
+    """Return a part of the y axis of other lines."""
+    return With(lines._replace(title=f"{lines.title}: {low:g} to {high:g}"), lambda ax: ax.set_ylim(low, high))
 
 
 class Clock(NamedTuple):
@@ -183,8 +130,8 @@ class Clock(NamedTuple):
     @on_axes
     def draw(self, ax: "Axes") -> None:
         """Draw the curves."""
-        for method, look in strokes_of(self.results.methods).items():
-            ax.plot(*self.mean(method), linewidth=1.6, label=method, **look)
+        for method, look in looks_of(self.results.methods).items():
+            plot_line(ax, look, *self.mean(method), method)
         ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
         ax.set_xscale("log")
         ax.set_ylim(-100.0, 100.0)
@@ -205,10 +152,10 @@ class Knowledge(NamedTuple):
     @on_axes
     def draw(self, ax: "Axes") -> None:
         """Draw both."""
-        looks = strokes_of(self.measured)
+        looks = looks_of(self.measured)
         for row, (method, both) in enumerate(self.measured.items()):
             policy, seen = (mean_interval(values) for values in both)
-            colour = looks[method]["color"]
+            colour = looks[method].color
             for place_of, found, filled in ((row - 0.12, seen, False), (row + 0.12, policy, True)):
                 ax.plot([found.low, found.high], [place_of, place_of], color=colour, linewidth=1.4)
                 face = colour if filled else "white"
@@ -227,9 +174,10 @@ def steps_to(results: Results, method: str, level: float) -> float:
     return float(np.median(np.where(reached.any(), reached.idxmax(), np.inf)))
 
 
-def learning(results: Results, title: str = "", **look: Any) -> Learning:
-    """Return the learning curves of all methods, with the optimum."""
-    return Learning(results, title, **{"optimum": OPTIMUM, "y_range": (-100.0, 100.0), **look})
+def learning(results: Results, title: str = "", **how: Any) -> Curves:
+    """Return the learning curves of all methods, with the optimum; other arguments as of `Curves`."""
+    how = {"optimum": OPTIMUM, "y_range": (-100.0, 100.0), **how}
+    return Curves(results, title, strokes=looks_of(results.methods), **how)
 
 
 def learning_curves(results: Results, epsilon: float = EPSILON) -> Sheet:
@@ -245,19 +193,20 @@ def clocks(results: Results, targets: Mapping[str, Integers], step_ms: float = 1
     return Sheet("clocks", [[Clock(results, targets, cost, target_us, title) for cost, title in titles.items()]])
 
 
-def look_ahead_lines(results: Results, depths: Sequence[int] = range(16)) -> Coloured:
+def look_ahead_lines(results: Results, depths: Sequence[int] = range(16)) -> Lines:
     """Return what agents get that look ahead in the exact model, against the depth."""
     lines = {"knows nothing": np.array([look_ahead(None, depth) for depth in depths])}
     for method in results.methods:
         agents = results.complete_agents(method).values()
         lines[method] = np.array([np.mean([look_ahead(agent.Q, depth) for agent in agents]) for depth in depths])
-    return Coloured(
+    return Lines(
         np.array(depths, float),
         lines,
         "planning to act",
         "steps that it looks ahead",
         "return",
         {"optimum": np.full(len(depths), OPTIMUM)},
+        strokes=looks_of(lines),
     )
 
 
@@ -282,9 +231,10 @@ def figures(
     """Return the figures: learning curves, remedies, and the share of plans that fail."""
     y_range = (0.0, 100.0)
     soft = value_iteration(exact_model(), epsilon=EPSILON).start
-    greedy = Learning(learned, "learned model", optimum=OPTIMUM, y_range=y_range)
-    exploring = Learning(learned, "while exploring", "training_return", soft_optimum=soft, y_range=y_range)
-    better = Learning(remedied, "more exploration", optimum=OPTIMUM, y_range=y_range)
+    greedy = learning(learned, "learned model", y_range=y_range)
+    shown: dict[str, Any] = {"column": "training_return", "optimum": None, "soft_optimum": soft, "y_range": y_range}
+    exploring = learning(learned, "while exploring", **shown)
+    better = learning(remedied, "more exploration", y_range=y_range)
     return [
         Sheet("model_based", [[greedy, exploring]]),
         Sheet("remedies", [[better]]),
@@ -296,7 +246,7 @@ def figures(
 def given_curves(right: Results, wrong: Results) -> Sheet:
     """Return the learning curves with a given model that is right, and with one that is wrong."""
     titles = {"given model, right": right, f"given model, noise {WRONG:g}": wrong}
-    return Sheet("given_model", [[Learning(results, title, optimum=OPTIMUM) for title, results in titles.items()]])
+    return Sheet("given_model", [[learning(results, title, y_range=None) for title, results in titles.items()]])
 
 
 def plan_lines(by_discount: Mapping[float, Mapping[float, list[Plan]]]) -> Lines:

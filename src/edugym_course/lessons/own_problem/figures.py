@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym.exact.values import Values
 from edugym.experiments.figures.curves import Curves
-from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.panel import With, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     PALE_AMBER,
@@ -17,8 +17,8 @@ from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
     Stroke,
-    add_legend,
     dress,
+    plot_with_band,
     stroke,
 )
 from edugym.experiments.results.statistics import by_point, mean_interval
@@ -163,9 +163,7 @@ class Bands(NamedTuple):
         """Draw the lines."""
         x = np.asarray(self.x, float)
         for look, (label, values) in zip(cycle(REWARD_STROKES), self.measured.items(), strict=False):
-            mean, low, high = by_point(values).T
-            ax.plot(x, mean, color=look.color, linestyle=look.linestyle, linewidth=1.6, label=label)
-            ax.fill_between(x, low, high, color=look.color, alpha=0.16, linewidth=0)
+            plot_with_band(ax, look, x, by_point(values), label)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         ax.set_xscale("log", base=2)
@@ -201,44 +199,16 @@ class Compared(NamedTuple):
         ax.set_xticks(range(len(self.measured)), self.measured, rotation=20)
 
 
-class WithRandom(NamedTuple):
-    """Learning curves, and a dotted line for random actions.
-
-    Attributes:
-        curves: the learning curves.
-        random: the expected return of random actions.
-    """
-
-    curves: Curves
-    random: float
-
-    @property
-    def title(self) -> str:
-        """The text above the axes."""
-        return self.curves.title
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = self.curves.draw(ax, place)
-        ax.axhline(self.random, label="random actions", **SOFT_REFERENCE)
-        if place.alone:
-            add_legend(ax)
-        return ax
-
-
 def race(
     results: Results, learned: Mapping[str, Reals], optimum: float, random: float, title: str = "at the end"
 ) -> Sheet:
     """Return learning curves, and beside them, under a title, what the policies at the end are worth."""
-    return Sheet(
-        "learned",
-        [
-            [
-                WithRandom(Curves(results, "learning", optimum=optimum), random),
-                Compared(learned, title, optimum),
-            ]
-        ],
-    )
+
+    def of_random_actions(ax: "Axes") -> None:
+        ax.axhline(random, label="random actions", **SOFT_REFERENCE)
+
+    curves = With(Curves(results, "learning", optimum=optimum), of_random_actions)
+    return Sheet("learned", [[curves, Compared(learned, title, optimum)]])
 
 
 def weights_sheet(ring: float = 4.0, late: float = 10.0, bonus: float = 0.0) -> Sheet:

@@ -9,13 +9,11 @@ import numpy as np
 from edugym.envs.tamagotchi import NEEDS, Tamagotchi
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.panel import With, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
-    add_legend,
-    axes_or_new,
     dress,
     format_steps,
     stroke,
@@ -96,35 +94,23 @@ class Points(NamedTuple):
         dress(ax, self.x_label, "return", self.title)
 
 
-class Beside(NamedTuple):
-    """Learning curves, and what other players earn, as level lines.
+def beside(curves: Curves, levels: Mapping[str, float], ticks: Sequence[int] = ()) -> With:
+    """Return learning curves, and what other players earn, as level lines.
 
-    Attributes:
+    Args:
         curves: the curves.
         levels: by label of the player, its mean return.
         ticks: the numbers on the x axis; none: as usual.
     """
 
-    curves: Curves
-    levels: Mapping[str, float]
-    ticks: Sequence[int] = ()
-
-    @property
-    def title(self) -> str:
-        """The title of the curves."""
-        return self.curves.title
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw curves and lines on `ax`, by default in a new figure, and return the axes."""
-        ax = self.curves.draw(axes_or_new(ax), place)
-        for label, level in self.levels.items():
+    def more(ax: "Axes") -> None:
+        for label, level in levels.items():
             look = SOFT_REFERENCE if label not in STROKES else stroke(STROKES[label])._asdict()
             ax.axhline(level, label=label, **{"linewidth": 1.4, **look})
-        if self.ticks:
-            ax.set_xticks(self.ticks)
-        if place.alone:
-            add_legend(ax)
-        return ax
+        if ticks:
+            ax.set_xticks(ticks)
+
+    return With(curves, more)
 
 
 class Table(NamedTuple):
@@ -353,7 +339,7 @@ def one_toy(tau: float = 0.05, length: int = 1, vocab_size: int = 4, *, repetiti
         VOTE: vote(tau, length, length, vocab_size=vocab_size).mean(),
         "random actions": RANDOM_PLAY,
     }
-    return Sheet("one toy", [[Beside(Curves(results, title, optimum=OPTIMUM), levels)]])
+    return Sheet("one toy", [[beside(Curves(results, title, optimum=OPTIMUM), levels)]])
 
 
 def vocabulary_sheet(results: Results) -> Sheet:
@@ -374,4 +360,4 @@ def memory_sheet(by_label: Mapping[str, Results]) -> Sheet:
 def lengths_sheet(by_label: Mapping[str, Results], voted: float) -> Sheet:
     """Return the learning curves with messages of one and of four words at τ = 0.1, beside the vote over four."""
     curves = Curves(conditions(by_label), "messages at τ = 0.1", y_range=(-800.0, 2_000.0))
-    return Sheet("lengths", [[Beside(curves, {VOTE_FOUR: voted}, range(0, LONG + 1, LONG // 4))]])
+    return Sheet("lengths", [[beside(curves, {VOTE_FOUR: voted}, range(0, LONG + 1, LONG // 4))]])

@@ -11,7 +11,7 @@ from edugym.envs.golf import DISTANCES, SWINGS, Golf
 from edugym.experiments.figures.against import Against
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Panel, Place, on_axes
+from edugym.experiments.figures.panel import Panel, With, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, VERMILION, dress, plot_line, stroke
 from edugym.experiments.results.statistics import mean_interval
@@ -142,21 +142,9 @@ class Crossing(Lines):
     def draw(self, ax: "Axes") -> None:
         """Draw the lines."""
         for i, (swing, line) in enumerate(self.lines.items(), start=FIRST_FREE):  # other colours than those of players
-            plot_line(ax, i, self.x, line, swing)
+            plot_line(ax, stroke(i), self.x, line, swing)
         ax.axvline(self.change, label=f"the crossing, level {self.change:.4f}", **SOFT_REFERENCE)
         dress(ax, self.x_label, self.y_label, self.title)
-
-
-class Leads(Lines):
-    """Lines around 0, of which those far below are cut off."""
-
-    __slots__ = ()
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = super().draw(ax, place)
-        ax.set_ylim(-0.2, 0.1)
-        return ax
 
 
 class Frontier(NamedTuple):
@@ -281,13 +269,16 @@ def crossing_lines(levels: Sequence[float] = tuple(np.linspace(0.005, 0.0225, 15
 
 def crossing_by_attitude(
     levels: Sequence[float] = tuple(np.linspace(0.0075, 0.0225, 11)), risks: Mapping[str, float] = RISKS
-) -> Leads:
-    """Return how much more a drive is worth than a chip, exactly, for several attitudes to risk."""
+) -> With:
+    """Return how much more a drive is worth than a chip, exactly, for several attitudes to risk.
+
+    What is far below 0 is cut off.
+    """
     lines = {}
     for label, risk in risks.items():
         worths = [from_the_tee(level, 0.25, risk=risk) for level in levels]
         lines[label] = np.array([worth["drive"] - worth["chip"] for worth in worths])
-    return Leads(
+    leads = Lines(
         np.array(levels),
         lines,
         "from the tee, computed exactly",
@@ -295,6 +286,7 @@ def crossing_by_attitude(
         "worth of drive less chip",
         {"drive and chip are equal": np.zeros(len(levels))},
     )
+    return With(leads, lambda ax: ax.set_ylim(-0.2, 0.1))
 
 
 def against_level(
