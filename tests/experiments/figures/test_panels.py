@@ -5,11 +5,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 
 from edugym.experiments.figures import Curves, Lines, VisitMap
 from edugym.experiments.figures.against import Against
-from edugym.experiments.figures.panel import Place
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, STROKES, stroke
+from edugym.experiments.figures.panel import Place, With
+from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, STROKES, Stroke, stroke
 from edugym.rendering.palette import INK
 from tests.experiments.figures.samples import figure_of, heights, made_results, new_axes
 
@@ -22,6 +23,7 @@ PANELS: dict[str, Callable[[], Any]] = {
     "against": lambda: Against([0.1, 0.2, 0.4], ROWS, theory=THEORY, **LABELS),
     "lines": lambda: Lines(X, {"A": X, "B": 2 * X}, theory=THEORY, **LABELS),
     "visits": lambda: VisitMap(np.ones((2, 3)), 10, "Title", "y"),
+    "with more": lambda: With(Lines(X, {"A": X}, **LABELS), lambda ax: ax.axhline(1.0, label="more")),
 }
 
 
@@ -31,10 +33,11 @@ def test_every_panel_is_dressed_alike(name: str) -> None:
     panel = PANELS[name]()
     ax = panel.draw()
     assert (ax.get_title(), ax.get_ylabel()) == ("Title", "y")
-    assert ax.get_xlabel() == ("x" if name in ("against", "lines") else "training steps")
+    assert ax.get_xlabel() == ("x" if name in ("against", "lines", "with more") else "training steps")
     assert {part.get_color() for part in (ax.title, ax.xaxis.label, ax.yaxis.label)} == {INK}
     assert {side for side, spine in ax.spines.items() if spine.get_visible()} == {"left", "bottom"}
-    assert (ax.get_legend() is not None) is (name != "visits")
+    shown = {text.get_text() for text in ax.get_legend().get_texts()} if name != "visits" else set()
+    assert shown == {line.get_label() for line in ax.lines}
     assert len(ax.figure.axes) == (2 if name == "visits" else 1)
     on_a_sheet = panel.draw(new_axes(), Place([panel], last=False))
     assert on_a_sheet.get_legend() is None
@@ -59,6 +62,17 @@ def test_lines_of_methods_and_of_theory(name: str) -> None:
     assert len({one.color for one in STROKES}) == len(STROKES)
     assert [stroke(k) for k in range(9)] == [*STROKES, *STROKES[:2]]  # after the last one the first comes again
     assert {key for key in REFERENCE if REFERENCE[key] != SOFT_REFERENCE[key]} == {"linestyle"}
+
+
+@pytest.mark.parametrize("kind", [Curves, Lines])
+def test_strokes_that_are_chosen(kind: Any) -> None:
+    """By the label of the method, with the band in the same colour; the others have that of their place."""
+    own = Stroke("#123456", "solid")
+    data = {"results": made_results(2)} if kind is Curves else {"x": X, "lines": {"A": X, "B": X}}
+    ax = kind(**data, strokes={"A": own, "unknown": own}).draw(new_axes())
+    assert [line.get_color() for line in ax.lines] == [own.color, stroke(1).color]
+    bands = [to_hex(band.get_facecolor()[0]) for band in ax.collections]
+    assert bands == ([own.color, stroke(1).color] if kind is Curves else [])
 
 
 def test_steps_are_labelled_by_a_few_round_numbers() -> None:
