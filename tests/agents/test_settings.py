@@ -42,7 +42,7 @@ def test_an_annotation_counts_as_it_is_now(monkeypatch: pytest.MonkeyPatch) -> N
 def test_an_unknown_setting_is_answered_with_all_that_there_are() -> None:
     """Those that `create` itself takes are among them."""
     known = "planning_steps, planning_seconds, model, memory, learning_rate"
-    with pytest.raises(ValueError, match=f"PrioritisedSweeping has no setting 'planing_steps'; it has {known}"):
+    with pytest.raises(ValueError, match=named("PrioritisedSweeping", "planing_steps", known)):
         eg.PrioritisedSweeping.create((2, 2), planing_steps=3)
 
 

@@ -14,6 +14,7 @@ from edugym.experiments.results.tables import Results
 from edugym_course.grading import WrongAnswer, challenge, seed_from_name
 from edugym_course.lessons.exploration.exercises import CHALLENGE, best_average
 from tests.course.grading.test_checking import noted_limits
+from tests.messages import named
 
 
 class Systematic(NamedTuple):
@@ -126,7 +127,7 @@ def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
         (3, "a function that makes an agent, but is 3"),
         (lambda wall: None, "gives None: is a `return` missing"),
         (lambda wall: QLearning, "must be an object with the methods act and learn"),
-        (lambda wall: QLearning.create(wall, alpha=1), "has no setting 'alpha'"),
+        (lambda wall: QLearning.create(wall, alpha=1), named("QLearning", "alpha")),
         (lambda wall: np.zeros(wall.shape), r"where an array should, which has 'shape': is `\.create` missing"),
         (lambda wall: wall.unwrapped.mdp.grips, "told `observation_space` and `action_space` only, not 'unwrapped'"),
         (lambda wall: QLearning.create((3, 2)), r"must have a table Q of shape \(61, 2\)"),
