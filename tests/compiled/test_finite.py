@@ -12,10 +12,17 @@ from edugym.mdp.membership import is_finite_of_shape, wholeness
 assert {is_finite_of_shape, wholeness} == finite.IMPLEMENTED
 
 
-@njit
-def in_machine_code(value: Any, shape: Any) -> bool:
-    """Ask machine code."""
+def asked_for_shape(value: Any, shape: Any) -> bool:
+    """Ask whether a value is finite and of a shape."""
     return is_finite_of_shape(value, shape)
+
+
+def asked_for_wholeness(value: Any) -> int:
+    """Ask how whole a value is."""
+    return wholeness(value)
+
+
+in_machine_code, wholeness_in_machine_code = njit(asked_for_shape), njit(asked_for_wholeness)
 
 
 @pytest.mark.parametrize("number", [0.5, np.nan, np.inf, -np.inf])
@@ -35,12 +42,6 @@ def test_arrays(asked: tuple[int, ...], number: float) -> None:
             value = np.zeros((1, size) if len(asked) == 2 else size)
             value.flat[place] = number
             assert in_machine_code(value, asked) == is_finite_of_shape(value, asked), value
-
-
-@njit
-def wholeness_in_machine_code(value: Any) -> int:
-    """Ask machine code."""
-    return wholeness(value)
 
 
 def test_wholeness() -> None:

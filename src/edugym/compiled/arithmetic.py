@@ -5,18 +5,17 @@
 """
 
 import builtins
-import importlib
 import math
 import operator
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numba import extending
+from numba.core import types
 
 from edugym.compiled.operations import ADD, CHECKED, INT, REAL, SUBTRACT
 
-types: Any = importlib.import_module("numba.core.types")
-extending: Any = importlib.import_module("numba.extending")
 Function = Callable[..., Any]
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
 _add, _subtract = ADD.function, SUBTRACT.function

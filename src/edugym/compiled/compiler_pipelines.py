@@ -1,10 +1,12 @@
 """Numba's compiler pipelines for a loop and for the functions that it reaches, with added passes."""
 
-import importlib
 import warnings
 from collections.abc import Callable
 from types import FunctionType
 from typing import Any
+
+from numba.core import compiler, errors, typed_passes, untyped_passes
+from numba.core import compiler_machinery as machinery
 
 from edugym.compiled.facts import Incomplete, facts, require_complete
 from edugym.compiled.finite import IMPLEMENTED
@@ -12,12 +14,6 @@ from edugym.compiled.mixed_numbers import follow_only
 from edugym.compiled.namedtuples import building
 from edugym.compiled.typed_checks import check_typed
 from edugym.compiled.untyped_checks import add_polling_only, check_untyped
-
-compiler: Any = importlib.import_module("numba.core.compiler")
-machinery: Any = importlib.import_module("numba.core.compiler_machinery")
-untyped_passes: Any = importlib.import_module("numba.core.untyped_passes")
-errors: Any = importlib.import_module("numba.core.errors")
-typed_passes: Any = importlib.import_module("numba.core.typed_passes")
 
 
 def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") -> Any:

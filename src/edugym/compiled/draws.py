@@ -4,16 +4,15 @@ Numba checks no parameters, returns a single whole number as an array, and has n
 interpreter repeats the call of the loop, as in `edugym.compiled.arithmetic`.
 """
 
-import importlib
 from typing import Any
 
 import numpy as np
+from numba import extending
+from numba.core import types
+from numba.np.random import random_methods as methods
 
 from edugym.compiled.arithmetic import LARGEST, Function
 
-types: Any = importlib.import_module("numba.core.types")
-extending: Any = importlib.import_module("numba.extending")
-methods: Any = importlib.import_module("numba.np.random.random_methods")
 LAST_OF_32_BITS, LAST_OF_64_BITS = 2**32 - 1, 2**64 - 1
 MEAN_OF_EQUAL_DRAWS, TRIALS_OF_EQUAL_DRAWS = 10.0, 30
 TOLERANCE = 1e-8

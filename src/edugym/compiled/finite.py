@@ -1,14 +1,13 @@
 """Machine code that asks what an observation or an action is by its type (`edugym.mdp.membership`)."""
 
-import importlib
 import math
 from collections.abc import Callable
 from typing import Any
 
-from edugym.mdp.membership import is_finite_of_shape, wholeness
+from numba import extending
+from numba.core import types
 
-types: Any = importlib.import_module("numba.core.types")
-extending: Any = importlib.import_module("numba.extending")
+from edugym.mdp.membership import is_finite_of_shape, wholeness
 
 
 def _choose(value: Any, shape: Any) -> Callable[..., Any] | None:

@@ -7,19 +7,14 @@ would make them slower.
 """
 
 import ctypes
-import importlib
 from typing import Any
 
-from edugym.system.interrupts import Stopped, asked_to_stop
+from llvmlite import binding
+from llvmlite import ir as llvm
+from numba import extending
+from numba.core import analysis, cgutils, ir, ir_utils, types
 
-ir: Any = importlib.import_module("numba.core.ir")
-ir_utils: Any = importlib.import_module("numba.core.ir_utils")
-analysis: Any = importlib.import_module("numba.core.analysis")
-types: Any = importlib.import_module("numba.core.types")
-extending: Any = importlib.import_module("numba.extending")
-cgutils: Any = importlib.import_module("numba.core.cgutils")
-llvm: Any = importlib.import_module("llvmlite.ir")
-binding: Any = importlib.import_module("llvmlite.binding")
+from edugym.system.interrupts import Stopped, asked_to_stop
 
 ITERATIONS_BETWEEN_POLLS = 2**12
 """A power of two. A poll takes a microsecond, and that many short iterations a few in all."""

@@ -12,10 +12,11 @@ find that a parameter is mixed when its function is finished. Then the build beg
 (`Incomplete`).
 """
 
-import importlib
 import operator
 from types import FunctionType
 from typing import Any
+
+from numba.core import ir, ir_utils, types
 
 from edugym.compiled.code import is_foreign
 from edugym.compiled.facts import facts
@@ -34,10 +35,6 @@ from edugym.compiled.number_kinds import (
 from edugym.compiled.operations import CHECK_EXACT, CHECK_NUMBER, MIXED, MIXED_NEGATIVE, signature_of
 from edugym.compiled.untyped_checks import Refused, refuse, statements
 from edugym.mdp.membership import wholeness
-
-ir: Any = importlib.import_module("numba.core.ir")
-types: Any = importlib.import_module("numba.core.types")
-ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 WRITE = "write 0.0 for 0, and so on"
 

@@ -3,17 +3,15 @@
 `edugym.compiled.mixed_numbers` explains them and follows them through a program.
 """
 
-import importlib
 import math
 import operator
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numba.core import types
 
 from edugym.compiled.subset import MATH, words
-
-types: Any = importlib.import_module("numba.core.types")
 
 COMPARED = (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne, operator.contains)
 SAME_OF_WHOLE: set[Any] = {

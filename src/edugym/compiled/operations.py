@@ -11,18 +11,16 @@ which each is a real number exactly. `MIXED` are those on numbers that are whole
 
 import ctypes
 import ctypes.util
-import importlib
 import math
 import operator
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-types: Any = importlib.import_module("numba.core.types")
-registry: Any = importlib.import_module("numba.core.registry")
-extending: Any = importlib.import_module("numba.extending")
-cgutils: Any = importlib.import_module("numba.core.cgutils")
-llvm: Any = importlib.import_module("llvmlite.ir")
-binding: Any = importlib.import_module("llvmlite.binding")
+from llvmlite import binding
+from llvmlite import ir as llvm
+from numba import extending
+from numba.core import cgutils, registry, types
+
 Function = Callable[..., Any]
 LARGEST_EXACT = 2**53  # up to here every whole number is a real number of 64 bits
 

@@ -10,12 +10,14 @@ then `edugym.compiled.compiler`, its only user, passes generators as they are.
 """
 
 import ctypes
-import importlib
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numba.core import types
+from numba import extending
+from numba.core import cgutils, types
+from numba.core.datamodel import default_manager
+from numba.np.random.generator_core import NumPyRandomGeneratorTypeModel
 
 from edugym.mdp.protocol import Random
 
@@ -23,8 +25,8 @@ WORDS = ("state_address", "state", "fnptr_next_uint64", "fnptr_next_uint32", "fn
 """The fields of Numba's bit generator, in the order of `LocatedGenerator.words`."""
 
 
-class LocatedGeneratorType(types.NumPyRandomGeneratorType):
-    """Numba's type of a generator that is passed by its address: like its own but for how it is passed."""
+LocatedGeneratorType: Any = type("LocatedGeneratorType", (types.NumPyRandomGeneratorType,), {})
+"""Numba's type of a generator that is passed by its address: like its own but for how it is passed."""
 
 
 class LocatedGenerator:
@@ -62,13 +64,9 @@ def _teach_numba() -> None:
     Raises:
         ImportError: Numba is not as expected.
     """
-    cgutils: Any = importlib.import_module("numba.core.cgutils")
-    extending: Any = importlib.import_module("numba.extending")
-    manager: Any = importlib.import_module("numba.core.datamodel").default_manager
-    layout: Any = importlib.import_module("numba.np.random.generator_core").NumPyRandomGeneratorTypeModel
     bits_of_it: Any = types.NumPyRandomBitGeneratorType("bit_generator")
-    extending.register_model(LocatedGeneratorType)(layout)
-    parts = manager[LocatedGenerator._numba_type_]._fields, {*manager[bits_of_it]._fields}
+    extending.register_model(LocatedGeneratorType)(NumPyRandomGeneratorTypeModel)
+    parts = default_manager[LocatedGenerator._numba_type_]._fields, {*default_manager[bits_of_it]._fields}
     if parts != (("bit_generator", "meminfo", "parent"), {"parent", "bit_generator", *WORDS}):
         raise ImportError(f"this version of Numba makes random generators of other parts: {parts}")
 

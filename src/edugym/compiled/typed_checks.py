@@ -4,21 +4,17 @@ Every value must be of a type, and every operation of a kind, that machine code 
 whole numbers are replaced by checked ones (`edugym.compiled.arithmetic`).
 """
 
-import importlib
 import operator
 from typing import Any
 
 import numpy as np
+from numba.core import ir, ir_utils, types
 
 from edugym.compiled.mixed_numbers import follow_mixed
 from edugym.compiled.number_kinds import method_name
 from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
 from edugym.compiled.subset import MATH, NUMPY, words
 from edugym.compiled.untyped_checks import FROZEN, refuse, statements
-
-ir: Any = importlib.import_module("numba.core.ir")
-types: Any = importlib.import_module("numba.core.types")
-ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 ARRAY = words(
     "T all any argmax argmin copy cumsum dot fill flatten max mean min ndim prod ravel reshape shape size std sum var"

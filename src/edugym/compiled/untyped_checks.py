@@ -5,7 +5,6 @@ Every variable must have a value wherever it is used. Functions of `math`, `np` 
 Once types are known, `edugym.compiled.typed_checks` goes on.
 """
 
-import importlib
 import math
 import operator
 from collections.abc import Iterator
@@ -14,16 +13,13 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+from numba.core import analysis, ir, ir_utils
 
 from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
 from edugym.compiled.byte_code import place
 from edugym.compiled.draws import DRAWN
 from edugym.compiled.interrupt_polling import insert_polling
 from edugym.compiled.subset import words
-
-ir: Any = importlib.import_module("numba.core.ir")
-analysis: Any = importlib.import_module("numba.core.analysis")
-ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 
 class Refused(Exception):
