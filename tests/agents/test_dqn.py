@@ -102,7 +102,7 @@ def test_when_it_learns_and_copies() -> None:
 
 def test_batches_are_drawn_from_what_is_in_memory() -> None:
     """Evenly from the rows that are filled: with 11 of 64, each about as often."""
-    agent, rng = small((1, 2), batch_size=3_000, learn_from=12), np.random.default_rng(3)
+    agent, rng = small((1, 2), batch_size=3_000, learn_from=12, learn_every=4), np.random.default_rng(3)
     for _ in range(11):
         agent.learn(np.zeros(1), 0, 0.0, np.zeros(1), False)
     agent.act(np.zeros(1), rng)

@@ -12,12 +12,13 @@ from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space, concatenate, create_empty_array
 
-from edugym.adapters.registration import Entry
+from edugym.adapters.registration import Entry, find
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.checks.parameters import in_short
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import MODES, Copies, every_corner, every_environment, good_or_not, plain
-from tests.envs.classes import BoulderEnv
+
+BoulderEnv: Any = find("Boulder").load()
 
 
 @every_corner

@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from edugym.adapters.registration import make_mdp
+from edugym.adapters.registration import find, make_mdp
 from edugym.envs.boulder import Boulder
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from tests.contract.described import LAYOUT_SEEDS, NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
-from tests.envs.classes import BoulderEnv
+
+BoulderEnv: Any = find("Boulder").load()
 
 PARAMETERS = Parameters(
     valid=st.fixed_dictionaries(

@@ -11,11 +11,13 @@ from hypothesis import strategies as st
 from scipy import stats
 
 import edugym
+from edugym.adapters.registration import find
 from edugym.envs.catch import BALL, PADDLE, Catch
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
-from tests.envs.classes import CatchEnv
+
+CatchEnv: Any = find("Catch").load()
 
 
 @st.composite

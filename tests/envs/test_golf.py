@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import find
 from edugym.envs.golf import Ball, Golf
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
-from tests.envs.classes import GolfEnv
+
+GolfEnv: Any = find("Golf").load()
 
 
 @st.composite

@@ -1,14 +1,17 @@
 """MemoryCorridor: an episode on paper, perfect play, and doors without a pattern."""
 
 import itertools
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import find
 from edugym.envs.memory_corridor import MemoryCorridor
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
-from tests.envs.classes import MemoryCorridorEnv
+
+MemoryCorridorEnv: Any = find("MemoryCorridor").load()
 
 PARAMETERS = Parameters(
     valid=st.fixed_dictionaries({"num_doors": st.integers(2, 6)}, optional={"max_steps": st.integers(1, 60)}),

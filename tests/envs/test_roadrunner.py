@@ -6,11 +6,13 @@ from typing import Any
 import pytest
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import find
 from edugym.envs.roadrunner import Roadrunner, Runner
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
-from tests.envs.classes import RoadrunnerEnv
+
+RoadrunnerEnv: Any = find("Roadrunner").load()
 
 
 @st.composite

@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import find
 from edugym.envs.study import Student, Study
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.ansi import to_text
 from tests.contract.described import LAYOUT_SEEDS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
-from tests.envs.classes import StudyEnv
+
+StudyEnv: Any = find("Study").load()
 
 
 @st.composite

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import strategies as st
 from scipy import stats
 
+from edugym.adapters.registration import find
 from edugym.compiled.execution import executable
 from edugym.envs.tamagotchi import Tamagotchi, Toy, meaning
 from edugym.exact.branching import branches
@@ -20,7 +21,8 @@ from edugym.rendering.palette import GREEN, RED
 from edugym.rendering.scene import Rectangle
 from edugym.training.loops import play_episodes
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
-from tests.envs.classes import TamagotchiEnv
+
+TamagotchiEnv: Any = find("Tamagotchi").load()
 
 PARAMETERS = Parameters(
     valid=st.fixed_dictionaries(

@@ -9,12 +9,14 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import find
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.envs.trashbot.geometry import SHOULDER_Y, Robot, arm
 from edugym.envs.trashbot.planning import ScriptedController, best_plan, joint_angles
 from edugym.envs.trashbot.task import DELIVERED, MOVING, START
-from tests.envs.classes import TrashbotEnv
 from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE
+
+TrashbotEnv: Any = find("Trashbot").load()
 
 
 @pytest.mark.parametrize(

@@ -9,12 +9,14 @@ import pytest
 from hypothesis import strategies as st
 
 from edugym.adapters.playing.game import Game
+from edugym.adapters.registration import find
 from edugym.envs.trashbot.geometry import BOX, BOX_SIZE, CONTAINER_X, MAGNET, RIM_Y, Robot, arm
 from edugym.envs.trashbot.planning import ScriptedController, best_plan
 from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, START, TrashbotInBins
 from tests.contract.described import NO_STEPS, Keywords, Parameters, refused
-from tests.envs.classes import TrashbotEnv
 from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE, robot, step, towards
+
+TrashbotEnv: Any = find("Trashbot").load()
 
 
 @st.composite
