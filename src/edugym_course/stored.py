@@ -12,6 +12,7 @@ import importlib.util
 import shutil
 import sys
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -78,8 +79,12 @@ def source(module: str) -> Path:
     return Path(spec.origin)
 
 
+@lru_cache(256)
 def what_determines(code: str, shown: tuple[str, ...] = ("scene",)) -> str:
-    """Code without imports, docstrings, what judges the results, and methods that only show: by default pictures."""
+    """Code without imports, docstrings, what judges the results, and methods that only show: by default pictures.
+
+    It is remembered by its text: the profiles of all agents ask for the same sixty files some two thousand times.
+    """
     tree = ast.parse(code)
     tree.body = [statement for statement in tree.body if not _only_judges(statement)]
     for node in ast.walk(tree):
