@@ -2,7 +2,8 @@
 #
 #   make lab        open the lessons in JupyterLab   (make lab ARGS=--no-browser)
 #   make test       run every check, and every test that is not slow   (make test ARGS="-k boulder" for some of them)
-#                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
+#                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores;
+#                   EDUGYM_CACHE_DIR=FOLDER keeps their machine code, so that the next run takes less time)
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
 #   make site       build the website in site/build/html; `make site-serve` also shows it at http://127.0.0.1:8000
