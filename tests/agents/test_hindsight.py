@@ -154,7 +154,7 @@ def test_what_fits_no_pairs_is_refused() -> None:
         (eg.HindsightDQN, (6, 2), {"hindsight": eg.FinalGoal}, r"hindsight must be .* but is .*FinalGoal"),
         (eg.HindsightQLearning, (16, 2), {"hindsight": eg.FutureGoals(0)}, named("goals", 1, 1000, 0)),
         (eg.HindsightQLearning, (16, 2), {"longest": 0}, named("longest", 1, 0)),
-        (eg.HindsightDQN, (6, 2), {"hiden": 2}, named("HindsightDQN", "hiden")),
+        (eg.HindsightDQN, (6, 2), {"hiden": 2}, named("hiden")),
     ]
     for kind, environment, settings, says in cases:
         with pytest.raises(ValueError, match=says):

@@ -17,9 +17,15 @@ from edugym.mdp.protocol import Random
 from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
 from edugym.training.trainers import new_log
 from tests.contract.parameters import Keywords
-from tests.contract.play import every_corner, every_environment, plain
+from tests.contract.play import CORNERS, every_environment, plain
 
 N_STEPS = 2_000
+CORNERS_TO_COMPILE = [
+    pytest.param(entry, corner, id=f"{entry.name}-{corner or 'defaults'}", marks=pytest.mark.slow if pixels else ())
+    for entry, corner in CORNERS
+    for pixels in [corner.get("observation_type") == "rgb"]
+]
+"""Code that makes arrays takes ten times as long to compile; that of a grid stands for that of pixels."""
 
 
 class Witness(NamedTuple):
@@ -96,7 +102,7 @@ def both(loop: Any, n: int, *arguments: Any) -> tuple[Any, Any]:
     return outcomes[0], outcomes[1]
 
 
-@every_corner
+@pytest.mark.parametrize(("entry", "keywords"), CORNERS_TO_COMPILE)
 def test_on_policy(entry: Entry, keywords: Keywords) -> None:
     """The on-policy loop shows an agent the same, step by step."""
     mdp = as_table(entry, **keywords)

@@ -172,7 +172,7 @@ class Update:
         likely = [
             sentence
             for sentence, change in singles.items()
-            if explains_most(self._explained(cases, found, {**settings, **change}), is_wrong)
+            if explains_most([*self._explained(cases, found, {**settings, **change})], is_wrong)
         ]
         if len(likely) == 1:
             return f"{LOOKS_LIKE}{likely[0]}"
@@ -190,11 +190,10 @@ class Update:
         """Whether the rule with these settings does what the answer does, in every case."""
         return all(self._explained(cases, found, settings))
 
-    def _explained(self, cases: list[Case], found: Outcomes, settings: Settings) -> list[bool]:
-        """Return for each case whether the rule with these settings does what the answer does."""
-        return [
-            all(map(_agree, self._outcome(case, settings), tables)) for case, tables in zip(cases, found, strict=True)
-        ]
+    def _explained(self, cases: list[Case], found: Outcomes, settings: Settings) -> Iterator[bool]:
+        """Yield for each case whether the rule with these settings does what the answer does."""
+        for case, tables in zip(cases, found, strict=True):
+            yield all(map(_agree, self._outcome(case, settings), tables))
 
     def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> dict[str, float]:
         """Return the numbers that are wrong (a learning rate, a discount) if those explain it all; else none.

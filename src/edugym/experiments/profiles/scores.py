@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -126,14 +127,25 @@ class Profile:
         return float(np.median(np.where(np.isnan(steps), math.inf, steps)))
 
     def _table(self, agent: str, challenge: str, column: str) -> Reals:
-        """A column of the runs, shape (n_strengths, n_repetitions)."""
+        """A column of the runs, shape (n_strengths, n_repetitions).
+
+        It is remembered, since a page with all agents asks for each some twenty times.
+        """
         one_of("agent", agent, list(self.agents))
         strengths = self.ladder(challenge).strengths
+        if (agent, challenge, column) in self._tables:
+            return self._tables[agent, challenge, column].copy()
         rows = self.runs[(self.runs["agent"] == agent) & (self.runs["challenge"] == challenge)]
         repetitions = range(int(self.runs["repetition"].max()) + 1) if len(self.runs) else range(1)
         table = rows.pivot(index="strength", columns="repetition", values=column)
         values: Reals = table.reindex(strengths, columns=repetitions).to_numpy(float)
-        return values
+        self._tables[agent, challenge, column] = values
+        return values.copy()
+
+    @cached_property
+    def _tables(self) -> dict[tuple[str, str, str], Reals]:
+        """What `_table` remembers."""
+        return {}
 
 
 def breaking(strengths: tuple[float, ...], means: Reals) -> Break:
