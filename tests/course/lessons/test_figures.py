@@ -15,7 +15,9 @@ import pytest
 from matplotlib.container import BarContainer
 
 from edugym.experiments.figures import Curves, Sheet
+from edugym.experiments.results.claims import Claim
 from tests.course.lessons.shown import NOTEBOOKS, check_legends, sheets_of_cells, short_report
+from tests.course.lessons.test_measured import SMALL
 
 IN_CELLS = "In the cells"  # the line of the file between the figures of the report and those that only cells show
 NUMBERS = re.compile(r" \[(\S+), (\S+)\]$")
@@ -25,6 +27,11 @@ NO_SENTENCE = re.compile(
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
+BOUND = re.compile(
+    r"at (?:least|most) ([\d.]+)|up to ([\d.]+)(?=,|$)|within ([\d.]+) of each|([\d.]+) or more"
+    r"|more than (\w+)fold|(\w+) times less|one in (?P<share>\w+) or more|less than (?P<percent>\d+) %"
+)
+"""The number that a statement gives as its bound."""
 WRONG_PLURAL = re.compile(rf"(?<![\d.])(?<!\d )(?<!= )1 {COUNTED}s\b|(?<![\d.])([02-9]|\d\d+) {COUNTED}\b")
 
 
@@ -144,6 +151,18 @@ def read(lesson: str) -> tuple[Path, str, str]:
     return path, report, cells
 
 
+def asks_for_what_it_says(claim: Claim) -> bool:
+    """Whether the bounds that a statement names are those that the numbers must keep."""
+    asked = [abs(bound) for bound in claim.expected]
+    for found in BOUND.finditer(claim.statement):
+        said = found[found.lastindex or 0]
+        number = float(SMALL.get(said, said))
+        number = 1 / number if found["share"] else number / 100 if found["percent"] else number
+        if number not in [pytest.approx(bound) for bound in asked]:
+            return False
+    return True
+
+
 @pytest.fixture(autouse=True)
 def torch_is_there_where_it_is_needed(lesson: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Networks are trained with it."""
@@ -169,6 +188,7 @@ def test_figures_of_the_report(lesson: str) -> None:
             path.write_text(f"{told(found, others)}\n{IN_CELLS}\n{told(cells, {})}\n", encoding="utf-8")
         pytest.fail(f"{path} or {frames_path} is new: read it, and commit it")
     check(report, found)
+    assert [claim.statement for claim in claims if not asks_for_what_it_says(claim)] == []
     statements = [claim.statement for claim in claims if not claim.statement.startswith("novelty reward ")]  # a label
     assert [text for text in [*found, *statements] if WRONG_PLURAL.search(text)] == []
     assert [statement for statement in statements if NO_SENTENCE.match(statement)] == []

@@ -94,6 +94,13 @@ def test_value_of_a_lottery(risk: float) -> None:
     assert worth[0, 0] == pytest.approx(exact.certain_value([0.5, -1.0], [0.75, 0.25], risk), abs=2e-3)
 
 
+def test_the_slippery_lake_by_hand() -> None:
+    """The goal is six slips of luck away, by three ways; without a limit 14 of 17 episodes get there."""
+    best = [methods.lake_optimum(steps) for steps in (5, 6, 100, 2_000)]
+    assert best[:2] == [0.0, pytest.approx(3 / 3**6)]
+    assert 0.7 < best[2] < best[3] == pytest.approx(14 / 17)
+
+
 def test_fixed_rules() -> None:
     """A drive loses 2 % of the balls, a chip none; the fast plan is near the optimum, the safe one has no spread."""
     assert methods.landings(2, balls=20_000)[1] == pytest.approx(0.0196, abs=0.003)
