@@ -88,6 +88,7 @@ def test_attributes_and_methods() -> None:
         with pytest.raises(NotImplementedError, match=method):
             env.env_method(method)
     env.close()
+    assert env.vector.closed
 
 
 def test_pictures() -> None:

@@ -9,7 +9,8 @@ import pytest
 
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.updates import Case, Tables, Transition, Update
+from edugym_course.grading.updates import Case, Tables, Transition, Update, table_of
+from tests.messages import named
 
 SIZE = (5, 3)
 RIGHT = {"learning_rate": 0.25, "discount": 0.75}
@@ -167,6 +168,19 @@ SAID = [
 def test_what_is_said_of_a_wrong_update(values: list[float], counts: list[int], says: str) -> None:
     """The first step that is wrong, with all that is needed to follow a value; for a count the call is enough."""
     assert says in said_of_steps(values, counts)
+
+
+@pytest.mark.parametrize(
+    ("table", "names"),
+    [
+        (None, ("`Q`", "Agent")), ([[0.0], [0.0]], ("`Q`", "array", "list")),
+        (np.zeros(3), ("`Q`", "(2, 1)", "(3,)")), (np.zeros((2, 1), int), ("`Q`", "int64")),
+    ],
+)  # fmt: skip
+def test_what_is_no_table(table: Any, names: tuple[str, ...]) -> None:
+    """What should be there is told, and what is there."""
+    with pytest.raises(WrongAnswer, match=named(*names)):
+        table_of(learns(lambda self: None)(table), "Q", (2, 1))
 
 
 def test_a_value_that_should_stay() -> None:
