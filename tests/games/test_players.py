@@ -116,6 +116,14 @@ def test_fictitious_play_is_browns() -> None:
     assert first.greedy(0, rng) == np.argmax(payoffs @ of_second)
 
 
+def test_average_play_of_every_state() -> None:
+    """Each row by its own count, and uniform where nothing has been played."""
+    player = games.FictitiousPlay.create(SOCCER, 0)
+    player.played[3] = [1, 0, 3, 0, 4]
+    assert player.policy[3].tolist() == [0.125, 0.0, 0.375, 0.0, 0.5]
+    assert np.allclose(np.delete(player.policy, 3, axis=0), 0.2)
+
+
 class Tuple(NamedTuple):
     """A student's player, who also learns from the other's action."""
 
