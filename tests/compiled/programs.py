@@ -113,6 +113,7 @@ COMPILED = {
 
 RAISE = {
     "exp": program("self.Q[0, 0] += 1.0\nreturn math.exp(self.Q[0, 0])", **Q),
+    "exp by its name": program("return s + 1 + 0 * exp(s)", before="from math import exp"),
     "late exp": program("return s + math.exp(s * 0.1) if s < 0 else s + 1 + 0 * math.exp(s * 0.9)"),
     "int of nan": program("return int(s + 1 if s < 700 else s * math.nan) + 0.0"),
     "int of inf": program("return int(s + 1 if s < 700 else s * math.inf) + 0.0"),

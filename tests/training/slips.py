@@ -1,5 +1,6 @@
 """Students' code that is right, and how a slip in it is put there and answered, for tests."""
 
+import re
 import traceback
 from collections.abc import Callable
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 import edugym
+from tests import messages
 from tests.compiled.cells import LEARNER, WALK, cell
 
 PACKAGE = str(Path(edugym.__file__).parent)
@@ -80,10 +82,12 @@ def looker(tabular: str = "False") -> Any:
 
 
 def named(names: str, call: Callable[[], Any], error: type[Exception] = ValueError) -> Exception:
-    """The error with which a call ends: its message has all the names, in one line."""
+    """The error with which a call ends: its message has all the names, whole words, in one line."""
     with pytest.raises(error) as caught:
         call()
-    assert all(name in str(caught.value) for name in names.split()), str(caught.value)
+    for name in names.split():
+        pattern = messages.named(name) if name.isidentifier() else re.escape(name)
+        assert re.search(pattern, str(caught.value)), str(caught.value)
     assert "\n" not in str(caught.value)
     return caught.value
 

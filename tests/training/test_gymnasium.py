@@ -10,7 +10,7 @@ from gymnasium.wrappers import FlattenObservation, TimeLimit, TransformObservati
 from edugym import MDPEnv, QLearning, TabularObservation, make_mdp, train
 from edugym.envs.boulder import Boulder
 from tests.compiled.cells import cell
-from tests.training.slips import answered, looker
+from tests.training.slips import ENVIRONMENT, STEP, answered, changed, looker
 from tests.training.tasks import Ring, tell_tale
 
 BOULDER = "edugym/Boulder-v0"
@@ -50,6 +50,14 @@ def test_what_a_wrapper_returns_is_checked() -> None:
         below: Any = TransformObservation(env, lambda seen: seen - 1, None)
         answered("step TransformReward reward nan", lambda: train(noisy, agent, 300))  # noqa: B023
         answered("reset TransformObservation Discrete(", lambda: train(below, agent, 300))  # noqa: B023
+
+
+def test_training_is_checked_where_evaluation_meets_no_mistake() -> None:
+    """The greedy action is right, and the one that is taken in training is not."""
+    env = cell(changed(ENVIRONMENT, STEP, "return self.place, -1.0, None if action else False, False, {}"))["Line"]()
+    answered(
+        "step Line terminated None", lambda: train(env, looker("False\n    def greedy(self, state, rng): return 0"), 30)
+    )
 
 
 def test_checks_are_taken_away() -> None:

@@ -66,7 +66,7 @@ IN_MDP = {
     "a new attribute": Slip(MOVE, "self.n = 1; return 0", "transition Walk self.n", "self.n = 1", AttributeError),
     "numpy's randomness": Slip(MOVE, "return int(np.random.random() * 2)", "transition Walk np.random rng"),
     "python's randomness": Slip(PAY, "import random; return random.random()", "reward Walk random rng"),
-    "no probabilities": Slip(MOVE, "return rng.choice(2, p=[0.5, 0.4])", "robabilities", "rng.choice"),
+    "no probabilities": Slip(MOVE, "return rng.choice(2, p=[0.5, 0.4])", "sum 1", "rng.choice"),
     "an error of one's own": Slip(PAY, "raise KeyError('x')", "x", "raise KeyError", KeyError),
     "division by zero": Slip(PAY, "return 1 / state", "zero", "1 / state", ZeroDivisionError),
 }
@@ -156,7 +156,7 @@ IN_GYM_WRAPPER = {
     "nothing paid": Slip("return ", "", "step Paid reward None"),
     "no number": Slip("reward + 1.0", "float('nan')", "step Paid reward nan"),
     "no action": Slip("gymnasium.RewardWrapper", "gymnasium.ActionWrapper", "Paid action(self, action)"),
-    "nothing seen": Slip("gymnasium.RewardWrapper", "gymnasium.ObservationWrapper", "Paid observation(self, obs"),
+    "nothing seen": Slip("gymnasium.RewardWrapper", "gymnasium.ObservationWrapper", "Paid observation(self,"),
 }
 WAYS: tuple[Callable[[Any, Any], Any], ...] = (
     lambda task, agent: train(task, agent, 6_000, evaluate_every=3_000),
