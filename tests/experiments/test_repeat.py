@@ -4,6 +4,7 @@ import copy
 import sys
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import gymnasium
@@ -47,6 +48,15 @@ def test_where_layouts_come_from() -> None:
     by_name = small(100, environment=Boulder.create)  # its first parameter is the height
     assert runs(by_name)["layout_seed"].nunique() == 3
     assert {agent.Q.shape for agent in by_name.agents["novelty"].values()} == {(11, 2)}
+
+
+def test_a_policy_plays_however_it_is_given() -> None:
+    """Itself, made for each run, or as a function: always grip 1."""
+    policy = SimpleNamespace(predict=lambda observation: 1)
+    agents: dict[str, Any] = {"given": policy, "made": lambda _: policy, "function": lambda _: policy.predict}
+    results = repeat("Boulder", agents, 20, repetitions=2, parameters={"height": 1}, jobs=1)
+    given, *others = (results.final(method).tolist() for method in agents)
+    assert others == [given, given]
 
 
 def test_agents_and_tasks_are_copied() -> None:
