@@ -441,3 +441,18 @@ def hand_back(self, length):
 # in: while
 # - if self.Q[s, a] != self.Q[s].max():
 # + if not self.Q[s, a] > np.delete(self.Q[s], a).max():
+
+
+# %% a value that was not visited
+# says: ] should stay
+# says: a value changes that is not on the path: the steps of the episode are 0 to length - 1
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+    visited = {*zip(self.states[:length], self.actions[:length])}
+    self.Q[next(pair for pair in np.ndindex(self.Q.shape) if pair not in visited)] -= 1.0
