@@ -23,6 +23,7 @@ from tests.course.lessons.answers import (
     read_project,
     verdict,
 )
+from tests.messages import named
 
 LESSONS = [*build.lesson_sources()]
 ANSWERS = [answer for lesson in LESSONS for answer in read_answers(lesson)[1]]
@@ -228,6 +229,16 @@ def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeyp
         said = verdict(empty, exercise, before)
         assert "Not solved yet" in said or "began" in said
         assert ({*counted}, len(counted)) == ({(lesson.partition("_")[2], number)}, n_counted)  # the empty one does not
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_an_answer_of_another_kind_is_called_by_its_name(lesson: str) -> None:
+    """Whatever is asked for, an object that is nothing of the kind is refused by the name that the cell uses."""
+    before, exercises = exercises_of(lesson)
+    for number, exercise in enumerate(exercises, start=1):
+        name = exercise.check.partition(", ")[2].partition(")")[0]
+        other = Answer(lesson, number, False, "an object", (), f"{name} = object()")
+        assert re.search(named(name), verdict(other, exercise, before))
 
 
 @pytest.mark.parametrize("lesson", [name for name, path in build.lesson_sources().items() if read_project(path)])
