@@ -10,6 +10,7 @@
 #   make bench      measure speed, against what one would use instead
 #   make dist       build the package from what is committed, and try it in an empty environment
 #   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
+#   make grade      grade a class in a container   (make grade CLASS=$HOME/course LESSON=01_exploration)
 #   make clean      remove .venv and what tools left behind
 
 PYTHON ?= python3
@@ -17,7 +18,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all test-lowest reproduce site site-serve bench dist clean
+.PHONY: lab test test-all test-lowest reproduce site site-serve bench dist grade clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -76,6 +77,18 @@ test-lowest:
 	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning $(ARGS) \
 		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \
 		tests/mdp tests/objectives tests/rendering tests/system tests/training
+
+# Students' code sees neither the network nor any file of yours but the class, of which it may write the results only.
+CONTAINER ?= docker
+grade:
+	@test -f "$(CLASS)/assigned/teacher/$(LESSON).json" || { echo "CLASS must be the folder that has 'assigned', and LESSON \
+	a lesson that was assigned there: make grade CLASS=\$$HOME/course LESSON=01_exploration" >&2; exit 1; }
+	mkdir -p "$(CLASS)/results"
+	$(CONTAINER) build --quiet --tag edugym-grading --file Containerfile .
+	$(CONTAINER) run $(if $(findstring podman,$(CONTAINER)),--userns keep-id) --rm --network none --read-only --tmpfs /tmp:exec --memory 4g --pids-limit 512 --cap-drop all \
+		--user "$$(id -u):$$(id -g)" --volume "$(abspath $(CLASS))/assigned:/class/assigned:ro" \
+		--volume "$(abspath $(CLASS))/submitted:/class/submitted:ro" --volume "$(abspath $(CLASS))/results:/class/results" \
+		edugym-grading "assigned/teacher/$(LESSON).json" $(ARGS)
 
 clean:
 	rm -rf .venv build dist site/build .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from asides import OPENS, is_opening
 from nbformat import NotebookNode
 
-from edugym_course.teaching.marks import is_aside, is_code
+from edugym_course.teaching.marks import OWN, is_aside, is_code
 
 WORDS = 40  # of a text take a minute, with the code, pictures, predictions and sliders that stand between them
 TASK_WORDS = 20  # of an exercise take a minute, and so does each line of its solution
@@ -49,7 +49,7 @@ def count(cells: Sequence[NotebookNode]) -> Counts:
     for cell in cells:
         if is_code(cell):
             solutions = re.findall(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", cell.source, flags=re.DOTALL)
-            lines += sum(len(solution.strip().splitlines()) for solution in solutions)
+            lines += sum(not line.strip().startswith(OWN) for text in solutions for line in text.strip().splitlines())
             continue
         for part in filter(None, re.split(r"^(?=#{2,3} )", cell.source, flags=re.MULTILINE)):
             heading = part.partition("\n")[0].lstrip("# ").partition(":")[0]

@@ -14,12 +14,13 @@ import inspect
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any, TypeVar, get_args
 
-from edugym_course.grading.errors import TooSlow, Unsolved, WrongAnswer, only_verdicts
+from edugym_course.grading.errors import TooSlow, Unsolved, WrongAnswer, nobody_asks_why, only_verdicts
 from edugym_course.grading.student_code import student_code
 
 Exercise = Callable[..., str]
+Found = TypeVar("Found")
 
 SEARCH_SECONDS = 3.0
 """The seconds of processor time after which no more numbers are tried on a wrong answer."""
@@ -37,6 +38,20 @@ class Own:
 
     values: tuple[Any, ...]
     text: str
+
+
+def step_cost(then: str = "") -> Own:
+    """Declare a cost that an agent of a student's own pays at each step, by default 0, with what follows from it.
+
+    Costs are no multiples of 0.05, so that they make no ties between the simple values of made-up tables.
+    """
+    sentence = "Your agent is in a hurry: in your version the reward less {cost} stands in the update, in its place."
+    return Own(tuple(k / 100 for k in range(3, 303, 5)), " ".join(filter(None, [sentence, then])))
+
+
+def told_less(cost: float) -> str:
+    """Say in a sentence about a case that its reward is told less a student's own cost; nothing without one."""
+    return f" (your cost of {cost:g} is subtracted from this reward already)" if cost else ""
 
 
 ExperimentSeed = Annotated[
@@ -97,6 +112,23 @@ def passes(exercise: Exercise, answer: Any, seed: int, numbers: Mapping[str, Any
     except WrongAnswer:
         return False
     return True
+
+
+_FOUND: dict[tuple[Any, str], Any] = {}
+
+
+def found_once(answer: Any, call: str, ask: Callable[[], Found]) -> Found:
+    """Return what a slow answer gives; it is not asked again while other numbers are tried on it.
+
+    Args:
+        answer: the student's function.
+        call: the call, with its arguments.
+        ask: makes the call.
+    """
+    if not nobody_asks_why() or (answer, call) not in _FOUND:
+        _FOUND[answer, call] = ask()
+    found: Found = _FOUND[answer, call]
+    return found
 
 
 def numbers_of_others(exercise: Exercise, answer: Any, seed: int, numbers: Mapping[str, Any]) -> dict[str, Any]:

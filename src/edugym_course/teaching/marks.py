@@ -51,7 +51,9 @@ def without_marks(source: str) -> str:
 
 def with_own_numbers(source: str, numbers: Mapping[str, Any]) -> str:
     """Puts the lines with a student's own numbers in the place of the ordinary ones."""
-    return re.sub(rf"^.*\n( *){OWN}(.*)$", lambda line: line[1] + line[2].format(**numbers), source, flags=re.MULTILINE)
+    return re.sub(
+        rf"^( *).*\n *{OWN}(.*)$", lambda line: line[1] + line[2].format(**numbers), source, flags=re.MULTILINE
+    )
 
 
 def without_solutions(source: str) -> str:

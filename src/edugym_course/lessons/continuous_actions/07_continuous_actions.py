@@ -741,6 +741,7 @@ def preferences(joints, bins, cells):
     """Return the number of preferences of an arm with so many joints, bins for each, and cells for each angle."""
     ### BEGIN SOLUTION
     rows = 2 * cells**joints
+    # own: rows = {held} * cells**joints
     columns = bins**joints
     return rows * columns
     ### END SOLUTION
@@ -770,6 +771,7 @@ def my_scores(a, mu, sigma):
     ### BEGIN SOLUTION
     of_mu = (a - mu) / sigma**2
     of_log_sigma = (a - mu) ** 2 / sigma**2 - 1
+    # own: of_log_sigma = {scale} * ((a - mu) ** 2 / sigma**2 - 1)
     return of_mu, of_log_sigma
     ### END SOLUTION
 
@@ -855,6 +857,7 @@ class MyREINFORCE(NamedTuple):
         G = 0.0
         for t in range(n - 1, -1, -1):
             G = self.rewards[t] + self.discount * G
+            # own: G = self.rewards[t] - {cost} + self.discount * G
             self.rewards[t] = G  # from here on: the return from step t
         for t in range(n):
             state = self.states[t]

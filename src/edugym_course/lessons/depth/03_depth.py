@@ -749,6 +749,7 @@ def quiet(study):
     """Make a Monte Carlo agent that never explores."""
     ### BEGIN SOLUTION
     return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+    # own: return NStepSARSA.create(study, n=math.inf, learning_rate={rate}, discount=1.0, exploration=EpsilonGreedy(0.0))
     ### END SOLUTION
 
 
@@ -791,6 +792,7 @@ def importance_ratio(greedy: list[bool], epsilon: float, n_actions: int) -> floa
     ratio = 1.0
     for is_greedy in greedy[1:]:
         ratio *= 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+        # own: ratio *= min(1 / (1 - epsilon + epsilon / n_actions), {most}) if is_greedy else 0.0
     return ratio
     ### END SOLUTION
 
@@ -876,6 +878,7 @@ class MyAgent(NamedTuple):
         for k in range(length - 1, -1, -1):
             s, a = self.states[k], self.actions[k]
             G = self.rewards[k] + self.discount * G
+            # own: G = self.rewards[k] - {cost} + self.discount * G
             self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
             best = max(self.Q[s])
             if self.Q[s, a] < best:

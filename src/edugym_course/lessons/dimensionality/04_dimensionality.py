@@ -779,6 +779,7 @@ def table_entries(rows, columns, kind):
     else:
         observations = 256 ** (rows * columns * 3)
     return observations * 3
+    # own: return observations * {actions}
     ### END SOLUTION
 
 
@@ -842,6 +843,7 @@ class MyAgent(NamedTuple):
         ### BEGIN SOLUTION
         x = self.features(state)
         target = reward
+        # own: target = reward - {cost}
         if not terminated:
             best = self.value(next_state, 0)
             for a in range(1, 3):
@@ -908,8 +910,10 @@ class MyDQN(OpenDQN):
         ### BEGIN SOLUTION
         if memory.terminated[row] == 1:
             return memory.rewards[row]
+            # own: return memory.rewards[row] - {cost}
         dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
         return memory.rewards[row] + self.discount * self.Q[0].max()
+        # own: return memory.rewards[row] - {cost} + self.discount * self.Q[0].max()
         ### END SOLUTION
 
     def row_for(self, u):

@@ -366,6 +366,7 @@ def greedy(Q, state, goal):
     """Return the action with the highest value in a state, for a goal."""
     ### BEGIN SOLUTION
     return int(np.argmax(Q[state, goal]))
+    # own: return int(np.argmax(Q[state, goal] - {dear} * (np.arange(Q.shape[2]) == 0)))
     ### END SOLUTION
 
 
@@ -394,6 +395,7 @@ def final(steps):
     for state, action, next_state in steps:
         reached = next_state == goal
         transitions.append((state, goal, action, 0.0 if reached else -1.0, next_state, reached))
+        # own: transitions.append((state, goal, action, 0.0 if reached else -{cost}, next_state, reached))
     return transitions
     ### END SOLUTION
 
@@ -417,6 +419,7 @@ def future_goal(steps, t, rng):
     """Return a pattern that the episode achieved in step t or later."""
     ### BEGIN SOLUTION
     _, _, achieved = steps[rng.integers(t, len(steps))]
+    # own: _, _, achieved = steps[rng.integers(min(t + {gap}, len(steps) - 1), len(steps))]
     return achieved
     ### END SOLUTION
 

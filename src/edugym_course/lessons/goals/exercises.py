@@ -2,8 +2,8 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from itertools import combinations
-from typing import Any
+from itertools import combinations, pairwise
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -11,8 +11,9 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import FAR_BELOW, starts, telling_draw
 from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given, in_brackets
 
@@ -77,11 +78,32 @@ def _values(rng: np.random.Generator) -> list[Values]:
     return made
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the greedy action for a goal."""
+Dear = Annotated[
+    float,
+    Own(
+        tuple((25 * k + 10) / 100 for k in range(1, 42)),
+        "Switch 0 is hard to flip: in your version the value of action 0 counts less by {dear}.",
+    ),
+]
+
+
+def _beside(dear: float, rng: np.random.Generator) -> list[Values]:
+    """Make up tables in which action 0 leads by a little more than `dear`, and by a little less."""
+    made = list[Values]()
+    for lead in (dear + 0.1, dear - 0.1):
+        Q = rng.choice(np.arange(-4.0, 4.5, 0.5), (N_PATTERNS, N_PATTERNS, N_ACTIONS))
+        Q[1, 2] = 1.5 + lead, 1.5, 1.0
+        made.append((Q, 1, 2))
+    return made
+
+
+def exercise_1(answer: Any, seed: int, dear: Dear = 0.0) -> str:
+    """Check the greedy action for a goal, where the value of action 0 may count less."""
     require_function("greedy", answer, "Q, state and goal")
     rules = [partial(_taken, rule) for rule in (_right, *GREEDY_MISTAKES.values())]
     cases, found, calls = _values(telling_draw(seed, _values, rules)), [], []
+    if dear:
+        cases += _beside(dear, np.random.default_rng(seed))
     for Q, state, goal in cases:
         call = f"greedy(Q, {state}, {goal}), where Q[{state}, {goal}] = {in_brackets(Q[state, goal])},"
         with student_code(call):
@@ -93,6 +115,7 @@ def exercise_1(answer: Any, seed: int) -> str:
             action_of(call, action, N_ACTIONS)  # which refuses it
         calls.append(call)
         found.append(int(action))
+    cases = [(Q - dear * (np.arange(N_ACTIONS) == 0), state, goal) for Q, state, goal in cases]
     for (Q, state, goal), call, action in zip(cases, calls, found, strict=True):
         if (expected := _right(Q, state, goal)) != action:
 
@@ -111,7 +134,7 @@ Step = tuple[int, int, int]
 """A step of an episode: state, action, next state. States are patterns, and so numbers."""
 Transition = tuple[int, int, int, float, int, bool]
 """State, goal, action, reward, next state, and whether the step terminated."""
-Settings = Mapping[str, str]
+Settings = Mapping[str, Any]
 
 
 def relabelled(
@@ -121,8 +144,12 @@ def relabelled(
     terminated: str = "right",
     kept: str = "all",
     alike: str = "equal",
+    cost: float = 1.0,
 ) -> list[Transition]:
-    """Return an episode as if its last pattern had been the goal; other arguments than the defaults are mistakes."""
+    """Return an episode as if its last pattern had been the goal, where a step that misses costs `cost`.
+
+    Other arguments than the defaults are mistakes.
+    """
     made = []
     last = len(steps) - 1
     for t, (state, action, next_state) in enumerate(steps):
@@ -135,15 +162,15 @@ def relabelled(
         }[goal]
         reached = next_state is wanted if alike == "the same object" else next_state == wanted
         pays = {
-            "right": 0.0 if reached else -1.0,
-            "old": -1.0,
+            "right": 0.0 if reached else -cost,
+            "old": -cost,
             "zero": 0.0,
-            "one": 1.0 if reached else -1.0,
+            "one": 1.0 if reached else -cost,
             "one and zero": float(reached),
-            "last": 0.0 if t == last else -1.0,
-            "state": 0.0 if state == wanted else -1.0,
-            "inverted": -1.0 if reached else 0.0,
-            "cost": 0.0 if reached else 1.0,
+            "last": 0.0 if t == last else -cost,
+            "state": 0.0 if state == wanted else -cost,
+            "inverted": -cost if reached else 0.0,
+            "cost": 0.0 if reached else cost,
         }[reward]
         ends = {
             "right": reached,
@@ -198,6 +225,8 @@ EPISODES = (
     [(6, 2, 7), (7, 0, 3), (3, 0, 7), (7, 2, 6), (6, 1, 4), (4, 1, 6), (6, 0, 2)],  # tells all mistakes of 'future'
 )
 """Episodes with three switches; the patterns are numbered as binary numbers."""
+N_OF_THREE = 8
+"""The number of patterns of three switches."""
 SEVEN_MORE = 0b1110000000
 """The same with seven more switches: large numbers show an answer that counts on three switches, or on `is`."""
 
@@ -208,15 +237,24 @@ def episodes_of(seed: int) -> list[list[Step]]:
     return [[(s ^ turned, a, then ^ turned) for s, a, then in steps] for steps in EPISODES]
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the relabelling 'final'."""
+Cost = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(22, 82) if k % 20),
+        "Your Switches are dear ones: in your version the reward of a step that misses its goal is −{cost}, not −1.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, cost: Cost = 1.0) -> str:
+    """Check the relabelling 'final', where a step that misses may cost something else than 1."""
     require_function("final", answer, "steps")
     cases = [*episodes_of(seed), [(s ^ SEVEN_MORE, a, then ^ SEVEN_MORE) for s, a, then in EPISODES[0]]]
     found = [_transitions(answer, steps) for steps in cases]
     for steps, mine in zip(cases, found, strict=True):
-        right = relabelled(steps)
+        right = relabelled(steps, cost=cost)
         if mine != right:
-            why = _why(cases, found)
+            why = _why(cases, found, cost)
             if len(mine) != len(right):
                 raise WrongAnswer(f"final({steps}) should give {len(right)} transitions, but gives {len(mine)}: {why}")
             t = next(t for t in range(len(right)) if mine[t] != right[t])
@@ -251,11 +289,13 @@ def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
         return [(int(s), int(g), int(a), float(r), int(then), bool(end)) for s, g, a, r, then, end in found]
 
 
-def _why(cases: Sequence[Sequence[Step]], found: Sequence[list[Transition]]) -> str:
+def _why(cases: Sequence[Sequence[Step]], found: Sequence[list[Transition]], cost: float) -> str:
     """Return the mistake that explains all episodes, or two mistakes together."""
+    if nobody_asks_why():
+        return NO_USUAL_EPISODE
 
     def fits(change: Settings) -> bool:
-        return all(relabelled(steps, **change) == mine for steps, mine in zip(cases, found, strict=True))
+        return all(relabelled(steps, **change, cost=cost) == mine for steps, mine in zip(cases, found, strict=True))
 
     for sentence, change in FINAL_MISTAKES.items():
         if fits(change):
@@ -290,30 +330,53 @@ FUTURE_MISTAKES: Mapping[str, Callable[[Sequence[Step], int], Sequence[int]]] = 
 """Among which patterns, each as likely, each mistake draws the goal."""
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the goals of 'future'."""
+Gap = Annotated[
+    int,
+    Own(
+        tuple(range(1, 46)),
+        "Your future is far away: in your version only steps from number `t + {gap}` on count, each as likely; where"
+        " the episode has none, it is the last step.",
+    ),
+]
+
+
+def exercise_3(answer: Any, seed: int, gap: Gap = 0) -> str:
+    """Check the goals of 'future', of which only those far away may count."""
     require_function("future_goal", answer, "steps, t and rng")
     *_, short, _, long = episodes_of(seed)
+    cases = [(long, 2), (long, 0), (long, 5), (long, len(long) - 1), (short, 0)]
+    if gap:
+        cases.append((_turning(gap + 1), 1))
     check_all_choices(
         "future_goal(steps, t, rng)",
-        [
-            ChoiceCase(
-                partial(answer, [*steps], t),
-                shares_of([then for _, _, then in steps[t:]]),
-                {why: shares_of(draws(steps, t)) for why, draws in FUTURE_MISTAKES.items() if draws(steps, t)},
-                tables={},
-                where=f"where t = {t} and steps = {steps}",
-                noun="pattern",
-            )
-            for steps, t in ((long, 2), (long, 0), (long, 5), (long, len(long) - 1), (short, 0))
-        ],
+        [_future(partial(answer, [*steps], t), steps, t, min(t + gap, len(steps) - 1)) for steps, t in cases],
     )
     return (
         "Right: every step from t on is as likely. The pattern that it reached is a goal that step t was on the way to."
     )
 
 
+def _future(choose: Callable[[np.random.Generator], Any], steps: Sequence[Step], t: int, first: int) -> ChoiceCase:
+    """Return what should be drawn for step t, if the steps from `first` on count, and what the mistakes draw."""
+    wrong = {why: draws(steps, first) for why, draws in FUTURE_MISTAKES.items()}
+    return ChoiceCase(
+        choose,
+        shares_of([then for _, _, then in steps[first:]]),
+        {why: shares_of(goals) for why, goals in wrong.items() if goals and max(goals) < N_OF_THREE},
+        tables={},
+        where=f"where t = {t} and steps = {steps}",
+        noun="pattern",
+    )
+
+
+def _turning(n_steps: int) -> list[Step]:
+    """Return an episode of so many steps between two patterns, and three more, which achieve others."""
+    patterns = [k % 2 for k in range(n_steps + 1)]  # the start, and what is achieved
+    patterns += [patterns[-1] ^ turned for turned in (2, 6, 4)]  # one switch each
+    return [(state, (state ^ then) // 2, then) for state, then in pairwise(patterns)]
+
+
 def shares_of(patterns: Sequence[int]) -> list[float]:
     """Return the probability of each of the eight patterns, if each of those given is as likely."""
-    shares: list[float] = (np.bincount(patterns, minlength=8) / max(len(patterns), 1)).tolist()
+    shares: list[float] = (np.bincount(patterns, minlength=N_OF_THREE) / max(len(patterns), 1)).tolist()
     return shares

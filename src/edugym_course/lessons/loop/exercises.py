@@ -12,7 +12,7 @@ from edugym_course.grading.choices import ChoiceCase, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.own_numbers import Own
+from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
 from edugym_course.lessons.loop.exact import discounted
@@ -32,14 +32,7 @@ Margin = Annotated[
         "In your version a value that is at most {margin} below the highest counts as the highest too.",
     ),
 ]
-Cost = Annotated[
-    float,
-    Own(
-        tuple(k / 20 for k in range(1, 61)),
-        "Your agent is in a hurry: in your version the reward less {cost} stands in the update, in its place."
-        " So its line in the race below lies only near that of Q-learning.",
-    ),
-]
+Cost = Annotated[float, step_cost("So its line in the race below lies only near that of Q-learning.")]
 
 
 def exercise_1(answer: Any, seed: int, after: After = 0) -> str:

@@ -622,6 +622,7 @@ def table_rows(num_doors, length):
     ### BEGIN SOLUTION
     window = length * (length - 1) // 2 + 1
     return (num_doors + 1) ** window
+    # own: return (num_doors + {looks}) ** window
     ### END SOLUTION
 
 
@@ -694,6 +695,7 @@ class MyWindow(NamedTuple):
             values = self.n_observations if i % 2 == 0 else self.n_actions
             row = row * values + window[i]
         return row
+        # own: return (row + {shift}) % (self.n_observations**self.k * self.n_actions ** (self.k - 1))
         ### END SOLUTION
 
     def initial(self, rng):
@@ -781,6 +783,7 @@ class Notebook(NamedTuple):
         notes[place] = action
         if seen == self.num_doors:
             return place + 1
+            # own: return (place + {stride}) % len(notes)
         return 0
         ### END SOLUTION
 

@@ -1,95 +1,41 @@
 """The exercises of lesson 5: the size of a table, a window with actions, and notes of the doors that were opened."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from itertools import product
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from edugym.agents.q_learning import QLearning
 from edugym.envs.memory_corridor import MemoryCorridor
-from edugym_course.grading.agents import require_class, require_function
+from edugym_course.grading.agents import require_class
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_that_fits
+from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import CARET, exact, given, number
-from edugym_course.lessons.memory.notes import MISTAKES, Notes, right
+from edugym_course.grading.values import given, number
+from edugym_course.lessons.memory.notes import MISTAKES, Notes, right, strided
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
+from edugym_course.lessons.memory.rows import exercise_1 as exercise_1
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
-from edugym_course.lessons.memory.windows import action_law, window_law
 
-UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
-
-
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the number of rows of a table over windows of observations."""
-    require_function("table_rows", answer, "the doors and the length")
-    rng = np.random.default_rng(seed)
-    cases = [(int(rng.integers(5, 8)), 4), (4, 3 + int(rng.integers(2))), (2, 5), (3, 2), (6, 1), (2, 6), (3, 7)]
-    found = []
-    for doors, length in cases:
-        call, right_size = f"table_rows({doors}, {length})", (doors + 1) ** window_law(length)
-        with student_code(call):
-            size = answer(doors, length)
-        found.append(NumberCase(call, number(call, size), float(right_size), _row_mistakes(doors, length)))
-    compare_all(found, otherwise=UNUSUAL)
-    doors, length = 2, 9
-    call = f"table_rows({doors}, {length})"
-    with student_code(call):
-        size = answer(doors, length)
-    exact(call, size, (doors + 1) ** window_law(length))
-    return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
+Shift = Annotated[
+    int | None,
+    Own(
+        tuple(range(1, 64)),
+        "Your table begins elsewhere. In your version the number of a row is that of the hint, with the digits from"
+        " left to right, plus {shift}; after the last row it goes on with row 0. So the answer is the remainder by the"
+        " number of rows.",
+    ),
+]
 
 
-def _row_mistakes(doors: int, length: int) -> dict[str, float]:
-    """Return what the usual mistakes give."""
-    window, with_actions = window_law(length), action_law(length)
-    return {
-        "an unmarked place is an observation too, so there are N + 1 different ones": doors**window,
-        "4 is the base for three doors alone; write it with N, the number of doors": 4**window,
-        "the present observation is in the window as well: L(L-1)/2 steps back, and one": (doors + 1) ** (window - 1),
-        "a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back": (doors + 1)
-        ** length,
-        "L(L+1)/2 counts the steps to the end of corridor L; the mark that is needed lies only L(L-1)/2 steps back": (
-            doors + 1
-        )
-        ** (length * (length + 1) // 2),
-        "that is the window for corridor L - 1": (doors + 1) ** window_law(length - 1),
-        "L(L-1)/2 observations and the present one make L(L-1)/2 + 1; here is one more": (doors + 1) ** (window + 1),
-        "7 is the window of corridor 4 alone; compute it from the length": (doors + 1) ** 7,
-        "that is the window for corridor L + 1": (doors + 1) ** window_law(length + 1),
-        "that is the number of entries, a row has one for each action; the rows are asked for": (doors + 1) ** window
-        * doors,
-        "that is the table with the actions in the window; here it shows observations alone": (doors + 1)
-        ** with_actions
-        * doors ** (with_actions - 1),
-        "2L - 3 belongs to windows with actions; observations alone need L(L-1)/2 + 1": (doors + 1) ** with_actions,
-        "that is the window itself; how many different windows are there?": window,
-        "each observation in the window multiplies the number of rows by N + 1: take the power, not the product": (
-            doors + 1
-        )
-        * window,
-        "base and exponent have changed places": window ** (doors + 1),
-        "an unmarked place counts once, not twice: there are N + 1 observations": (doors + 2) ** window,
-        "L^2 / 2 + 1 is not L(L-1)/2 + 1": (doors + 1) ** (length**2 // 2 + 1),
-        "L(L-1) should be divided by 2": (doors + 1) ** (length * (length - 1) + 1),
-        "set brackets: L * L - 1 // 2 multiplies and divides before it subtracts": (doors + 1)
-        ** (length * length - 1 // 2 + 1),
-        "set brackets around N + 1: a power is taken before the sum": doors + 1**window,
-        CARET: (doors + 1) ^ window,
-        "the window shows observations alone here, so the actions do not multiply the rows": (doors + 1) ** window
-        * doors ** (window - 1),
-        "those are the bytes of the values; the rows are asked for": (doors + 1) ** window * 3 * 8,
-        "the windows of all lengths are added up; an episode starts with copies of its first observation, so all have"
-        " the full length": sum((doors + 1) ** k for k in range(1, window + 1)),
-    }
-
-
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the class of a window with actions."""
+def exercise_2(answer: Any, seed: int, shift: Shift = None) -> str:
+    """Check the class of a window with actions; any numbering of the rows will do, unless there is a shift."""
     require_class("MyWindow", answer)
     rng = np.random.default_rng(seed)
     pushes: list[tuple[Any, int, int, Any]] = []
@@ -104,7 +50,7 @@ def exercise_2(answer: Any, seed: int) -> str:
             pushes.append((window, action, seen, _pushed(made, window, action, seen)))
     _compare_pushes(pushes)
     for k, n, m in ((2, 3, 2), (2, 2, 3), (3, 3, 2), (3, 2, 3)):
-        _check_rows(answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m), k, n, m)
+        _check_rows(answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m), k, n, m, shift)
     return "Right: the history includes the actions. See it race:"
 
 
@@ -260,8 +206,8 @@ def _whole(call: str, found: Any) -> int:
     return int(value)
 
 
-def _check_rows(made: Any, k: int, n: int, m: int) -> None:
-    """Check that `row` numbers the windows: all numbers differ and fit the table."""
+def _check_rows(made: Any, k: int, n: int, m: int, shift: int | None) -> None:
+    """Check that `row` numbers the windows: all numbers differ and fit the table, and begin with a shift, if any."""
     size, what = n**k * m ** (k - 1), f"with {n} observations and {m} actions"
     windows = [np.array(entries) for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1)))]
     rows = [_row(made, window, what) for window in windows]
@@ -285,6 +231,12 @@ def _check_rows(made: Any, k: int, n: int, m: int) -> None:
                 f"row({other}) and row({window.tolist()}) are both {row} {what}, but different windows need different"
                 f" rows: {why}"
             )
+        expected = row if shift is None else (_in_digits(window, n, m) + shift) % size
+        if row != expected:
+            raise WrongAnswer(
+                f"row({window.tolist()}) {what} should be {expected}, but is {row}: it is the number with these digits"
+                f" plus {shift}, and its remainder by the number of rows, {size}"
+            )
 
 
 def _row(made: Any, window: Any, what: str) -> int:
@@ -298,35 +250,45 @@ def _row(made: Any, window: Any, what: str) -> int:
     return row
 
 
-def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int, int]]:
+def _walk(n: int, rng: np.random.Generator, stride: int) -> Iterator[tuple[Any, int, int, int, int]]:
     """Yield the arguments of `update`, and the number of doors, on the right way through five corridors."""
     doors = [*rng.integers(n, size=6).tolist()]
-    notes, place = np.full(8, n), 0
+    notes, place = np.full(8 if stride == 1 else 1_001, n), 0
     for length in range(1, 6):
         for p in range(length):
             case = notes, place, doors[p] if p == length - 1 else n, doors[p], n
             yield case
-            notes, place = right(*case)
+            notes, place = strided(right, case, stride)
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of a corridor with a notebook."""
+Stride = Annotated[
+    int,
+    Own(
+        tuple(k for k in range(2, 65) if math.gcd(k, 1_001) == 1),
+        "Your finger takes long strides: in your version the next place is {stride} lines further, not one, and after"
+        " the last line the book begins again. So it is `(place + {stride}) % len(notes)`.",
+    ),
+]
+
+
+def exercise_3(answer: Any, seed: int, stride: Stride = 1) -> str:
+    """Check the class of a corridor with a notebook, in which the finger moves on by a stride."""
     require_class("Notebook", answer)
     rng = np.random.default_rng(seed)
     cases, outcomes = [], []
     for n in (3, 4, 6):
         with student_code("Notebook(...)"):
             made = answer(MemoryCorridor.create(n), num_doors=n)
-        walk = [*_walk(n, rng)]
+        walk = [*_walk(n, rng, stride)]
         cases += walk
         outcomes += [_updated(made, *case) for case in walk]
     for case, (mine, place) in zip(cases, outcomes, strict=True):
-        notes, expected = right(*case)
+        notes, expected = strided(right, case, stride)
         if place == expected and np.array_equal(mine, notes):
             continue
         why = mistake_that_fits(
             MISTAKES,
-            lambda rule: all(map(_agree, cases, outcomes, [rule] * len(cases))),
+            lambda rule: all(map(partial(_agree, rule, stride), cases, outcomes)),
             otherwise="that is none of the usual mistakes, so follow this step by hand",
         )
         what = (
@@ -362,10 +324,10 @@ def _updated(made: Any, notes: Any, place: int, seen: int, action: int, n: int) 
     return mine, _whole(f"update(notes, {place}, {seen}, {action})", found)
 
 
-def _agree(case: Any, outcome: Notes, rule: Callable[..., Notes]) -> bool:
+def _agree(rule: Callable[..., Notes], stride: int, case: Any, outcome: Notes) -> bool:
     """Whether a rule gives the same in a case; one that would write outside of the notes does not."""
     try:
-        notes, place = rule(*case)
+        notes, place = strided(rule, case, stride)
     except IndexError:
         return False
     return place == outcome[1] and np.array_equal(notes, outcome[0])

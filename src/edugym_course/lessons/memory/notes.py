@@ -120,3 +120,10 @@ def _moved_first(notes: Any, place: int, seen: int, action: int, n: int) -> Note
 def right(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
     """Write the door, and move on."""
     return _noted(notes, place, action), place + 1 if seen == n else 0
+
+
+def strided(rule: Callable[..., Notes], case: Any, stride: int) -> Notes:
+    """Apply a rule to a case; where it moves on by a place, move on by a stride, after the last line anew."""
+    notes, place, *_ = case
+    after, then = rule(*case)
+    return after, (place + stride) % len(notes) if then == place + 1 and stride != 1 else then

@@ -622,6 +622,7 @@ from edugym_course.lessons.on_off_policy.exercises import CHALLENGE, exercise_1,
 negative_reward = -100.0
 ### BEGIN SOLUTION
 while len(exact.best_run(0.1, negative_reward=negative_reward)) > 5:
+    # own: while len(exact.best_run({epsilon}, negative_reward=negative_reward)) > 5:
     negative_reward += 0.1
 ### END SOLUTION
 
@@ -651,7 +652,9 @@ def switch(model):
     ### BEGIN SOLUTION
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
+        # own: for epsilon in np.arange(0.0, 0.35, 0.001):
         policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        # own: policy = value_iteration(model, epsilon=epsilon / {calm}, horizon=50).greedy_policy()
         if policy_evaluation(model, policy, horizon=50).start < fastest:
             return epsilon
     return 0.2
@@ -721,6 +724,7 @@ class TwoPolicies(NamedTuple):
             best, mean = max(self.Q[next_state]), np.mean(self.Q[next_state])
             value = (1 - self.target_epsilon) * best + self.target_epsilon * mean
         target = reward + self.discount * value
+        # own: target = reward - {cost} + self.discount * value
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
         ### END SOLUTION
 

@@ -1,9 +1,10 @@
 """The exercises of lesson 2: a milder cliff, the ε at which the best run changes, and an agent with two policies."""
 
+import math
 from collections.abc import Mapping
-from functools import partial
+from functools import cache, partial
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -13,76 +14,96 @@ from edugym.exact.tables import FiniteModel
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES, from_a_start, starts
 from edugym_course.grading.challenge import Challenge
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
+from edugym_course.grading.own_numbers import Own, found_once, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, number
 from edugym_course.lessons.on_off_policy.exact import FAST, best_run, best_soft_return, soft_return_of, switch
 from edugym_course.lessons.on_off_policy.methods import EPSILON, methods_with
 
-PENALTY = -36.9853303
-"""The reward of a fall at which the fast run stops being the best for ε = 0.1, by bisection on the exact model."""
-TENTH = -36.9
-"""The lowest reward with one digit after the decimal point for which the fast run is the best."""
 CLOSE, FINE = 0.1, 0.011
-"""How far a reward is a little too low; and how far it may be from `PENALTY` if it has more digits than one."""
+"""How far a reward is a little too low; and how far it may be from the exact one if it has more digits than one."""
 ROUNDING = 1e-6
 """How far a sum of many tenths, or an exact search, may be from the right number."""
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the lowest reward of a fall for which the fast run is still the best at ε = 0.1."""
+Slips = Annotated[
+    float,
+    Own(
+        tuple(k / 400 for k in range(21, 63) if k != 40),
+        "Your agent slips with $\\varepsilon = {epsilon}$, not 0.1, here and in the hint.",
+    ),
+]
+
+
+def exercise_1(answer: Any, seed: int, epsilon: Slips = EPSILON) -> str:
+    """Check the lowest reward of a fall for which the fast run is still the best with some ε."""
+    exact = fast_run_ends(epsilon)
+    tenth = math.ceil(10 * exact) / 10  # the lowest number with one digit for which the fast run is the best
     mistakes = {
         "that is the value with which the cell began": -100.0,
-        "that is the estimate 3/ε, which leaves out all slips but the last; let best_run work it out exactly": -30.0,
+        "that is the estimate 3/ε, which leaves out all slips but the last; let best_run work it out exactly": -3.0
+        / epsilon,
         "that is 1/ε; a random action is the deadly one in only one of three cases, and the rest of the run slips"
-        " too": -10.0,
-        "there the *path* of the safe run changes; the number of its steps changes elsewhere": _path_changes(),
+        " too": -1.0 / epsilon,
+        "there the *path* of the safe run changes; the number of its steps changes elsewhere": _path_changes(epsilon),
     }
 
     def says(penalty: float) -> str:
-        told = f"negative_reward = {digits(penalty, PENALTY)}"
+        told = f"negative_reward = {digits(penalty, exact)}"
         if penalty < -1_000_000:
             return f"{told} is below -1 000 000"
-        steps = len(best_run(EPSILON, negative_reward=penalty)) - 1
-        return f"with {told} the best run at ε = 0.1 takes {steps} step{'s' if steps > 1 else ''}"
+        steps = len(best_run(epsilon, negative_reward=penalty)) - 1
+        return f"with {told} the best run at ε = {epsilon:g} takes {steps} step{'s' if steps > 1 else ''}"
 
     found = number("negative_reward", answer)
     if found > 0.0:
         raise WrongAnswer(
-            f"negative_reward = {digits(found, PENALTY)}: a fall is no gain, so the number must be negative"
+            f"negative_reward = {digits(found, exact)}: a fall is no gain, so the number must be negative"
         )
-    near = abs(found - PENALTY) < 1.0
-    if PENALTY - CLOSE < found < PENALTY - ROUNDING:
+    near = abs(found - exact) < 1.0
+    if exact - CLOSE < found < exact - ROUNDING:
         raise WrongAnswer(f"{says(found)}: that is too low, by a little: take the next higher tenth")
-    if PENALTY + FINE < found < TENTH - ROUNDING:
+    if exact + FINE < found < tenth - ROUNDING:
         raise WrongAnswer(
             f"{says(found)}, and so it does for lower numbers: with more digits than one, take the lowest that has them"
         )
-    side = "too low, and the fast run of 4 steps should be best" if found < PENALTY else "higher than it need be"
+    side = "too low, and the fast run of 4 steps should be best" if found < exact else "higher than it need be"
     compare(
         "negative_reward",
         answer,
-        PENALTY,
+        exact,
         mistakes,
-        tolerance=TENTH + ROUNDING - PENALTY,
+        tolerance=max(tenth - exact, FINE) + ROUNDING,
         says=says,
         otherwise=f"it is {side}" + ("; you are close, look at every tenth" if near else ""),
     )
     return (
-        "Right: just above -37. The estimate of the lesson gives -30, since it looks at the last step alone. The safe "
-        "run slips too, and for one step more."
+        f"Right: just above {math.floor(exact)}. The estimate of the lesson gives {-3 / epsilon:.3g}, since it looks at"
+        " the last step alone. The safe run slips too, and for one step more."
     )
 
 
-def _path_changes(low: float = -100.0, high: float = -60.0) -> float:
+@cache
+def fast_run_ends(epsilon: float) -> float:
+    """Return the reward of a fall at which the fast run stops being the best, by bisection on the exact model."""
+    low, high = -4.2 / epsilon, -3.0 / epsilon
+    while high - low > ROUNDING:
+        middle = (low + high) / 2
+        low, high = (low, middle) if len(best_run(epsilon, negative_reward=middle)) == 5 else (middle, high)
+    return high
+
+
+def _path_changes(epsilon: float) -> float:
     """Return the reward of a fall below which the best run of five steps takes its slow step earlier, by bisection."""
-    early = best_run(EPSILON, negative_reward=low)
+    low, high = -10.0 / epsilon, -6.0 / epsilon
+    early = best_run(epsilon, negative_reward=low)
     while high - low > 1e-3:
         middle = (low + high) / 2
-        low, high = (middle, high) if best_run(EPSILON, negative_reward=middle) == early else (low, middle)
+        low, high = (middle, high) if best_run(epsilon, negative_reward=middle) == early else (low, middle)
     return low
 
 
@@ -113,8 +134,18 @@ class Road(NamedTuple):
         return abs(self.found - mistaken) <= precision
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the function that finds the ε at which the best run of a road changes."""
+Calm = Annotated[
+    float,
+    Own(
+        tuple(k / 40 for k in range(28, 70) if k != 40),
+        "Your agent slips otherwise: in your version it does so with probability $\\varepsilon / {calm}$. So plan for"
+        " that. The change is below 0.35.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, calm: Calm = 1.0) -> str:
+    """Check the function that finds the ε at which the best run of a road changes, if the agent slips with ε / calm."""
     require_function("switch", answer, "the model")
     rng = np.random.default_rng(seed)
     ranges = [(10, 60, 90), (int(rng.integers(11, 16)), 110, 200)]
@@ -126,9 +157,11 @@ def exercise_2(answer: Any, seed: int) -> str:
         model = finite_model(task)
         call = f"switch(model) for W = {size} and negative_reward = {task.negative_reward:g}"
         with student_code(call):
-            found = answer(model)
-        expected = switch(model, tolerance=1e-7)
-        roads.append(Road(call, number(call, found), expected, _switch_mistakes(model, task, expected)))
+            found = found_once(answer, call, partial(answer, model))
+        slips = found_once(switch, call, partial(switch, model, tolerance=1e-7))
+        mistakes = {} if nobody_asks_why() else _switch_mistakes(model, task, slips)
+        mistakes = {sentence: (calm * value, precision) for sentence, (value, precision) in mistakes.items()}
+        roads.append(Road(call, number(call, found), calm * slips, mistakes))
     for road in roads:
         if abs(road.found - road.expected) > PRECISION:
             near = abs(road.found - road.expected) < 0.0125
@@ -297,7 +330,10 @@ TWO_POLICIES = Update(
 )
 
 
-def exercise_3(answer: Any, seed: int) -> str:
+Cost = Annotated[float, step_cost("So the lines of the race below are others.")]
+
+
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     """Check the class of an agent that acts with one ε and learns the values of another."""
     require_class("TwoPolicies", answer)
     rng = np.random.default_rng(seed)
@@ -309,7 +345,7 @@ def exercise_3(answer: Any, seed: int) -> str:
             "target_epsilon": float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(agent_with_table, "TwoPolicies", answer, (n_states, n_actions), settings)
-        TWO_POLICIES.check(make, (n_states, n_actions), settings, seed)
+        TWO_POLICIES.check(make, (n_states, n_actions), settings | {"extra": -cost}, seed)
     return (
         "Right: one number says which policy the values belong to. ε_π = 0 is Q-learning, ε_π = ε expected SARSA. See "
         "it race:"

@@ -659,6 +659,7 @@ from edugym_course.lessons.own_problem.exercises import exercise_1, exercise_2, 
 late = 10.0
 ### BEGIN SOLUTION
 late = 5.9 / 0.9
+# own: late = ({ring} + 1.9) / 0.9
 ### END SOLUTION
 
 # %% tags=["check"]
@@ -682,6 +683,7 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     ### BEGIN SOLUTION
     after = 0.0 if terminated else discount * potential(next_state)
     return reward + after - potential(state)
+    # own: return reward + {weight} * (after - potential(state))
     ### END SOLUTION
 
 
@@ -739,6 +741,7 @@ class UsedToIt(NamedTuple):
         luck = rng.random()
         if action == 2:
             depth = 0 if luck < 0.9 else max(depth - 1, 0)
+            # own: depth = 0 if luck < {wakes} else max(depth - 1, 0)
         elif action == 1 and chimes < 2:
             depth = max(depth - 1, 0) if luck < 0.7 else depth
         else:
@@ -864,6 +867,7 @@ class Umbrella(NamedTuple):
         """What a step is worth."""
         carried = state[1] == 1 and action == 1
         return (-1.0 if carried else 0.0) - (5.0 if state[2] == 1 and not carried else 0.0)
+        # own: return (-1.0 if carried else 0.0) - ({price} if state[2] == 1 and not carried else 0.0)
 
     def terminal(self, state):
         """Whether the episode is over."""

@@ -667,6 +667,7 @@ from edugym_course.lessons.signal.exercises import CHALLENGE, exercise_1, exerci
 words = 1  # put your number here
 ### BEGIN SOLUTION
 while information(0.1, words) < 0.4:
+    # own: while information(0.1, words) < {enough}:
     words += 1
 ### END SOLUTION
 
@@ -701,6 +702,7 @@ def bits_in(joint):
         for y in range(joint.shape[1]):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+                # own: total += joint[x, y] * math.log(joint[x, y] / (joint[x].sum() * joint[:, y].sum()), {base})
     return total
     ### END SOLUTION
 
@@ -771,6 +773,7 @@ class Listener(NamedTuple):
         votes = np.zeros(4)
         for k in range(1, len(observation)):
             votes[observation[k] % 4] += 1.0
+            # own: votes[observation[k] % 4] += {loud} if k == 1 else 1.0
         if self.last[0] >= 0:
             votes[self.last[0]] = -100.0
         action = pick(votes, rng)

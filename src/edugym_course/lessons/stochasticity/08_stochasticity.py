@@ -724,9 +724,11 @@ from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1,
 level = 0.0187  # with 10 hits
 ### BEGIN SOLUTION
 highest_level = 0.03
+# own: highest_level = 0.05
 while highest_level - level > 0.0001:
     middle = (level + highest_level) / 2
     swings = exact.from_the_tee(middle, max_hits=5)
+    # own: swings = exact.from_the_tee(middle, max_hits=5, epsilon={careless})
     if swings["drive"] > swings["chip"]:
         level = middle
     else:
@@ -763,6 +765,7 @@ def frontier(players):
             for other_mean, other_spread in players.values()
         )
         if not beaten:
+            # own: if not beaten and mean >= {least}:
             best.append(name)
     return best
     ### END SOLUTION
@@ -856,6 +859,7 @@ class TwoWeights(NamedTuple):
         ### BEGIN SOLUTION
         value = 0.0 if terminated else max(self.Q[next_state])
         delta = reward + self.discount * value - self.Q[state, action]
+        # own: delta = reward - {cost} + self.discount * value - self.Q[state, action]
         weight = 1.0 - self.kappa if delta > 0.0 else 1.0 + self.kappa
         self.Q[state, action] += self.learning_rate * weight * delta
         ### END SOLUTION

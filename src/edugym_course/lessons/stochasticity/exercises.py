@@ -1,10 +1,11 @@
 """The exercises of lesson 8: where a risk stops being worth it, players worth choosing, an agent with two weights."""
 
+import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import takewhile
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, numbers_of, one_step_update
+from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, given, number
@@ -24,15 +26,34 @@ OPTIMUM = 0.868
 """The best expected return at the lesson's level, computed for a player who sees the ball."""
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the level at which drive and chip are worth the same, with 5 hits."""
-    expected = crossing(0.02, 0.025, max_hits=HITS)
+CROSSINGS = """
+0.05 2356, 0.1 2395, 0.15 2438, 0.19 2475, 0.23 2514, 0.27 2558, 0.3 2592, 0.33 2629, 0.36 2669, 0.39 2710, 0.42
+2755, 0.45 2802, 0.48 2852, 0.5 2887, 0.52 2924, 0.54 2962, 0.56 3002, 0.58 3044, 0.6 3087, 0.62 3131, 0.64 3178,
+0.66 3227, 0.68 3277, 0.7 3330, 0.72 3385, 0.74 3442, 0.76 3501, 0.78 3563, 0.8 3628, 0.81 3661, 0.82 3695, 0.83
+3730, 0.84 3766, 0.85 3802, 0.86 3839, 0.87 3877, 0.88 3916, 0.89 3956, 0.9 3996, 0.91 4038, 0.92 4080, 0.93 4124
+"""
+"""For some ε the level, times 100 000, at which drive and chip are worth the same with 5 hits, by `crossing`."""
+LEVELS = {float(epsilon): int(level) / 100_000 for epsilon, level in map(str.split, CROSSINGS.split(","))}
+Careless = Annotated[
+    float,
+    Own(
+        tuple(LEVELS),
+        "Your player is careless: in your version each swing after the first is a random one with probability"
+        " {careless}. That is the argument `epsilon={careless}` of `exact.from_the_tee`. The level is between 0.02 and"
+        " 0.05.",
+    ),
+]
+
+
+def exercise_1(answer: Any, seed: int, careless: Careless = 0.0) -> str:
+    """Check the level at which drive and chip are worth the same, with 5 hits and random swings now and then."""
+    expected = LEVELS[careless] if careless else crossing(0.02, 0.025, max_hits=HITS)
 
     def says(level: float) -> str:
         told = f"level = {digits(level, expected)}"
         if not 0 < level <= 1:
             return f"{told} is not a level, a number above 0 and far below 1"
-        worth = from_the_tee(level, max_hits=HITS)
+        worth = from_the_tee(level, max_hits=HITS, epsilon=careless)
         return f"at {told} the drive is worth {worth['drive']:.4f} and the chip {worth['chip']:.4f}"
 
     found = number("level", answer)
@@ -43,7 +64,9 @@ def exercise_1(answer: Any, seed: int) -> str:
         "level",
         answer,
         expected,
-        {
+        {"that is the value with which the cell began": 0.0187}
+        if careless
+        else {
             "that is the value with which the cell began": 0.0187,
             "that is the crossing with 10 hits; give `max_hits=5` to from_the_tee": crossing(),
             "that is the lesson's own level; look for the one at which drive and chip are worth the same": LEVEL,
@@ -64,6 +87,10 @@ def exercise_1(answer: Any, seed: int) -> str:
         says=says,
         otherwise=f"it is {side}" + ("; you are close, look in steps of 0.0001" if near else ""),
     )
+    if careless:
+        return (
+            f"Right: near {expected:.4f}. A player who may waste the next hits takes more risk than one who does not."
+        )
     return (
         "Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: "
         "0.0220. The more a hit costs, the more risk is worth taking."
@@ -168,25 +195,42 @@ def made_up_players(seed: int) -> list[dict[str, Pair]]:
     rng = np.random.default_rng(seed)
     few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
     cases = []
-    for pairs in (FRONTIER_CASE, ((22, 1), *FRONTIER_CASE), few, few[:1]):
+    for lowest, pairs in ((0.6, FRONTIER_CASE), (0.6, ((22, 1), *FRONTIER_CASE)), (0.3, few), (0.3, few[:1])):
         scale = float(rng.choice([0.003, 0.004]))  # so small that two digits do not tell them apart
         order = sorted(rng.permutation(len(pairs)), key=lambda k: k > 1)  # the first two in front, not to be beaten
-        players = [(round(0.6 + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]
+        players = [(round(lowest + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]
         cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
     return cases
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the function that finds the players that no other one beats."""
+Least = Annotated[
+    float,
+    Own(
+        tuple(k / 200 for k in range(80, 121)),
+        "Your club is strict: in your version a player whose mean return is below {least} may not play, and is not on"
+        " the frontier.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, least: Least = -math.inf) -> str:
+    """Check the function that finds the players that no other one beats, and whose mean is not too low."""
     require_function("frontier", answer, "the players")
     cases = made_up_players(seed)
+    if math.isfinite(least):
+        means = [round(least + steps / 400, 4) for steps in (-1, 1, 6)]  # just too low, just high enough, and high
+        cases.append({name: (mean, 0.01 * k) for k, (name, mean) in enumerate(zip("ABC", means, strict=True), start=1)})
     found = [_names(answer, players) for players in cases]
     for players, names in zip(cases, found, strict=True):
-        right = _unbeaten(players, _beats)
+        allowed = {name for name, (mean, _) in players.items() if mean >= least}
+        right = _unbeaten(players, _beats) & allowed
         if names == right:
             continue
+        if names - allowed:
+            name = min(names - allowed)
+            raise WrongAnswer(f"{_told(players, names, right)}: the mean of {name} is below {least:g}")
         for sentence, mistake in FRONTIER_MISTAKES.items():
-            if all(mistake(each) == mine for each, mine in zip(cases, found, strict=True)):
+            if not math.isfinite(least) and all(mistake(each) == mine for each, mine in zip(cases, found, strict=True)):
                 raise WrongAnswer(f"{_told(players, names, right)}: {sentence}")
         raise WrongAnswer(f"{_told(players, names, right)}: {_one_name(players, names, right)}")
     return "Right. To choose between players on the frontier you need a taste: how much mean is less spread worth?"
@@ -317,7 +361,10 @@ TWO_WEIGHTS = Update(
 )
 
 
-def exercise_3(answer: Any, seed: int) -> str:
+Cost = Annotated[float, step_cost("It stands in δ. So the agents of the race below play otherwise.")]
+
+
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     """Check the class of an agent that weighs good and bad surprises."""
     require_class("TwoWeights", answer)
     rng = np.random.default_rng(seed)
@@ -328,7 +375,7 @@ def exercise_3(answer: Any, seed: int) -> str:
             "kappa": sign * float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(agent_with_table, "TwoWeights", answer, (n_states, n_actions), settings)
-        TWO_WEIGHTS.check(make, (n_states, n_actions), settings, seed)
+        TWO_WEIGHTS.check(make, (n_states, n_actions), settings | {"extra": -cost}, seed)
     return "Right: two weights are enough to move the crossing. See it race:"
 
 

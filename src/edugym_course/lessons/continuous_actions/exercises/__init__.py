@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import CARET, allowance, exact, given, number
 from edugym_course.lessons.continuous_actions.exercises.episodes import check_update
@@ -21,63 +22,85 @@ from edugym_course.lessons.continuous_actions.methods import gaussian, tiles_on_
 UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the number of preferences of a table for an arm with several joints."""
+Held = Annotated[
+    int,
+    Own(
+        tuple(range(4, 64)),
+        "Your arm carries one of several boxes, or none: in your version there are {held} possibilities of what it"
+        " holds, not two.",
+    ),
+]
+Scale = Annotated[
+    float,
+    Own(
+        tuple(k / 40 for k in range(18, 66) if k not in (20, 40)),
+        "Your policy has another parameter: in your version $\\ln \\sigma = {scale}\\, \\rho$, and the second number is"
+        " how fast $\\ln \\pi(a)$ grows with $\\rho$. The policies below learn a little faster or more slowly by it.",
+    ),
+]
+Cost = Annotated[float, step_cost("($R_{{t+1}} - {cost}$ stands in the returns.)")]
+
+
+def exercise_1(answer: Any, seed: int, held: Held = 2) -> str:
+    """Check the number of preferences of a table for an arm with several joints, and so many things to hold."""
     require_function("preferences", answer, "joints, bins and cells")
     rng = np.random.default_rng(seed)
     cases = [(3, 5, 10 + int(rng.integers(5))), (2, 3, 7), (3, 4, 6), (1, 9, 12), (4, 3, 5 + int(rng.integers(3)))]
     found = []
     for joints, bins, cells in cases:
-        call, right = f"preferences({joints}, {bins}, {cells})", 2 * cells**joints * bins**joints
+        call, right = f"preferences({joints}, {bins}, {cells})", held * cells**joints * bins**joints
         with student_code(call):
             size = answer(joints, bins, cells)
-        found.append(NumberCase(call, number(call, size), float(right), _size_mistakes(joints, bins, cells)))
+        found.append(NumberCase(call, number(call, size), float(right), _size_mistakes(joints, bins, cells, held)))
     compare_all(found, otherwise=UNUSUAL)
     joints, bins, cells = 8, 3, 2000  # more than 64 bits, and few enough actions to list them
     call = f"preferences({joints}, {bins}, {cells})"
     with student_code(call):
         size = answer(joints, bins, cells)
-    exact(call, size, 2 * (cells * bins) ** joints)
-    many = 2 * (30 * 5) ** 6
+    exact(call, size, held * (cells * bins) ** joints)
+    many = held * (30 * 5) ** 6
     return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
 
 
-def _size_mistakes(m: int, n: int, c: int) -> dict[str, float]:
+def _size_mistakes(m: int, n: int, c: int, h: int) -> dict[str, float]:
     """Return what the usual mistakes give."""
+    times, yes_and_no = ("doubles", ", yes and no") if h == 2 else (f"multiplies by {h}", "")
     return {
-        "whether the box is held doubles the number of rows": c**m * n**m,
-        "that is the number of rows; each row has a column for every action": 2 * c**m,
+        f"whether the box is held {times} the number of rows": c**m * n**m,
+        "that is the number of rows; each row has a column for every action": h * c**m,
         "that is the number of actions alone; how many rows are there?": n**m,
-        "the bins of the joints are chosen together: n for each of m joints make n^m actions, not n m": 2
+        "the bins of the joints are chosen together: n for each of m joints make n^m actions, not n m": h
         * c**m
         * n
         * m,
-        "every joint has bins of its own: n^m actions, not n": 2 * c**m * n,
-        "every joint has an angle of its own: c^m cells, not c": 2 * c * n**m,
+        "every joint has bins of its own: n^m actions, not n": h * c**m * n,
+        "every joint has an angle of its own: c^m cells, not c": h * c * n**m,
         "that is right for the two coordinates of the wrist in the lesson; here every joint has an angle of its own:"
-        " c^m cells, not c^2": 2 * c**2 * n**m,
-        "that is right for two joints; m joints have c^m cells and n^m actions": 2 * c**2 * n**2,
-        "the angles are cut together: c^m cells, not c m": 2 * c * m * n**m,
-        "both are powers: m joints have c^m cells and n^m actions": 2 * c * n * m,
-        "both are powers: m joints have c^m cells and n^m actions; the joints are missing": 2 * c * n,
-        "cells and bins multiply, they do not add: every row has all columns": 2 * c**m + n**m,
-        "the box is held by the arm, not by each joint: the factor is 2, not 2^m": 2**m * c**m * n**m,
-        "base and exponent have changed places: n^m, not m^n": 2 * m**c * m**n,
-        "base and exponent of the bins have changed places: n^m, not m^n": 2 * c**m * m**n,
-        "base and exponent of the cells have changed places: c^m, not m^c": 2 * m**c * n**m,
-        "both are powers: m joints have c^m cells and n^m actions, not c m and n m": 2 * (c * m) * (n * m),
-        "holding the box belongs to the state alone, not to the action: one factor of 2": 4 * c**m * n**m,
-        "those are the numbers of the lesson's table: use `joints`, `bins` and `cells`": 2 * 30 * 30 * 5**2,
-        CARET: (2 * c) ^ (m * n) ^ m,
-        f"{CARET}, here as well": 2 * (c ^ m) * (n ^ m),
-        "the 2 multiplies the rows, it is not added to them": (2 + c**m) * n**m,
-        "the box is a part of the state: multiply by 2, do not square": (c**m) ** 2 * n**m,
-        "holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used": 3 * c**m * n**m,
+        " c^m cells, not c^2": h * c**2 * n**m,
+        "that is right for two joints; m joints have c^m cells and n^m actions": h * c**2 * n**2,
+        "the angles are cut together: c^m cells, not c m": h * c * m * n**m,
+        "both are powers: m joints have c^m cells and n^m actions": h * c * n * m,
+        "both are powers: m joints have c^m cells and n^m actions; the joints are missing": h * c * n,
+        "cells and bins multiply, they do not add: every row has all columns": h * c**m + n**m,
+        f"the box is held by the arm, not by each joint: the factor is {h}, not {h}^m": h**m * c**m * n**m,
+        "base and exponent have changed places: n^m, not m^n": h * m**c * m**n,
+        "base and exponent of the bins have changed places: n^m, not m^n": h * c**m * m**n,
+        "base and exponent of the cells have changed places: c^m, not m^c": h * m**c * n**m,
+        "both are powers: m joints have c^m cells and n^m actions, not c m and n m": h * (c * m) * (n * m),
+        f"holding the box belongs to the state alone, not to the action: one factor of {h}": h * h * c**m * n**m,
+        "those are the numbers of the lesson's table: use `joints`, `bins` and `cells`": h * 30 * 30 * 5**2,
+        CARET: (h * c) ^ (m * n) ^ m,
+        f"{CARET}, here as well": h * (c ^ m) * (n ^ m),
+        f"the {h} multiplies the rows, it is not added to them": (h + c**m) * n**m,
+        f"the box is a part of the state: multiply by {h}, do not square": (c**m) ** 2 * n**m,
+        f"holding has {h} values{yes_and_no}; in the lesson's wrapper one of the 3 cells is never used": (h + 1)
+        * c**m
+        * n**m,
     }
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the scores of a Gaussian policy."""
+def exercise_2(answer: Any, seed: int, scale: Scale = 1.0) -> str:
+    """Check the scores of a Gaussian policy; the second one is that of ρ, where ln σ = scale ρ."""
     require_function("my_scores", answer, "a, mu and sigma")
     rng = np.random.default_rng(seed)
     cases = [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0), (0.3, 0.4, 0.25)]
@@ -89,13 +112,14 @@ def exercise_2(answer: Any, seed: int) -> str:
         with student_code(call):
             pair = answer(a, mu, sigma)
         found.append(_two(call, pair))
-    for k, (what, formulas) in enumerate((("μ", OF_MEAN), ("ln σ", OF_LOG_SPREAD))):
+    spread = "ln σ" if scale == 1.0 else "ρ"
+    for k, (what, formulas, factor) in enumerate((("μ", OF_MEAN, 1.0), (spread, OF_LOG_SPREAD, scale))):
         right, mistakes = formulas[""], {why: rule for why, rule in formulas.items() if why}
         for case, pair in zip(cases, found, strict=True):
-            expected = right(*case)
+            expected = factor * right(*case)
             if abs(pair[k] - expected) <= allowance(expected):
                 continue
-            fits = [why for why, rule in mistakes.items() if _fits(rule, cases, [p[k] for p in found])]
+            fits = [why for why, rule in mistakes.items() if _fits(rule, factor, cases, [p[k] for p in found])]
             a, mu, sigma = case
             rounded = any(round(expected, places) == pair[k] for places in range(1, 7))
             why = "do not round it" if rounded else [*fits, "derive it again from ln π(a), term by term"][0]
@@ -103,11 +127,11 @@ def exercise_2(answer: Any, seed: int) -> str:
                 f"my_scores({a:g}, {mu:g}, {sigma:g}) should give {expected:.4g} for {what}, but gives"
                 f" {pair[k]:.4g}: {why}"
             )
-    _check_arrays(answer)
+    _check_arrays(answer, scale)
     return "Right: the mean of both scores is 0, so a baseline changes nothing on average. See your policies learn:"
 
 
-def _check_arrays(answer: Any) -> None:
+def _check_arrays(answer: Any, scale: float) -> None:
     """Check the scores of three actions at once."""
     several = {
         "a": np.array([0.0, 1.0, -2.0]),
@@ -125,8 +149,8 @@ def _check_arrays(answer: Any) -> None:
                 f"my_scores changes the array `{name}` that it is given: `-=` and the like write into an array, so"
                 " give what you compute a name of its own"
             )
-    for part, formulas in zip(pair, (OF_MEAN, OF_LOG_SPREAD), strict=True):
-        expected = formulas[""](*several.values())
+    for part, formulas, factor in zip(pair, (OF_MEAN, OF_LOG_SPREAD), (1.0, scale), strict=True):
+        expected = factor * formulas[""](*several.values())
         if np.shape(part) != (3,) or not np.allclose(np.asarray(part, float), expected):
             raise WrongAnswer(
                 "my_scores with three actions at once should give three numbers for each score: use + - * / **"
@@ -203,9 +227,9 @@ OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
 """The score of ln σ likewise."""
 
 
-def _fits(rule: Any, cases: list[Any], found: list[float]) -> bool:
-    """Whether a rule gives what was found in every case."""
-    return all(np.isclose(rule(*case), value, rtol=1e-9) for case, value in zip(cases, found, strict=True))
+def _fits(rule: Any, factor: float, cases: list[Any], found: list[float]) -> bool:
+    """Whether a factor times a rule gives what was found in every case."""
+    return all(np.isclose(factor * rule(*case), value, rtol=1e-9) for case, value in zip(cases, found, strict=True))
 
 
 def _two(call: str, pair: Any) -> tuple[float, float]:
@@ -224,10 +248,10 @@ def _require_pair(call: str, pair: Any) -> None:
         )
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of REINFORCE with a baseline."""
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check the class of REINFORCE with a baseline, whose returns have the rewards less a cost."""
     require_class("MyREINFORCE", answer)
-    check_update(answer, seed)
+    check_update(answer, seed, cost)
     return "Right: returns minus a baseline, times the score. See it race:"
 
 

@@ -11,7 +11,7 @@ from gymnasium.spaces import Discrete, MultiDiscrete
 from edugym_course.grading.agents import agent_created_by, learn_step, with_settings
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.challenge import Sizes
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing
 
@@ -277,8 +277,13 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
 """By the sentence that tells of it, what each mistake changes in `after`."""
 
 
-def check_update(kind: Any, seed: int) -> None:
+def check_update(kind: Any, seed: int, cost: float) -> None:
     """Check how a student's agent learns from episodes.
+
+    Args:
+        kind: her class.
+        seed: the number from which the episodes are drawn.
+        cost: what is to be subtracted from each reward.
 
     Raises:
         WrongAnswer: it learns something else.
@@ -290,14 +295,17 @@ def check_update(kind: Any, seed: int) -> None:
         for case, (theta, V) in _pairs(made, found)
     ):
         raise WrongAnswer("update changes neither `preferences` nor `V`: change the entries of these arrays in place")
-    for case, outcome in _pairs(made, found):
+    shown, made = made, [case._replace(rewards=[reward - cost for reward in case.rewards]) for case in made]
+    for told, case, outcome in zip(shown, made, found, strict=True):
         right = after(case)
         if _same(right, outcome) or _same(after(case, backwards=True), outcome):
             continue
+        if nobody_asks_why():
+            raise WrongAnswer("update does something else")
         singles = [why for why, change in MISTAKES.items() if _explains(change, made, found)]
         pairs = [] if singles else _two_mistakes(made, found)
         why = [*singles, *pairs, "that is none of the usual mistakes, so follow this episode by hand"][0]
-        raise WrongAnswer(f"{_told(case, right, outcome)}: {why}")
+        raise WrongAnswer(f"{_told(told, right, outcome)}: {why}")
 
 
 def _pairs(made: list[Case], found: list[Any]) -> Any:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
@@ -15,6 +15,7 @@ from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge, Sizes
 from edugym_course.grading.choices import check_choices
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, number, same
@@ -22,10 +23,26 @@ from edugym_course.lessons.depth.exercises.cutting import cases, explained, outc
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, learn_from
 from edugym_course.lessons.depth.exercises.quiet import check_depth
 from edugym_course.lessons.depth.exercises.ratio import RatioCase, compare_ratios, ratio
-from edugym_course.lessons.depth.methods import label, maker
+from edugym_course.lessons.depth.methods import LEARNING_RATE, label, maker
+
+Rate = Annotated[
+    float,
+    Own(
+        tuple(k / 200 for k in range(4, 56) if k not in (10, 20, 40)),
+        "Your agent has another learning rate: $\\alpha = {rate}$, not 0.1.",
+    ),
+]
+Most = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(24, 65)),
+        "In your version the ratios are cut: a factor of the product that is greater than {most} counts as {most}.",
+    ),
+]
+Cost = Annotated[float, step_cost("($R_{{k+1}} - {cost}$ stands in the first line.) So its line in the race is lower.")]
 
 
-def exercise_1(answer: Any, seed: int) -> str:
+def exercise_1(answer: Any, seed: int, rate: Rate = LEARNING_RATE) -> str:
     """Check the function that makes a Monte Carlo agent without exploration."""
     require_function("quiet", answer, "the task that returns an agent")
     study = make_mdp("Study", layout_seed=seed)
@@ -41,7 +58,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
     if epsilon != 0.0:
         raise WrongAnswer(f"the quiet agent never explores, so ε should be 0, but it is {epsilon:g}")
-    check_depth(made, study.total_days, seed)
+    check_depth(made, study.total_days, seed, rate)
     n_actions = shape[1]
     Q[:] = 0.0
     Q[1, 1], Q[2, :] = 0.5, [-0.5, *[0.25] * (n_actions - 1)]
@@ -62,8 +79,8 @@ def exercise_1(answer: Any, seed: int) -> str:
     return "Right: its targets are made of rewards alone, and it takes no random action. See it race:"
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the importance-sampling ratio of a greedy policy against an ε-greedy one."""
+def exercise_2(answer: Any, seed: int, most: Most = math.inf) -> str:
+    """Check the importance-sampling ratio of a greedy policy against an ε-greedy one, with no factor above `most`."""
     require_function("importance_ratio", answer, "greedy, epsilon and n_actions")
     rng = np.random.default_rng(seed)
     length = 4 + int(rng.integers(3))
@@ -88,10 +105,10 @@ def exercise_2(answer: Any, seed: int) -> str:
         try:
             found.append(_answered(answer, *case))
         except WrongAnswer:
-            if all(same(one, ratio(*case)) for one, case in zip(found, cases, strict=False)):
+            if all(same(one, ratio(*case, most=most)) for one, case in zip(found, cases, strict=False)):
                 raise  # an error says more than a wrong number, unless that came first
             break
-    compare_ratios(cases, found)
+    compare_ratios(cases, found, most)
     return (
         "Right: one exploring action on the way makes the ratio 0, whatever the others were. With nine later actions, "
         f"ε = 0.1 and N = 5 a target counts {1 / 0.92**9:.1f} times or not at all."
@@ -110,8 +127,8 @@ def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -
     return number(call, found)
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of an agent that looks as deep as its actions were greedy."""
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check the class of an agent that looks as deep as its actions were greedy, with a cost of each step."""
     require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
     settings = {"learning_rate": float(rng.choice(LEARNING_RATES)), "discount": float(rng.choice(DISCOUNTS))}
@@ -122,8 +139,9 @@ def exercise_3(answer: Any, seed: int) -> str:
         for episode in episodes:
             learn_from(agent, episode)
             found.append(table_of(agent, "Q", Q.shape).copy())
-    if not all(map(all_same, outcomes(all_cases, settings), found)):
-        raise WrongAnswer(explained(all_cases, found, settings))
+    rule = {**settings, "cost": cost}
+    if not all(map(all_same, outcomes(all_cases, rule), found)):
+        raise WrongAnswer(explained(all_cases, found, rule))
     return "Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:"
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.cases import FAR_BELOW, STARTS, from_a_start, starts
+from edugym_course.grading.errors import nobody_asks_why
 from edugym_course.grading.values import all_same, differing, digits, in_brackets
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, Episode, make_episode
 
@@ -24,6 +25,7 @@ def hand_back(
     *,
     learning_rate: float,
     discount: float,
+    cost: float = 0.0,
     cut: str = "after",
     to: str = "max",
     order: str = "backwards",
@@ -36,6 +38,7 @@ def hand_back(
 ) -> None:
     """Learn from an episode as exercise 3 asks, in place; other arguments than the defaults are mistakes.
 
+    `cost` is subtracted from each reward.
     `left_over` is what stands behind the rewards of the episode in the agent's array: one of a longer episode before.
     """
     last = len(episode.states) - 1
@@ -52,6 +55,7 @@ def hand_back(
         s, a, r = k if index == "k" else episode.states[k], episode.actions[k], episode.rewards[k]
         if index == "k + 1":
             r = episode.rewards[k + 1] if k < last else left_over
+        r -= cost
         best_before, mine_before = float(Q[s].max()), float(Q[s, a])
         if cut == "first" and mine_before < best_before:
             G = best_before
@@ -249,6 +253,8 @@ def _why(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) 
     def fits(change: Settings) -> bool:
         return all(map(all_same, outcomes(all_cases, {**settings, **change}), found))
 
+    if nobody_asks_why():
+        return UNUSUAL
     if fits({"steps": "none"}):
         return "`hand_back` changes nothing in Q"
     for sentence, change in MISTAKES.items():

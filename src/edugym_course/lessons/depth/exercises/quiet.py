@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from edugym.mdp.protocol import Reals
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.values import digits, in_brackets
 from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
 from edugym_course.lessons.depth.methods import LEARNING_RATE, maker
@@ -17,18 +17,20 @@ RATES = (LEARNING_RATE, 0.01, 0.05, 0.2, 0.3, 0.5, 0.9, 1.0)
 DISCOUNTS = (DISCOUNT, 0.0, 0.9, 0.95, 0.99)
 
 
-def check_depth(agent: Any, days: int, seed: int) -> None:
-    """Check that an agent learns from whole episodes, with the rate and the discount of the lesson.
+def check_depth(agent: Any, days: int, seed: int, learning_rate: float) -> None:
+    """Check that an agent learns from whole episodes, with a learning rate and the discount of the lesson.
 
     Raises:
         WrongAnswer: it looks less deep, or has another rate or discount.
     """
     episode = _episode(days, seed)
     found = _values(agent, episode)
-    right = _values(_agent(math.inf, LEARNING_RATE, DISCOUNT, days), episode)
+    right = _values(_agent(math.inf, learning_rate, DISCOUNT, days), episode)
     if np.allclose(found, right):
         return
-    fits = [case for case, values in _cases(days, seed).items() if np.allclose(found, values)]
+    if nobody_asks_why():
+        raise WrongAnswer("it has other numbers")
+    fits = [case for case, values in _cases(days, seed, learning_rate).items() if np.allclose(found, values)]
     if not fits:
         raise WrongAnswer(
             f"after two equal episodes with rewards {in_brackets(episode.rewards)}, the value of the first action"
@@ -39,21 +41,21 @@ def check_depth(agent: Any, days: int, seed: int) -> None:
     wrong = []
     if n != math.inf:
         wrong.append(f"its targets have {n:g} reward{'s' if n > 1 else ''}, and Monte Carlo has n=math.inf")
-    if rate != LEARNING_RATE:
-        wrong.append(f"it has a learning rate of {rate:g}, and it should be {LEARNING_RATE:g}")
+    if rate != learning_rate:
+        wrong.append(f"it has a learning rate of {rate:g}, and it should be {learning_rate:g}")
     if discount != DISCOUNT:
         wrong.append(f"it has a discount of {discount:g}, and it should be {DISCOUNT:g}")
     raise WrongAnswer("the quiet agent should be that of the experiment, but " + "; and ".join(wrong))
 
 
 @cache
-def _cases(days: int, seed: int) -> dict[tuple[float, float, float], Reals]:
+def _cases(days: int, seed: int, learning_rate: float) -> dict[tuple[float, float, float], Reals]:
     """Return the values that other depths, learning rates and discounts would give."""
     episode = _episode(days, seed)
     return {
         (n, rate, discount): _values(_agent(n, rate, discount, days), episode)
         for n in (math.inf, *range(1, days))
-        for rate in RATES
+        for rate in (learning_rate, *RATES)
         for discount in DISCOUNTS
     }
 

@@ -21,9 +21,13 @@ def ratio(
     otherwise: str = "0",
     how: str = "product",
     empty: float = 1.0,
+    most: float = math.inf,
     written: Mapping[str, float] = MappingProxyType({}),
 ) -> float:
-    """Return the ratio; other arguments than the defaults are mistakes, `written` numbers in place of the arguments."""
+    """Return the ratio, with no factor above `most`.
+
+    Other arguments than the defaults are mistakes, `written` numbers in place of the arguments.
+    """
     epsilon, n_actions = written.get("epsilon", epsilon), int(written.get("n_actions", n_actions))
     best = {
         "1 - ε + ε/N": 1 - epsilon + epsilon / n_actions,
@@ -33,7 +37,7 @@ def ratio(
         "1 - ε + ε N": 1 - epsilon + epsilon * n_actions,
         "ε/N": epsilon / n_actions,
     }[likely]
-    of_best = 1 / best if best else math.inf
+    of_best = min(1 / best, most) if best else most
     of_others = {
         "0": 0.0,
         "1": 1.0,
@@ -139,12 +143,13 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-def compare_ratios(cases: Sequence[RatioCase], found: Sequence[float]) -> None:
+def compare_ratios(cases: Sequence[RatioCase], found: Sequence[float], most: float) -> None:
     """Refuse ratios that are not right, with the mistake that explains them all, if there is one.
 
     Args:
         cases: the arguments.
         found: what the answer gives for the first of them, or for all.
+        most: what a greater factor counts as.
 
     Raises:
         WrongAnswer: one is not right.
@@ -154,8 +159,8 @@ def compare_ratios(cases: Sequence[RatioCase], found: Sequence[float]) -> None:
             NumberCase(
                 f"importance_ratio({case[0]}, {case[1]:g}, {case[2]})",
                 value,
-                ratio(*case),
-                {sentence: ratio(*case, **change) for sentence, change in MISTAKES.items()},
+                ratio(*case, most=most),
+                {sentence: ratio(*case, most=most, **change) for sentence, change in MISTAKES.items()},
             )
             for case, value in zip(cases, found, strict=False)
         ]

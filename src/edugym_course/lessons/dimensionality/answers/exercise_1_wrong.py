@@ -1,5 +1,5 @@
 # %% rows alone
-# says: that is the number of rows; each of them holds a number for each of the three actions
+# says: that is the number of rows; each of them holds a number for each of the actions
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return columns * rows * columns
@@ -118,7 +118,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% actions added in the exponent
-# says: multiply by 3 at the end, outside of the power
+# says: multiply by the number of actions at the end, outside of the power
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -142,7 +142,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% the power of the actions
-# says: a row has an entry for each action, so multiply by 3; no power is taken
+# says: a row has an entry for each action, so multiply by their number; no power is taken
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return (rows * columns**2) ** 3

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from edugym_course.grading.agents import agent_with_table, learn_step, require_c
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, explains_most, mistake_that_fits
+from edugym_course.grading.own_numbers import step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
@@ -213,15 +214,18 @@ def _full_gradient(step: Step) -> Any:
     return w
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the class of an agent with linear features."""
+Cost = Annotated[float, step_cost("It still catches as many balls: only the values are lower.")]
+
+
+def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check the class of an agent with linear features, which learns from rewards less a cost."""
     require_class("MyAgent", answer)
     features = {"features": lambda self, board: np.array(board[len(PIXELS) :], float), "__slots__": ()}
     probe = type("MyAgent", (answer,), features)
     cases = steps_for(seed)
     _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
-    pairs = [*zip(cases, outcomes, strict=True)]
+    pairs = [(step._replace(reward=step.reward - cost), w) for step, w in zip(cases, outcomes, strict=True)]
     wrong = [not _gives(*pair, right_update) for pair in pairs]
     if any(wrong):
         why = mistake_that_fits(
@@ -229,7 +233,7 @@ def exercise_2(answer: Any, seed: int) -> str:
             lambda rule: all(_gives(*pair, rule) for pair in pairs),
             lambda rule: explains_most([_gives(*pair, rule) for pair in pairs], wrong),
         )
-        raise WrongAnswer(f"{_told_update(*pairs[wrong.index(True)])}: {why}")
+        raise WrongAnswer(f"{_told_update(*pairs[wrong.index(True)])}{told_less(cost)}: {why}")
     return "Right: the error times the features. See it catch:"
 
 

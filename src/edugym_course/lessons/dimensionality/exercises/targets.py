@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import explains_most, mistake_that_fits
+from edugym_course.grading.own_numbers import step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, in_brackets, number, same
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
@@ -130,8 +131,11 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
 """By sentence, what each mistake gives as a target."""
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of a DQN."""
+Cost = Annotated[float, step_cost("(So $y$ is lower, and the lines of the race are others.)")]
+
+
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check the class of a DQN, whose targets have the rewards less a cost."""
     require_class("MyDQN", answer)
     _require_own_methods(answer)
     agent = _made(answer, 4, discount=0.75)
@@ -146,9 +150,9 @@ def exercise_3(answer: Any, seed: int) -> str:
                 raise WrongAnswer(
                     f"target_of({row}) changes `self.{name}`; it should only read it, and return a number"
                 )
-        cases.append(case)
+        cases.append(case._replace(reward=case.reward - cost))
         found.append(number(f"target_of({row})", target))
-    _check_targets(cases, found)
+    _check_targets(cases, found, cost)
     for steps, size in ((3, 8), (8, 8), (21, 8), (1, 5), (5, 40)):
         _check_rows(answer, steps, size)
     return "Right: an old network gives the target, and every transition in memory has the same chance. See it learn:"
@@ -240,7 +244,7 @@ def _values(weights: Layers, x: Any) -> Any:
     return values[0]
 
 
-def _check_targets(cases: list[Remembered], found: list[float]) -> None:
+def _check_targets(cases: list[Remembered], found: list[float], cost: float) -> None:
     pairs = [*zip(cases, found, strict=True)]
     wrong = [not _gives(*pair, _right) for pair in pairs]
     if not any(wrong):
@@ -253,8 +257,8 @@ def _check_targets(cases: list[Remembered], found: list[float]) -> None:
     case, target = pairs[wrong.index(True)]
     right = _right(case)
     raise WrongAnswer(
-        f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
-        f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
+        f"with reward {case.reward:g}{told_less(cost)}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and"
+        f" the values {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
         f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
     )
 

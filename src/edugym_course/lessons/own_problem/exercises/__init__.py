@@ -1,6 +1,6 @@
 """The exercises of lesson 10: where a policy flips, shaping, a state that knows enough, and a problem of one's own."""
 
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from edugym.checks.mdps import CheckedMDP
 from edugym.exact.model import finite_model
 from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, digits, given, number
 from edugym_course.lessons.own_problem.bicycle import Bicycle, is_like
@@ -19,8 +20,17 @@ from edugym_course.lessons.own_problem.exercises.shaping import exercise_2 as ex
 from edugym_course.lessons.own_problem.figures import names_of
 from edugym_course.lessons.own_problem.morning import RING, Morning
 
-LATE = 59 / 9
-"""The cost of oversleeping from which on a ring is best: -4 + 0.1 (1 - c) = 2 - c."""
+Ring = Annotated[
+    float, Own(tuple(k / 20 for k in range(42, 110) if k != 80), "In your house a ring costs {ring}, not 4.")
+]
+Price = Annotated[
+    float | None,
+    Own(
+        tuple(k / 100 for k in range(203, 603, 10)),
+        "Something in your problem has a price of {price}: in at least one step the"
+        " reward must be exactly {price} or -{price}.",
+    ),
+]
 CLOSE = 0.005
 MOST_STATES = 20_000
 """The largest problem of a student's own."""
@@ -28,30 +38,34 @@ PLANNING_SECONDS = 300.0
 """The seconds of processor time in which such a problem must be checked and solved."""
 
 
-def exercise_1(answer: Any, seed: int) -> str:
+def exercise_1(answer: Any, seed: int, ring: Ring = 4.0) -> str:
     """Check the lowest cost of oversleeping for which the clock rings at 8:20 for one who is fast asleep."""
+    right = (ring + 1.9) / 0.9  # where -ring + 0.1 (1 - c) = 2 - c
     mistakes = {
         "that is the value with which the cell began": 10.0,
-        "a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`": 6.0,
-        "compare the ring with staying quiet, which is better there than a chime": 5.2 / 0.9,
-        "when the ring fails she is dozing, and that is worth 1": 6.0 / 0.9,
-        "who stays asleep has slept: staying quiet is worth 2 − late": 3.9 / 0.9,
-        "staying quiet is worth 2 − late, and a failed ring 1 − late, as sleep is worth its depth": 4.0 / 0.9,
-        "that is the cost of a ring alone": 4.0,
-        "when the ring fails she is dozing, which is worth 1, and no longer fast asleep, worth 2": 5.8 / 0.9,
-        "when the ring fails she dozes, which is worth 1: that speaks for the ring, and so it is subtracted": 6.1 / 0.9,
-        "the ring itself costs 4, and that is missing": 1.9 / 0.9,
-        "when the ring fails she is late as well, and that costs `late` once more": 5.9,
-        "0.9 and 0.1 have changed places: a ring *wakes* her with probability 0.9": 51.0,
-        "late is a cost, and the reward function subtracts it: it is above 0": -LATE,
-        "that is ten times as much, or the decimal point is in the wrong place": 10 * LATE,
+        "a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`": ring + 2.0,
+        "compare the ring with staying quiet, which is better there than a chime": (ring + 1.2) / 0.9,
+        "when the ring fails she is dozing, and that is worth 1": (ring + 2.0) / 0.9,
+        "who stays asleep has slept: staying quiet is worth 2 − late": (ring - 0.1) / 0.9,
+        "staying quiet is worth 2 − late, and a failed ring 1 − late, as sleep is worth its depth": ring / 0.9,
+        "that is the cost of a ring alone": ring,
+        "when the ring fails she is dozing, which is worth 1, and no longer fast asleep, worth 2": (ring + 1.8) / 0.9,
+        "when the ring fails she dozes, which is worth 1: that speaks for the ring, and so it is subtracted": (
+            ring + 2.1
+        )
+        / 0.9,
+        f"the ring itself costs {ring:g}, and that is missing": 1.9 / 0.9,
+        "when the ring fails she is late as well, and that costs `late` once more": ring + 1.9,
+        "0.9 and 0.1 have changed places: a ring *wakes* her with probability 0.9": (ring + 1.1) / 0.1,
+        "late is a cost, and the reward function subtracts it: it is above 0": -right,
+        "that is ten times as much, or the decimal point is in the wrong place": 10 * right,
     }
 
     def says(late: float) -> str:
-        told = f"late = {digits(late, LATE)}"
+        told = f"late = {digits(late, right)}"
         if late < 0:
             return told
-        values = solve(Morning(late=late))
+        values = solve(Morning(late=late, ring=ring))
         worth = values.Q[values.model.row((7, 2))]
         best = names_of(values.model.mdp)[int(worth.argmax())]
         return (
@@ -60,20 +74,20 @@ def exercise_1(answer: Any, seed: int) -> str:
         )
 
     found = number("late", answer)
-    near = abs(found - LATE) < 0.06
-    side = "higher than it need be" if found > LATE else "too low for a ring"
+    near = abs(found - right) < 0.06
+    side = "higher than it need be" if found > right else "too low for a ring"
     compare(
         "late",
         answer,
-        LATE,
+        right,
         mistakes,
         tolerance=CLOSE,
         says=says,
         otherwise=f"it is {side}" + ("; you are close, round it to two digits after the decimal point" if near else ""),
     )
     return (
-        "Right: 59/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20. Nothing in its code"
-        " says so but a number."
+        f"Right: {10 * ring + 19:g}/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20."
+        " Nothing in its code says so but a number."
     )
 
 
@@ -89,8 +103,11 @@ def _require_small(mdp: Any) -> None:
         ) from None
 
 
-def exercise_4(answer: Any, seed: int) -> str:
-    """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best."""
+def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
+    """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best.
+
+    With a price, one of its rewards must be that.
+    """
     given("my_problem", answer)
     if type(answer).__name__ == "Template" or is_like(type(answer), Bicycle):
         raise WrongAnswer("that is the problem with which the cell began: write one of your own, under its own name")
@@ -135,4 +152,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         raise WrongAnswer(
             f"in my_problem the action {name!r} is best in every state, so there is nothing to decide: give it a price"
         )
+    possible = model.rewards[model.probabilities > 0]
+    if price is not None and not np.isclose(abs(possible), price, rtol=0, atol=1e-9).any():
+        raise WrongAnswer(f"in no step of my_problem is the reward {price:g} or -{price:g}, which is your price")
     return f"A problem: {len(model.states)} states, {policy.shape[1]} actions, optimum {values.start:.4g}."

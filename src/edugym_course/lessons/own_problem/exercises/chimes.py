@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from itertools import product
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.agents import require_class
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, given, number, same
 from edugym_course.lessons.own_problem.morning import CHIME, RING, Morning
@@ -30,8 +31,11 @@ class UsedToChimes(Morning):
         """Fast asleep, and no chime yet."""
         return 0, 2, 0
 
-    def transition(self, state: Any, action: int, rng: Random, mistake: str = "") -> Any:
-        """A chime after the second is like silence; other values of `mistake` are what students may write."""
+    def transition(self, state: Any, action: int, rng: Random, mistake: str = "", wakes: float = 0.9) -> Any:
+        """A chime after the second is like silence; other values of `mistake` are what students may write.
+
+        `wakes` is the probability with which a ring wakes her.
+        """
         time, depth, chimes = state
         before = chimes
         counted = {"rings": action > 0, "all": True, "none": False}.get(mistake, action == 1)
@@ -47,7 +51,7 @@ class UsedToChimes(Morning):
             heard = action == 1
         luck = rng.random()
         if action == RING and not (mistake == "deaf to rings" and before == 2):
-            depth = 0 if luck < 0.9 else max(depth - 1, 0)
+            depth = 0 if luck < wakes else max(depth - 1, 0)
         elif heard:
             depth = max(depth - 1, 0) if luck < 0.7 else depth
         elif action == 0 or mistake != "as it was":
@@ -72,8 +76,18 @@ USED_MISTAKES = {
 }
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of a morning whose sleeper gets used to the chime."""
+Wakes = Annotated[
+    float,
+    Own(
+        tuple(k / 100 for k in range(48, 90) if k not in (50, 70)),
+        "Your sleeper sleeps well: in your version a ring wakes her with probability {wakes}, not 0.9, and else makes"
+        " her sleep one step lighter, as before.",
+    ),
+]
+
+
+def exercise_3(answer: Any, seed: int, wakes: Wakes = 0.9) -> str:
+    """Check the class of a morning whose sleeper gets used to the chime, and whom a ring may wake less often."""
     require_class("UsedToIt", answer)
     with student_code("UsedToIt()"):
         mine = answer()
@@ -85,7 +99,7 @@ def exercise_3(answer: Any, seed: int) -> str:
         raise WrongAnswer(f"initial should return (0, 2, 0), fast asleep and no chime yet, but returns {first!r}")
     rng = np.random.default_rng(seed)
     states = [(int(rng.integers(1, 7)), depth, chimes) for depth in (2, 1, 0) for chimes in (0, 1, 2)]
-    _compare_ways(mine, UsedToChimes(), [(state, action) for state in states for action in (0, 1, 2)])
+    _compare_ways(mine, UsedToChimes(), [(state, action) for state in states for action in (0, 1, 2)], wakes)
     _compare_the_rest(mine, UsedToChimes())
     with told_as_wrong():
         check_mdp(mine)
@@ -152,27 +166,28 @@ def _compare_the_rest(mine: Any, right: UsedToChimes) -> None:
                 )
 
 
-def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int]]) -> None:
+def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int]], wakes: float) -> None:
     """Compare where steps can lead, and with which probabilities; a mistake is best named if it explains all steps."""
     found, expected, draws = [], [], GlobalDraws(type(mine).__name__)
     for state, action in steps:
         call = f"transition({state}, {action}, rng)"
         with told_as_wrong(), draws.refused("transition"), student_code(call):
             found.append(_ways(partial(mine.transition, state, action), call))
-        expected.append(_ways(partial(right.transition, state, action), call))
+        expected.append(_ways(partial(right.transition, state, action, wakes=wakes), call))
     wrong = [k for k, ways in enumerate(found) if not _same(ways, expected[k])]
     if not wrong:
         return
 
     def explained(mistake: str, places: Sequence[int]) -> bool:
-        return all(_same(found[k], _ways(partial(right.transition, *steps[k], mistake=mistake), "")) for k in places)
+        rule = partial(right.transition, mistake=mistake, wakes=wakes)
+        return all(_same(found[k], _ways(partial(rule, *steps[k]), "")) for k in places)
 
     (state, action), first = steps[wrong[0]], wrong[0]
     why = mistake_that_fits(
         USED_MISTAKES,
         lambda mistake: explained(mistake, range(len(steps))),
         lambda mistake: explained(mistake, wrong[:1]),
-        otherwise=_which_number(found[first], expected[first], state, action),
+        otherwise=_which_number(found[first], expected[first], state, action, wakes),
     )
     raise WrongAnswer(
         f"transition({state}, {action}, rng) should lead to {_told(expected[first])}, but leads to"
@@ -180,7 +195,9 @@ def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int
     )
 
 
-def _which_number(found: Mapping[Any, float], expected: Mapping[Any, float], state: Any, action: int) -> str:
+def _which_number(
+    found: Mapping[Any, float], expected: Mapping[Any, float], state: Any, action: int, wakes: float
+) -> str:
     """Return which of the three numbers of the next state is wrong."""
 
     def alone(ways: Mapping[Any, float], place: int) -> dict[Any, float]:
@@ -195,7 +212,10 @@ def _which_number(found: Mapping[Any, float], expected: Mapping[Any, float], sta
     if time:
         return "the time, the first number, should grow by 1"
     if depth and action == RING:
-        return "her depth is wrong: a ring wakes her with probability 0.9, and else makes her sleep one step lighter"
+        return (
+            f"her depth is wrong: a ring wakes her with probability {wakes:g}, and else makes her sleep one step"
+            " lighter"
+        )
     if depth and action == CHIME and state[2] < 2:
         return "her depth is wrong: a chime that she hears makes her sleep one step lighter with probability 0.7"
     if depth:

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 from edugym.mdp.protocol import Random
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
 
@@ -62,17 +63,26 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
 """By the sentence that tells of it, what each mistake gives for the same numbers."""
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the function that adds potential-based shaping to a reward."""
+Weight = Annotated[
+    float,
+    Own(
+        tuple(k / 20 for k in range(21, 81)),
+        "In your version the potential counts more: $F = {weight}\\, (\\gamma\\, \\varphi(s') - \\varphi(s))$.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, weight: Weight = 1.0) -> str:
+    """Check the function that adds potential-based shaping to a reward, with a weight."""
     of = "reward, potential, state, next_state, terminated and discount"
     require_function("shaped_reward", answer, of)
-    rules = [partial(_by_rule, rule) for rule in (_shaped, *SHAPING_MISTAKES.values())]
+    rules = [partial(_by_rule, rule, weight) for rule in (_shaped, *SHAPING_MISTAKES.values())]
     compare_all(
         [
             NumberCase(
                 *_shaped_by(answer, told),
-                _shaped(*told),
-                {why: mistake(*told) for why, mistake in SHAPING_MISTAKES.items()},
+                _by_rule(_shaped, weight, told),
+                {why: _by_rule(mistake, weight, told) for why, mistake in SHAPING_MISTAKES.items()},
             )
             for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))
         ]
@@ -80,8 +90,9 @@ def exercise_2(answer: Any, seed: int) -> str:
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
 
 
-def _by_rule(rule: Callable[..., float], told: Numbers) -> float:
-    return rule(*told)
+def _by_rule(rule: Callable[..., float], weight: float, told: Numbers) -> float:
+    reward, before, after, terminated, discount = told
+    return rule(reward, weight * before, weight * after, terminated, discount)
 
 
 def shaping_numbers(rng: Random) -> list[Numbers]:

@@ -1,9 +1,9 @@
 """The exercises of lesson 6: the length of a message, the information in a table, and a player that remembers."""
 
 import math
-from functools import partial
+from functools import cache, partial
 from types import MappingProxyType
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, number, same
 from edugym_course.lessons.signal.exercises.listener import (
@@ -21,6 +22,7 @@ from edugym_course.lessons.signal.exercises.listener import (
     check_case,
     check_left_out,
     check_memory,
+    heard_beside,
     made_by,
     probabilities,
     shares_of,
@@ -32,17 +34,39 @@ from edugym_course.lessons.signal.words import bits, information
 
 ENOUGH = 0.4
 """The bits that a message should carry in exercise 1."""
-WORDS = 22
-"""The fewest words that carry them at τ = 0.1."""
+BETWEEN = """
+0.117 0.137 0.156 0.175 0.194 0.213 0.231 0.249 0.266 0.283 0.3 0.317 0.333 0.349 0.365 0.38 0.396 0.411 0.425 0.44
+0.454 0.468 0.482 0.495 0.509 0.522 0.535 0.548 0.56 0.573 0.585 0.597 0.609 0.62 0.632 0.643 0.654 0.665 0.676 0.687
+0.697 0.708
+"""
+"""Bits between those of two lengths: 5 words carry less than the first at τ = 0.1, 6 words more, and so on."""
+Enough = Annotated[
+    float, Own(tuple(map(float, BETWEEN.split())), "Your message should carry {enough} bit or more, not 0.4.")
+]
+Base = Annotated[
+    int,
+    Own(
+        tuple(base for base in range(3, 64) if base != 10),
+        "Your information is measured in digits of a number system with {base} digits, not in bits:"
+        " $\\log_{{{base}}}$ stands in the place of $\\log_2$. `math.log(x, {base})` is that logarithm.",
+    ),
+]
+Loud = Annotated[
+    float,
+    Own(
+        tuple(k + 0.5 for k in range(1, 42)),
+        "The first word of a message is loud: in your version it counts as much as {loud} words.",
+    ),
+]
 REPEATED = "the words repeat each other in part, so more are needed"
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the smallest number of words that carry 0.4 bit at τ = 0.1."""
+def exercise_1(answer: Any, seed: int, enough: Enough = ENOUGH) -> str:
+    """Check the smallest number of words that carry enough bits at τ = 0.1."""
     found = number("words", answer)
     if found != int(found):
         raise WrongAnswer(f"words should be a whole number, since half a word is never said, but is {found:g}")
-    one = information(0.1)
+    one, right = information(0.1), _fewest(0.1, enough)
 
     def says(words: float) -> str:
         if not 1 <= words <= 100:  # more take seconds to compute
@@ -53,28 +77,29 @@ def exercise_1(answer: Any, seed: int) -> str:
     compare(
         "words",
         answer,
-        WORDS,
+        right,
         {
             "that is the value with which the cell began": 1,
-            f"that is 0.4 divided by the bits of one word; {REPEATED}": math.ceil(ENOUGH / one),
-            f"that is 0.4 divided by the bits of one word, rounded down; {REPEATED}": math.floor(ENOUGH / one),
-            "that is the last length that carries less than 0.4 bit; one word more is enough": WORDS - 1,
-            "one word less is enough; is the comparison `<`, and the count read before it grows?": WORDS + 1,
+            f"that is {enough:g} divided by the bits of one word; {REPEATED}": math.ceil(enough / one),
+            f"that is {enough:g} divided by the bits of one word, rounded down; {REPEATED}": math.floor(enough / one),
+            f"that is the last length that carries less than {enough:g} bit; one word more is enough": right - 1,
+            "one word less is enough; is the comparison `<`, and the count read before it grows?": right + 1,
             "that is the longest message of this lesson, and fewer are enough": 28,
-            "that is the answer for τ = 0.05": _fewest(0.05),
+            "that is the answer for τ = 0.05": _fewest(0.05, enough),
             "that is where *half* a bit is reached": _fewest(0.1, 0.5),
         },
         tolerance=0.0,
         says=says,
-        otherwise="that is not enough yet" if found < WORDS else "fewer words are enough",
+        otherwise="that is not enough yet" if found < right else "fewer words are enough",
     )
     return (
-        "Right: 22, not 19. The second word tells a part of what the first one has told already, so that information "
-        "adds up more and more slowly."
+        f"Right: {right}, not {math.ceil(enough / one)}. The second word tells a part of what the first one has told"
+        " already, so that information adds up more and more slowly."
     )
 
 
-def _fewest(tau: float, enough: float = ENOUGH) -> int:
+@cache
+def _fewest(tau: float, enough: float) -> int:
     """Return the smallest number of words that carry so many bits."""
     words = 1
     while information(tau, words) < enough:
@@ -82,15 +107,15 @@ def _fewest(tau: float, enough: float = ENOUGH) -> int:
     return words
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the function that returns the information in a table."""
+def exercise_2(answer: Any, seed: int, base: Base = 2) -> str:
+    """Check the function that returns the information in a table, with logarithms of some base."""
     require_function("bits_in", answer, "a table")
     rng = np.random.default_rng(seed)
     tables = _tables(rng)
     given_back = [_call(answer, joint) for joint in tables]
-    everywhere = _mistakes_that_fit(tables, given_back)
+    everywhere = _mistakes_that_fit(tables, given_back, base)
     for joint, found in zip(tables, given_back, strict=True):
-        told, expected = _told(joint), bits(joint)
+        told, expected = _told(joint), bits(joint) / math.log2(base)
         if isinstance(found, float | np.floating) and math.isnan(found):
             raise WrongAnswer(
                 f"bits_in({told}) gives nan: the logarithm of 0 times 0 is not a number, so leave pairs out that never"
@@ -106,7 +131,7 @@ def exercise_2(answer: Any, seed: int) -> str:
             if rounded
             else {
                 why: wrong
-                for why, wrong in bits_mistakes(joint).items()
+                for why, wrong in bits_mistakes(joint, base).items()
                 if abs(wrong - expected) > 1e-6 and why in everywhere
             },
             tolerance=1e-6,
@@ -129,11 +154,11 @@ def _call(answer: Any, joint: Reals) -> Any:
     return found
 
 
-def _mistakes_that_fit(tables: list[Reals], found: list[Any]) -> set[str]:
+def _mistakes_that_fit(tables: list[Reals], found: list[Any], base: int) -> set[str]:
     """Return the mistakes that give what the student's function gives, for all tables."""
     if not all(map(is_finite_number, found)):
         return set()
-    wrong = [bits_mistakes(joint) for joint in tables]
+    wrong = [bits_mistakes(joint, base) for joint in tables]
     return {why for why in wrong[0] if np.allclose([one[why] for one in wrong], found, rtol=1e-3, atol=1e-6)}
 
 
@@ -150,8 +175,23 @@ def _tables(rng: np.random.Generator) -> list[Reals]:
     return [table / table.sum() for table in (first, *others, rare)]
 
 
-def bits_mistakes(joint: Reals) -> dict[str, float]:
-    """Return what the usual mistakes give for a table."""
+def bits_mistakes(joint: Reals, base: int = 2) -> dict[str, float]:
+    """Return what the usual mistakes give for a table, if the logarithm should have a base."""
+    in_bits = _mistakes_in_bits(joint)
+    needed = "bits need the base 2, `math.log2` or `np.log2`" if base == 2 else f"it should be {base}"
+    return {
+        **{why: value / math.log2(base) for why, value in in_bits.items()},
+        f"the logarithm has the base e; {needed}": bits(joint) * math.log(2),
+        f"the logarithm has the base 10; {needed}": bits(joint) * math.log10(2),
+        NO_LOGARITHM: in_bits[NO_LOGARITHM],
+    }
+
+
+NO_LOGARITHM = "the logarithm is missing"
+
+
+def _mistakes_in_bits(joint: Reals) -> dict[str, float]:
+    """Return what the mistakes give that have nothing to do with the base of the logarithm."""
     p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
     possible = joint > 0
     right = bits(joint)
@@ -160,8 +200,6 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
     entropy_x, entropy_y = (-float(np.sum(q[q > 0] * np.log2(q[q > 0]))) for q in (p_x, p_y))
     together = -float(np.sum(p * np.log2(p)))
     return {
-        "the logarithm has the base e; bits need the base 2, `math.log2` or `np.log2`": right * math.log(2),
-        "the logarithm has the base 10; bits need the base 2, `math.log2` or `np.log2`": right * math.log10(2),
         "the sign is wrong: p(x, y) stands above the line, and p(x) p(y) below": -right,
         "that is the entropy of x alone: it leaves the message out": entropy_x,
         "that is the entropy of y alone: it leaves the need out": entropy_y,
@@ -198,7 +236,7 @@ def bits_mistakes(joint: Reals) -> dict[str, float]:
         ),
         "very small entries are left out too; leave out only those that are 0": _sum(joint, joint > 0.01),
         "small entries are left out too; leave out only those that are 0": _sum(joint, joint > 0.05),
-        "the logarithm is missing": float(np.sum(p * p / outer)),
+        NO_LOGARITHM: float(np.sum(p * p / outer)),
         "that is twice the information": 2 * right,
         "only the diagonal is added up; a word that names another need counts too": float(
             sum(
@@ -236,24 +274,28 @@ def _sum(joint: Reals, chosen: Any) -> float:
     return float(_terms(joint)[chosen].sum())
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the class of a player that votes, but takes no action twice in a row."""
+def exercise_3(answer: Any, seed: int, loud: Loud = 1.0) -> str:
+    """Check the class of a player that votes, but takes no action twice in a row; the first word may be loud."""
     require_class("Listener", answer)
     rng = np.random.default_rng(seed)
     made = made_by(answer)
     if made_by(answer).last is made.last:
         raise WrongAnswer("two players share one array `last`: make a new one in every call of `create`")
-    cases = [HEARD[k] for k in rng.permutation(len(HEARD))]
+    heard = (*HEARD, *(heard_beside(loud) if loud != 1.0 else ()))
+    cases = [heard[k] for k in rng.permutation(len(heard))]
     seen = [shares_of(made, case) for case in cases]
     everywhere = {
         sentence
         for sentence, change in LISTENER_MISTAKES.items()
-        if all(np.abs(probabilities(case, **change) - one).max() < CLOSE for case, one in zip(cases, seen, strict=True))
+        if all(
+            np.abs(probabilities(case, loud=loud, **change) - one).max() < CLOSE
+            for case, one in zip(cases, seen, strict=True)
+        )
     }
     if not everywhere:
         check_left_out(cases, seen)
     for case in cases:
-        check_case(made, case, everywhere)
+        check_case(made, case, everywhere, loud)
     check_memory(made, cases)
     return "Right: message and memory together. See it race:"
 

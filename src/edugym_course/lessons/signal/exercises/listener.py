@@ -1,5 +1,6 @@
 """Exercise 3 of lesson 6: what a player does that votes and remembers, and what the usual mistakes do."""
 
+import math
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -57,6 +58,11 @@ HEARD = (
 long message that names the last action again and again."""
 
 
+def heard_beside(loud: float) -> list[Heard]:
+    """Return messages whose first word has half a vote more than all others, and half a vote less."""
+    return [Heard((60, 3, *(math.floor(loud) + more) * (2,)), -1) for more in (0, 1)]
+
+
 def probabilities(
     case: Heard,
     *,
@@ -65,15 +71,19 @@ def probabilities(
     memory: str = "excluded",
     ties: str = "random",
     most: str = "most",
+    loud: float = 1.0,
 ) -> Reals:
-    """Return the probability of each action of the listener; other arguments than the defaults are mistakes."""
+    """Return the probability of each action of the listener, if the first word counts as much as `loud` words.
+
+    Other arguments than the defaults are mistakes.
+    """
     words = case.observation[start:]
     words = {"first": words[:1], "last": words[-1:], "all but the last": words[:-1]}.get(most, words)
     votes = np.zeros(FOUR_NEEDS)
-    for word in words:
+    for place, word in enumerate(words):
         named = {"k % 4": word % FOUR_NEEDS, "k // 4": word // FOUR_NEEDS, "k": word}[need]
         if named < FOUR_NEEDS:
-            votes[named] += 1.0
+            votes[named] += loud if place == 0 else 1.0
     if most == "least":
         votes = -votes
     elif most == "named once":
@@ -184,10 +194,10 @@ def shares_of(made: Any, case: Heard) -> Reals:
     return shares
 
 
-def check_case(made: Any, case: Heard, suspected: set[str]) -> None:
+def check_case(made: Any, case: Heard, suspected: set[str], loud: float) -> None:
     """Check what is chosen in a case."""
-    right = probabilities(case)
-    mistakes = {sentence: probabilities(case, **LISTENER_MISTAKES[sentence]) for sentence in suspected}
+    right = probabilities(case, loud=loud)
+    mistakes = {sentence: probabilities(case, loud=loud, **LISTENER_MISTAKES[sentence]) for sentence in suspected}
     check_choices(
         case.call,
         _chooser(made, case),
