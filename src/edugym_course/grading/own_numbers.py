@@ -12,7 +12,7 @@ import hashlib
 import hmac
 import inspect
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeVar, get_args
 
@@ -79,17 +79,20 @@ def drawn(key: bytes, what: str, most: int) -> int:
     return int.from_bytes(hmac.digest(key, what.encode(), hashlib.sha256)[:8], "big") % most
 
 
-def draw_numbers(exercise: Exercise, key: bytes) -> dict[str, Any]:
+def draw_numbers(exercise: Exercise, key: bytes, others: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """Return a student's numbers for an exercise, by name; none if it declares none.
 
     Args:
         exercise: the exercise.
         key: the student's key, which also depends on the teacher's secret.
+        others: the numbers of other students, which are drawn again only where all are taken.
     """
-    return {
-        name: own.values[drawn(key, f"{exercise.__name__} {name}", len(own.values))]
-        for name, own in own_parameters(exercise).items()
-    }
+    numbers = {}
+    for name, own in own_parameters(exercise).items():
+        taken = {given[name] for given in others}
+        free = [value for value in own.values if value not in taken] or own.values
+        numbers[name] = free[drawn(key, f"{exercise.__name__} {name}", len(free))]
+    return numbers
 
 
 def ordinary_numbers(exercise: Exercise) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from typing import Any
 
 from edugym.system.extras import require
 from edugym.system.files import write_whole
-from edugym_course.grading.own_numbers import Exercise, draw_numbers, drawn, told
+from edugym_course.grading.own_numbers import Exercise, draw_numbers, drawn, own_parameters, told
 from edugym_course.lab.lessons import CHECKOUT
 from edugym_course.lab.records import without_number
 from edugym_course.teaching.marks import is_check, is_code, is_exercise, with_own_numbers, without_solutions
@@ -167,7 +167,8 @@ def assign(notebook: Path, students: list[Student], output: Path) -> Assignment:
     """Make the lesson of each student.
 
     `output/handout/ID/LESSON.ipynb` is for the student; `output/teacher` is for nobody else. Who does it again,
-    with more students, gets the same numbers for those who were there: the secret is in the teacher's folder.
+    with more students, gets the same numbers for those who were there: they are in the teacher's folder. No two
+    students of a class have the same number, as long as there are enough.
 
     Args:
         notebook: the teacher's notebook of the lesson, with solutions and hidden tests.
@@ -182,11 +183,18 @@ def assign(notebook: Path, students: list[Student], output: Path) -> Assignment:
     import nbformat
 
     path = output / TEACHER / f"{notebook.stem}.json"
-    secret = Assignment.read(path).secret if path.exists() else secrets.token_hex(16)
+    before = Assignment.read(path) if path.exists() else None
+    secret = before.secret if before else secrets.token_hex(16)
     tasks = tasks_of(lesson)
-    draws = {
-        student.id: [_draw(task, _key(secret, notebook.stem, student.id)) for task in tasks] for student in students
-    }
+    draws = _kept(before, tasks) if before else {}
+    for student in students:
+        if student.id not in draws:
+            key = _key(secret, notebook.stem, student.id)
+            draws[student.id] = [
+                _draw(task, key, [others[place].numbers for others in draws.values()])
+                for place, task in enumerate(tasks)
+            ]
+    draws = {student.id: draws[student.id] for student in students}
     made = Assignment(notebook.stem, secret, tasks, {student.id: student for student in students}, draws, path)
     made.write()
     for student in students:
@@ -200,9 +208,16 @@ def _key(secret: str, lesson: str, student: str) -> bytes:
     return hmac.digest(secret.encode(), f"{lesson} {student.casefold()}".encode(), hashlib.sha256)
 
 
-def _draw(task: Task, key: bytes) -> Draw:
+def _kept(before: Assignment, tasks: list[Task]) -> dict[str, list[Draw]]:
+    """Return what was drawn for students who have their lesson already; nothing if the lesson is another one now."""
+    own = [own_parameters(task.check()).keys() for task in tasks]
+    return {name: draws for name, draws in before.draws.items() if [draw.numbers.keys() for draw in draws] == own}
+
+
+def _draw(task: Task, key: bytes, others: list[Mapping[str, Any]]) -> Draw:
+    """Draw for a student in one exercise; `others` are the numbers of her class so far."""
     return Draw(
-        draw_numbers(task.check(), key),
+        draw_numbers(task.check(), key, others),
         1 + drawn(key, f"{task.function} seed", 99_999),
         1 + drawn(key, f"{task.function} hidden seed", 2**31),
     )

@@ -71,18 +71,20 @@ class Graded(NamedTuple):
 
 
 def submission(folder: Path, student: str, lesson: str) -> Path:
-    """Find what a student handed in: `STUDENT/LESSON.ipynb`, or any one notebook below the folder of that name.
+    """Find what a student handed in: `STUDENT/LESSON.ipynb`, or one such as `LESSON (1).ipynb`, or any one notebook.
 
     Raises:
-        ValueError: there is none, or several and none of that name.
+        ValueError: there is none, or several of which none has that name.
     """
     present = [path for path in (folder / student).rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts]
-    named = [path for path in present if path.stem == lesson]
-    if len(named or present) > 1:
-        raise ValueError(f"there are {len(named or present)} notebooks, and it is not clear which one counts")
     if not present:
         raise ValueError(NOTHING)
-    return (named or present)[0]
+    named = [path for path in present if path.stem == lesson]
+    like = [path for path in present if path.stem.startswith(lesson)]  # as browsers call what they save again
+    found = named or like or present
+    if len(found) > 1:
+        raise ValueError(f"there are {len(found)} notebooks, and it is not clear which one counts")
+    return found[0]
 
 
 def grade(assignment: Assignment, folder: Path, seconds: float = 600) -> Iterator[Graded]:

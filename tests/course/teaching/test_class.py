@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 from edugym_course import commands
 from edugym_course.teaching.assignment import Assignment, assign
-from edugym_course.teaching.grading import needed_steps
+from edugym_course.teaching.grading import needed_steps, submission
 from edugym_course.teaching.students import Student, read_students
 from tests.course.lessons.test_nbgrader import nbgrader, submit
 
@@ -236,6 +236,40 @@ def test_the_same_again_for_those_who_were_there(tmp_path: Path) -> None:
     assert again.secret == first.secret
     other = assign(tmp_path / f"{LESSON}.ipynb", [Student("ada", "Ada")], tmp_path / "other")
     assert other.draws["ada"] != first.draws["ada"]
+
+
+def test_no_two_of_a_class_share_a_number(tmp_path: Path) -> None:
+    """Up to as many students as there are values, and beyond that each still gets one; nobody's changes."""
+    lesson = "05_memory"
+    few = handed_out(tmp_path, [f"s{number}" for number in range(35)], lesson)
+    for place, task in enumerate(few.tasks):
+        assert len({*map(str, (draws[place].numbers for draws in few.draws.values()))}) == 35, task
+    many = handed_out(tmp_path, [f"s{number}" for number in (*range(60, 34, -1), *range(35))], lesson)
+    assert len(many.draws) == 61
+    assert {name: many.draws[name] for name in few.draws} == few.draws
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        (["00_loop.ipynb", "00_loop (1).ipynb", "x.ipynb"], "00_loop.ipynb"),
+        (["00_loop (1).ipynb", "05_memory.ipynb"], "00_loop (1).ipynb"),
+        (["anything.ipynb"], "anything.ipynb"),
+        (["a.ipynb", "b.ipynb"], ""),
+        (["00_loop (1).ipynb", "00_loop (2).ipynb"], ""),
+        ([], ""),
+    ],
+)
+def test_which_notebook_counts(files: list[str], found: str, tmp_path: Path) -> None:
+    """That of the lesson's name, or one that is called nearly so, or the only one."""
+    for name in files:
+        (tmp_path / "ada").mkdir(exist_ok=True)
+        (tmp_path / "ada" / name).touch()
+    if found:
+        assert submission(tmp_path, "ada", LESSON).name == found
+    else:
+        with pytest.raises(ValueError, match="not clear which" if files else "nothing came in"):
+            submission(tmp_path, "ada", LESSON)
 
 
 def test_what_has_to_run(tmp_path: Path) -> None:
