@@ -25,6 +25,8 @@ from edugym.agents.hindsight_dqn import HindsightDQN as HindsightDQN
 from edugym.agents.hindsight_q_learning import HindsightQLearning as HindsightQLearning
 from edugym.agents.linear_q_learning import LinearQLearning as LinearQLearning
 from edugym.agents.n_step_sarsa import NStepSARSA as NStepSARSA
+from edugym.agents.preferences import fit_rewards as fit_rewards
+from edugym.agents.preferences import preference as preference
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping as PrioritisedSweeping
 from edugym.agents.q_lambda import QLambda as QLambda
 from edugym.agents.q_learning import QLearning as QLearning
@@ -53,6 +55,10 @@ from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
 from edugym.exact.policy_evaluation import policy_evaluation as policy_evaluation
 from edugym.exact.policy_iteration import policy_iteration as policy_iteration
+from edugym.exact.regularised import divergence as divergence
+from edugym.exact.regularised import regularised_iteration as regularised_iteration
+from edugym.exact.regularised import regularised_policy as regularised_policy
+from edugym.exact.regularised import with_rewards as with_rewards
 from edugym.exact.tables import FiniteModel as FiniteModel
 from edugym.exact.tables import Outcome as Outcome
 from edugym.exact.tables import Sample as Sample
