@@ -7,9 +7,8 @@ import numpy as np
 from edugym.checks.parameters import above, an_array, in_short
 from edugym.mdp.protocol import Reals
 
-MOST_ROUNDS = 200
-"""Newton's method takes some ten rounds; it is surely done, or stuck in rounding errors, after so many."""
 SETTLED = 1e-9
+"""Newton's method ends when no reward changes by more."""
 MOST_NUMBERS = 5_000
 """Of the table of rewards: Newton's method solves as many linear equations in each round."""
 
@@ -75,21 +74,36 @@ def fit_rewards(first: Any, second: Any, prefers_first: Any, *, prior: float = 0
     if n_states * n_actions > MOST_NUMBERS:
         raise ValueError(f"first must have at most {MOST_NUMBERS} states times actions, but has {n_states * n_actions}")
     differences = (visits - others).reshape(len(visits), n_states * n_actions)
-    signed = np.where(preferred[:, np.newaxis], differences, -differences)  # p of what the teacher preferred
-    rewards = np.zeros(n_states * n_actions)
-    likelihood = _log_likelihood(signed, rewards, prior)
-    for _ in range(MOST_ROUNDS):
-        surprise = _logistic(-(signed @ rewards))
-        gradient = signed.T @ surprise - prior * rewards
-        curvature = (signed.T * (surprise * (1 - surprise))) @ signed + prior * np.eye(len(rewards))
+    signed = np.where(preferred[:, np.newaxis], differences, -differences)
+    return most_likely(signed, prior).reshape(n_states, n_actions)
+
+
+def most_likely(differences: Reals, prior: float) -> Reals:
+    """The rewards that make the comparisons most likely, by Newton's method.
+
+    Args:
+        differences: shape (n, d): how often each of d pairs of a state and an action was taken by the piece that the
+            teacher preferred, less how often by the other.
+        prior: as in `fit_rewards`.
+
+    Returns:
+        The rewards, shape (d,).
+    """
+    rewards = np.zeros(differences.shape[1])
+    likelihood = _log_likelihood(differences, rewards, prior)
+    step = np.full_like(rewards, np.inf)
+    while np.abs(step).max() > SETTLED:
+        surprise = _logistic(-(differences @ rewards))  # 1 - p of what the teacher preferred
+        gradient = differences.T @ surprise - prior * rewards
+        curvature = (differences.T * (surprise * (1 - surprise))) @ differences + prior * np.eye(len(rewards))
         step = np.linalg.solve(curvature, gradient)
         # A whole step may go too far where the teacher never errs; then half of it, or a quarter, is tried.
-        while (then := _log_likelihood(signed, rewards + step, prior)) < likelihood and np.abs(step).max() > SETTLED:
+        while (then := _log_likelihood(differences, rewards + step, prior)) < likelihood:
             step /= 2
+            if np.abs(step).max() <= SETTLED:
+                return rewards
         rewards, likelihood = rewards + step, then
-        if np.abs(step).max() <= SETTLED:
-            break
-    return rewards.reshape(n_states, n_actions)
+    return rewards
 
 
 def _flags(values: Any, n: int) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
@@ -110,6 +124,6 @@ def _logistic(x: Reals) -> Reals:
     return probability
 
 
-def _log_likelihood(signed: Reals, rewards: Reals, prior: float) -> float:
+def _log_likelihood(differences: Reals, rewards: Reals, prior: float) -> float:
     """What the rewards maximise: ln p of what the teacher preferred, less the prior's part."""
-    return float(-np.logaddexp(0.0, -(signed @ rewards)).sum() - 0.5 * prior * (rewards @ rewards))
+    return float(-np.logaddexp(0.0, -(differences @ rewards)).sum() - 0.5 * prior * (rewards @ rewards))

@@ -1049,9 +1049,9 @@ check(project_10, MyEnvironment)
 #
 # ### Limits
 # All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by
-# watching what the agent does. We chose the numbers 4 and 10 by feeling; methods that learn a reward from examples or
-# from comparisons by people are not in this course. And a potential keeps the optimum, but not what a learner with
-# little time, or with a function approximator, ends up with.
+# watching what the agent does. We chose the numbers 4 and 10 by feeling; lesson 14 learns a reward from what a
+# teacher prefers. And a potential keeps the optimum, but not what a learner with little time, or with a function
+# approximator, ends up with.
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.2 (goals and rewards), 17.3 (observations and state), 17.4

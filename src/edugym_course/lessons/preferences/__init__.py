@@ -1,0 +1,1 @@
+"""Preferences (lesson 14)."""

@@ -1,0 +1,109 @@
+# %% no reference
+# says: the reference is left out: that is a softmax of the values alone
+def with_penalty(values, reference, penalty):
+    weights = np.exp((values - values.max()) / penalty)
+    return weights / weights.sum()
+
+
+# %% times the penalty
+# says: the values are multiplied by the penalty; a large penalty keeps to the reference, so divide
+def with_penalty(values, reference, penalty):
+    weights = reference * np.exp((values - values.max()) * penalty)
+    return weights / weights.sum()
+
+
+# %% not normalised
+# says: they do not sum to 1: divide by their sum
+def with_penalty(values, reference, penalty):
+    return reference * np.exp((values - values[reference > 0].max()) / penalty)
+
+
+# %% it overflows
+# says: : an exponential overflows; subtract the largest value from all values first
+def with_penalty(values, reference, penalty):
+    weights = reference * np.exp(values / penalty)
+    return weights / weights.sum()
+
+
+# %% the wrong sign
+# says: the sign is wrong: an action with a higher value becomes more likely
+def with_penalty(values, reference, penalty):
+    weights = reference * np.exp((values.min() - values) / penalty)
+    return weights / weights.sum()
+
+
+# %% greedy
+# says: that is the greedy policy, which is what a penalty of 0 would give
+def with_penalty(values, reference, penalty):
+    policy = np.zeros(len(values))
+    policy[np.argmax(np.where(reference > 0, values, -np.inf))] = 1
+    return policy
+
+
+# %% added
+# says: the reference is added to the exponentials; multiply by it
+def with_penalty(values, reference, penalty):
+    weights = reference + np.exp((values - values.max()) / penalty)
+    return weights / weights.sum()
+
+
+# %% one number
+# says: should give an array of shape (3,), but gives one of shape ()
+def with_penalty(values, reference, penalty):
+    return penalty
+
+
+# %% no penalty
+# says: the penalty is left out: divide the values by it
+# in: from the largest
+# - weights = reference * np.exp((values - values.max()) / penalty)
+# + weights = reference * np.exp(values - values.max())
+
+
+# %% the reference
+# says: that is the reference: the values play no part
+# in: from the largest
+# - weights = reference * np.exp((values - values.max()) / penalty)
+# + weights = reference * 1.0
+
+
+# %% squared
+# says: the reference is multiplied in twice
+# in: from the largest
+# - weights = reference * np.exp((values - values.max()) / penalty)
+# + weights = reference * reference * np.exp((values - values.max()) / penalty)
+
+
+# %% where it acts
+# says: it matters only whether the reference takes an action, and it should matter how often
+# in: from the largest
+# - weights = reference * np.exp((values - values.max()) / penalty)
+# + weights = (reference > 0) * np.exp((values - values.max()) / penalty)
+
+
+# %% in place
+# says: changes one of the arrays that it is given: make a new one
+# in: from the largest
+# - weights = reference * np.exp((values - values.max()) / penalty)
+# + values -= values.max()
+# + weights = reference * np.exp(values / penalty)
+
+
+# %% negative zero by zero
+# says: should give finite numbers, but gives
+# says: : is something divided by 0?
+# in: from the largest
+# - weights = reference * np.exp((values - values.max()) / penalty)
+# + weights = reference * np.exp(values - values.max()) / (penalty - penalty)
+
+
+# %% words
+# says: should give an array of numbers of shape (3,), but gives 'more'
+# in: from the largest
+# - return weights / weights.sum()
+# + return "more"
+
+
+# %% an array
+# says: values, reference and penalty
+with_penalty = np.ones(3)

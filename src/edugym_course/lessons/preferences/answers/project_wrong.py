@@ -1,0 +1,113 @@
+# %% nothing is learned of the comparisons
+# says: it chooses action 0 in every state; are the rewards that were learned looked up in the state and the action where they belong?
+# in: visits as vectors
+# - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
+# + rewards += 0.0 * (differences.T @ (preferred - p) - 0.1 * rewards)
+
+# %% the wrong way round
+# says: the middle one of
+# says: runs makes a clock worth
+# says: , and it should be worth
+# says: that is worse than random buttons; does the *preferred* night gain, and is the *best* action taken?
+# in: visits as vectors
+# - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
+# + rewards += 0.02 * (differences.T @ (1 - preferred - p) - 0.1 * rewards)
+
+# %% both nights gain
+# says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
+# in: visits as vectors
+# - differences.append(visits(first) - visits(second))
+# + differences.append(visits(first) + visits(second))
+
+# %% the last step alone
+# says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
+# in: visits as vectors
+# - for (time, depth), action, _ in steps:
+# + for (time, depth), action, _ in steps[-1:]:
+
+# %% no time
+# says: that is hardly better than random buttons; do the rewards change with every comparison, and does the policy use them?
+# in: visits as vectors
+# - table[time, depth, action] += 1
+# + table[0, depth, action] += 1
+
+# %% few questions
+# says: it asks 30 of 300 comparisons; ask them all
+# in: visits as vectors
+# - for _ in range(n_comparisons):
+# + for _ in range(n_comparisons // 10):
+
+# %% the environment's rewards
+# says: it chooses action 0 in every state
+# in: visits as vectors
+# - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
+# + target = 0.0 + Q[next_state].max()
+
+# %% too many questions
+# says: compare may be called 300 times, and this is one time more
+# in: visits as vectors
+# - for _ in range(n_comparisons):
+# + for _ in range(n_comparisons + 1):
+
+# %% half a night
+# says: a night has 10 steps, from reset to the end, but one given has 4
+# in: visits as vectors
+# - observation, over = next_observation, terminated or truncated
+# + observation, over = next_observation, len(steps) == 4
+
+# %% no night
+# says: compare takes two nights, each a list of (observation, action, next_observation), one for each step, but one of them is
+# says: a list of (observation, action, next_observation), one for each step
+# in: visits as vectors
+# - preferred.append(float(compare(first, second)))
+# + preferred.append(float(compare(visits(first), visits(second))))
+
+# %% never asked
+# says: never calls compare(first, second), and nothing else says what is wanted
+def my_program(environment, compare, n_comparisons, seed):
+    return lambda observation: 1
+
+
+# %% the table
+# says: should return a function from an observation to an action, but returns
+def my_program(environment, compare, n_comparisons, seed):
+    night = []
+    observation, _ = environment.reset()
+    for _ in range(10):
+        then, _, _, _, _ = environment.step(0)
+        night.append((observation, 0, then))
+        observation = then
+    compare(night, night)
+    return np.zeros((11, 3, 3))
+
+
+# %% steps that do not fit
+# says: a night has a step from
+# says: where the one before it ended in
+# says: : give all the steps of one episode, in their order, with `next_observation` last
+# in: visits as vectors
+# - steps.append((tuple(observation), action, tuple(next_observation)))
+# + steps.append((tuple(next_observation), action, tuple(observation)))
+
+# %% no observations
+# says: a step of a night is (observation, action, next_observation), but one given is
+# in: visits as vectors
+# - preferred.append(float(compare(first, second)))
+# + preferred.append(float(compare([(s[0], a, t[0]) for s, a, t in first], [(s[0], a, t[0]) for s, a, t in second])))
+
+# %% nothing comes back
+# says: (environment, compare,
+# says: gives None: return the policy, a function from an observation to an action
+# in: visits as vectors
+# - return lambda observation: int(Q[tuple(observation)].argmax())
+# + policy = lambda observation: int(Q[tuple(observation)].argmax())
+
+# %% an action that is not there
+# says: , for the observation
+# in: visits as vectors
+# - return lambda observation: int(Q[tuple(observation)].argmax())
+# + return lambda observation: 3
+
+# %% a policy
+# says: environment, compare, n_comparisons and seed
+my_program = [0, 1, 2]

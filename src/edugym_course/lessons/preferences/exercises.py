@@ -1,0 +1,298 @@
+"""The exercises of lesson 14: the probability of a preference, a gradient step, and a policy with a penalty."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all, explains_most, mistake_that_fits
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import all_same, given, in_brackets, number
+
+FAR = 10_000.0
+"""How much two nights may differ: far more than an exponential can take."""
+DIFFERENCES = ((3.0, 1.0, 2.0), (-4.0, -1.5, 0.5), (2.0, 2.0, 1.0), (0.5, 6.0, 4.0), (1.0, 0.0, 8.0))
+"""Made-up pairs of nights and the noise: positive, negative, equal, far and near."""
+
+
+def _p(first: float, second: float, noise: float) -> float:
+    """Return the probability of the first night."""
+    return float(0.5 + 0.5 * np.tanh((first - second) / noise / 2))
+
+
+PREFERENCE_MISTAKES: Mapping[str, Callable[[float, float, float], float]] = {
+    "that is the probability of the *second* night: σ takes first − second": lambda g, h, t: _p(h, g, t),
+    "the noise is left out: divide the difference by it": lambda g, h, t: _p(g, h, 1.0),
+    "the difference is multiplied by the noise; more noise brings p closer to 1/2, so divide": lambda g, h, t: _p(
+        g, h, 1 / t
+    ),
+    "only the second night is divided by the noise: put the difference in parentheses": lambda g, h, t: _p(
+        g, h / t, 1.0
+    ),
+    "that is 1 or 0, as if the teacher never erred": lambda g, h, t: float(g > h),
+    "that is 1, 1/2 or 0, as if the teacher never erred": lambda g, h, t: 0.5 + 0.5 * float(np.sign(g - h)),
+    "that is e^x and no probability: divide it by 1 + e^x": lambda g, h, t: float(np.exp((g - h) / t)),
+    "that is x itself, and σ(x) is missing": lambda g, h, t: (g - h) / t,
+    "that is the logarithm of the probability": lambda g, h, t: float(np.log(_p(g, h, t))),
+    "that is tanh, which goes from −1 to 1; σ goes from 0 to 1": lambda g, h, t: float(np.tanh((g - h) / t)),
+}
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the probability of a preference, also of nights that are far apart."""
+    require_function("prefers", answer, "first, second and noise")
+    shift = float(np.random.default_rng(seed).integers(0, 9)) / 4
+    cases = []
+    for first, second, noise in ((g + shift, h + shift, t) for g, h, t in DIFFERENCES):
+        call = f"prefers({first:g}, {second:g}, {noise:g})"
+        with student_code(call):
+            found = answer(first, second, noise)
+        mistakes = {why: mistake(first, second, noise) for why, mistake in PREFERENCE_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), _p(first, second, noise), mistakes))
+    compare_all(cases)
+    for first, second, expected in ((FAR, 0.0, 1.0), (0.0, FAR, 0.0)):
+        call = f"prefers({first:g}, {second:g}, 1)"
+        with student_code(call), np.errstate(over="ignore", invalid="ignore"):
+            found = answer(first, second, 1.0)
+        given(call, found)
+        if not isinstance(found, int | float | np.number) or not abs(found - expected) < 1e-12:
+            raise WrongAnswer(
+                f"{call} should be {expected:g}, but is {found}: an exponential overflows, so write σ(x) for x below 0"
+                " as e^x / (1 + e^x), and else as 1 / (1 + e^(−x))"
+            )
+    return "Right: only the difference counts, in units of the noise, and far apart she is sure."
+
+
+Night = Sequence[tuple[int, int]]
+Comparison = tuple[Reals, Night, Night, bool, float]
+"""Rewards, the first night, the second, whether the first is preferred, and the learning rate."""
+N_STATES, N_ACTIONS = 3, 2
+LENGTH = 4
+
+
+def stepped(
+    comparison: Comparison,
+    *,
+    p_of: str = "first",
+    counts: str = "visits",
+    sign: float = 1.0,
+    second: str = "subtracted",
+    target: str = "right",
+    rate: str = "right",
+    slope: bool = False,
+) -> Reals:
+    """Return the table after one step; other arguments than the defaults are mistakes."""
+    rewards, one, other, prefers_first, learning_rate = comparison
+    visits = [np.zeros_like(rewards) for _ in range(2)]
+    for night, table in zip((one, other), visits, strict=True):
+        for state, action in {"visits": night, "once": {*night}, "last": night[-1:], "first": night[:1]}[counts]:
+            table[state, action] += 1.0
+    whole = [sum(float(rewards[pair]) for pair in night) for night in (one, other)]
+    p = {"first": _p(whole[0], whole[1], 1.0), "second": _p(whole[1], whole[0], 1.0), "half": 0.5, "none": 0.0}[p_of]
+    y = {"right": float(prefers_first), "always": 1.0, "never": 0.0, "signs": 1.0 if prefers_first else -1.0}[target]
+    error = sign * (y - p) * (p * (1 - p) if slope else 1.0)
+    error *= {"right": learning_rate, "none": 1.0, "by length": learning_rate / LENGTH}[rate]
+    away = {"subtracted": -1.0, "added": 1.0, "left out": 0.0}[second]
+    stepped_table: Reals = rewards + error * (visits[0] + away * visits[1])
+    return stepped_table
+
+
+STEP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "that goes the other way: the night that she prefers must gain": {"sign": -1.0},
+    "p is that of the second night: the first return less the second goes into σ": {"p_of": "second"},
+    "p is 1/2, as with a table of zeros: work it out from the returns by `rewards`": {"p_of": "half"},
+    "p is left out: the error is y − p": {"p_of": "none"},
+    "each pair of a state and an action counts once, and a night may take it more often": {"counts": "once"},
+    "only the last step of each night has changed; all of them count": {"counts": "last"},
+    "only the first step of each night has changed; all of them count": {"counts": "first"},
+    "the second night is added; what helps the first takes from the second": {"second": "added"},
+    "only the first night has changed: subtract the second": {"second": "left out"},
+    "y is 1 in every case: it is 0 where she prefers the second": {"target": "always"},
+    "y is 0 in every case: it is 1 where she prefers the first": {"target": "never"},
+    "y is −1 where she prefers the second; it is 0 there": {"target": "signs"},
+    "the learning rate is left out": {"rate": "none"},
+    "the step is divided by the number of steps of a night; a return is a sum, not a mean": {"rate": "by length"},
+    "that is the gradient of the squared error, with the slope p (1 − p); that of the log likelihood has none": {
+        "slope": True
+    },
+}
+
+
+def _comparisons(rng: np.random.Generator) -> list[Comparison]:
+    """Make up comparisons; nights take some pairs more than once."""
+    made = list[Comparison]()
+    for prefers_first in (True, False, True, False):
+        rewards = np.round(rng.normal(size=(N_STATES, N_ACTIONS)), 2)
+        nights = [
+            [(int(s), int(a)) for s, a in zip(rng.integers(0, N_STATES, 3), rng.integers(0, N_ACTIONS, 3), strict=True)]
+            for _ in range(2)
+        ]
+        one, other = ([*night, night[1]] for night in nights)  # its second pair comes twice
+        made.append((rewards, one, other, prefers_first, float(rng.choice([0.125, 0.25]))))
+    return made
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check one gradient step for one comparison."""
+    require_function("learn", answer, "rewards, first, second, prefers_first and learning_rate")
+    rules = [stepped, *(partial(stepped, **change) for change in STEP_MISTAKES.values())]
+    cases = _comparisons(telling_draw(seed, _comparisons, rules))
+    found, calls = [], []
+    for rewards, one, other, prefers_first, learning_rate in cases:
+        call = f"learn(rewards, {one}, {other}, {prefers_first}, {learning_rate})"
+        table, nights = rewards.copy(), ([*one], [*other])
+        with student_code(call):
+            mine = answer(table, *nights, prefers_first, learning_rate)
+        if mine is None and not np.array_equal(table, rewards):
+            raise WrongAnswer(f"{call} gives None, and has changed `rewards`: copy the table, and return the new one")
+        found.append(_table(call, mine, rewards.shape))
+        if not np.array_equal(table, rewards):
+            raise WrongAnswer(f"{call} changes the table that it is given: begin with rewards = rewards.copy()")
+        if nights != (one, other):
+            raise WrongAnswer(f"{call} changes one of the nights, which others may still need")
+        calls.append(call)
+    _compare_tables(cases, found, calls, STEP_MISTAKES, stepped)
+    return "Right: the error, times the rate, times where the two nights differ. What both did alike has not changed."
+
+
+Choice = tuple[Reals, Reals, float]
+"""Values, the reference policy, and the penalty."""
+
+
+def weighed(
+    choice: Choice,
+    *,
+    reference: str = "right",
+    penalty: str = "right",
+    sign: float = 1.0,
+    kind: str = "soft",
+) -> Reals:
+    """Return the policy with a penalty; other arguments than the defaults are mistakes."""
+    values, given_reference, beta = choice
+    base = {
+        "right": given_reference,
+        "left out": np.ones_like(values) / len(values),
+        "squared": given_reference**2,
+        "support": (given_reference > 0) / (given_reference > 0).sum(),
+    }[reference]
+    scale = {"right": beta, "multiplied": 1 / beta, "left out": 1.0}[penalty]
+    if kind == "greedy":
+        return np.asarray(np.eye(len(values))[int(np.argmax(np.where(base > 0, values, -np.inf)))])
+    if kind == "reference":
+        return np.asarray(base)
+    exponents = sign * values / scale
+    weights = base * np.exp(exponents - exponents[base > 0].max())
+    if kind == "added":
+        weights = base + np.exp(exponents - exponents.max())
+    policy: Reals = weights / (1.0 if kind == "not normalised" else weights.sum())
+    return policy
+
+
+POLICY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "the reference is left out: that is a softmax of the values alone": {"reference": "left out"},
+    "the values are multiplied by the penalty; a large penalty keeps to the reference, so divide": {
+        "penalty": "multiplied"
+    },
+    "the penalty is left out: divide the values by it": {"penalty": "left out"},
+    "the sign is wrong: an action with a higher value becomes more likely": {"sign": -1.0},
+    "they do not sum to 1: divide by their sum": {"kind": "not normalised"},
+    "that is the greedy policy, which is what a penalty of 0 would give": {"kind": "greedy"},
+    "that is the reference: the values play no part": {"kind": "reference"},
+    "the reference is added to the exponentials; multiply by it": {"kind": "added"},
+    "the reference is multiplied in twice": {"reference": "squared"},
+    "it matters only whether the reference takes an action, and it should matter how often": {"reference": "support"},
+}
+
+
+def _choices(rng: np.random.Generator) -> list[Choice]:
+    """Make up states: one has an action that the reference never takes, one far values, one a small penalty."""
+    made = list[Choice]()
+    for penalty, size, never in ((0.5, 3, False), (2.0, 4, False), (4.0, 3, True), (0.25, 3, False)):
+        reference = rng.dirichlet(np.ones(size))
+        if never:
+            reference[0] = 0.0
+            reference /= reference.sum()
+        made.append(
+            (np.round(rng.normal(size=size), 2) - 1.0, np.round(reference, 3) / np.round(reference, 3).sum(), penalty)
+        )
+    return made
+
+
+EXTREME: Choice = (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 0.25]), 0.01)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the policy with a penalty, also with large values and a small penalty."""
+    require_function("with_penalty", answer, "values, reference and penalty")
+    rules = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
+    cases = [*_choices(telling_draw(seed, _choices, rules)), EXTREME]
+    found, calls = [], []
+    for values, reference, penalty in cases:
+        call = f"with_penalty({in_brackets(values)}, {in_brackets(reference)}, {penalty:g})"
+        mine = values.copy(), reference.copy()
+        with student_code(call), np.errstate(over="ignore", invalid="ignore"):
+            policy = answer(*mine, penalty)
+        if not (np.array_equal(mine[0], values) and np.array_equal(mine[1], reference)):
+            raise WrongAnswer(f"{call} changes one of the arrays that it is given: make a new one")
+        table = _table(call, policy, values.shape, finite=values is not EXTREME[0])
+        if not np.isfinite(table).all():
+            raise WrongAnswer(
+                f"{call} should give {in_brackets(weighed(EXTREME))}, but gives {in_brackets(table)}: an exponential"
+                " overflows; subtract the largest value from all values first"
+            )
+        found.append(table)
+        calls.append(call)
+    _compare_tables(cases, found, calls, POLICY_MISTAKES, weighed)
+    return "Right: the reference, tilted towards what is worth more. An action that it never takes is never taken."
+
+
+def _table(call: str, value: Any, shape: tuple[int, ...], *, finite: bool = True) -> Reals:
+    """Return what an answer gives as an array of numbers of a shape.
+
+    Raises:
+        WrongAnswer: it is something else.
+    """
+    given(call, value)
+    try:
+        table = np.asarray(value, float)
+    except (TypeError, ValueError):
+        raise WrongAnswer(f"{call} should give an array of numbers of shape {shape}, but gives {value!r}") from None
+    if table.shape != shape:
+        hint = ": is it the whole table that you return?" if len(shape) > 1 else ""
+        raise WrongAnswer(f"{call} should give an array of shape {shape}, but gives one of shape {table.shape}{hint}")
+    if finite and not np.isfinite(table).all():
+        raise WrongAnswer(f"{call} should give finite numbers, but gives {table.tolist()}: is something divided by 0?")
+    return table
+
+
+def _compare_tables(
+    cases: Sequence[Any],
+    found: Sequence[Reals],
+    calls: Sequence[str],
+    mistakes: Mapping[str, Mapping[str, Any]],
+    rule: Callable[..., Reals],
+) -> None:
+    """Check several arrays. The first wrong one is told, with the mistake that explains all of them, or most.
+
+    Raises:
+        WrongAnswer: one is not right.
+    """
+    right = [rule(case) for case in cases]
+    wrong = [not all_same(one, mine) for one, mine in zip(right, found, strict=True)]
+    if not any(wrong):
+        return
+
+    def explained(change: Mapping[str, Any]) -> list[bool]:
+        return [all_same(rule(case, **change), mine) for case, mine in zip(cases, found, strict=True)]
+
+    why = mistake_that_fits(
+        mistakes, lambda change: all(explained(change)), lambda change: explains_most(explained(change), wrong)
+    )
+    first = wrong.index(True)
+    told, came = (np.round(table[first], 4).tolist() for table in (right, found))
+    raise WrongAnswer(f"{calls[first]} should give {told}, but gives {came}: {why}")

@@ -1,0 +1,216 @@
+"""The project of lesson 14: learn from a teacher's comparisons alone, from a blank file."""
+
+from functools import cache
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.agents.preferences import preference
+from edugym.checks.parameters import in_short
+from edugym.exact.policy_evaluation import policy_evaluation
+from edugym.exact.regularised import with_rewards
+from edugym.mdp.protocol import Integers, Random
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.choices import action_of
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
+from edugym_course.grading.programs import NAME
+from edugym_course.grading.student_code import student_code
+from edugym_course.lessons.own_problem.morning import Morning, State
+from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
+
+TASK = Morning(length=10, ring=6.0, late=30.0)
+"""Longer and dearer than that of the lesson: here a clock that does nothing is worth no more than random buttons."""
+N_COMPARISONS = 300
+SEEDS = 5
+OUR_SEEDS = range(100, 140)
+LOW, SLACK = 0.1, 0.5
+"""The middle run must reach this quantile of our returns, less the slack: ours hardly ever misses it."""
+NIGHT = "a list of (observation, action, next_observation), one for each step"
+
+Step = tuple[State, int, State]
+
+
+class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows."""
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        """Take a step, and pay nothing."""
+        observation, _, terminated, truncated, _ = self.env.step(action)
+        return observation, 0.0, terminated, truncated, {}
+
+    @property
+    def unwrapped(self) -> Any:
+        """This environment itself: what is below it would give the reward away."""
+        return self
+
+
+class Teacher:
+    """Compares nights, so many times, with the noise of the lesson.
+
+    Attributes:
+        asked: how often she was asked.
+        slip: the sentence of the first thing that she refused, "" if there is none.
+    """
+
+    def __init__(self, mdp: Morning, most: int, rng: Random) -> None:
+        """Know what is meant."""
+        self._mdp, self._most, self._rng = mdp, most, rng
+        self.asked, self.slip = 0, ""
+
+    def __call__(self, first: Any, second: Any) -> bool:
+        """Whether the first night is preferred to the second.
+
+        Raises:
+            WrongAnswer: one of them is no night, or she was asked too often.
+        """
+        if self.asked == self._most:
+            self._refuse(f"compare may be called {self._most} times, and this is one time more")
+        returns = [self._return(night) for night in (first, second)]
+        self.asked += 1
+        return bool(self._rng.random() < preference(*returns, NOISE))
+
+    def _return(self, night: Any) -> float:
+        """What a night is worth to her."""
+        if not isinstance(night, list | tuple) or not all(
+            isinstance(one, list | tuple) and len(one) == 3 for one in night
+        ):
+            self._refuse(f"compare takes two nights, each {NIGHT}, but one of them is {in_short(night)}")
+        steps = [self._step(one) for one in night]
+        state, total = self._mdp.initial(self._rng), 0.0
+        for before, action, after in steps:
+            if before != state:
+                self._refuse(
+                    f"a night has a step from {before} where the one before it ended in {state}: give all the steps of"
+                    " one episode, in their order, with `next_observation` last"
+                )
+            total += self._mdp.reward(before, action, after, self._rng)
+            state = after
+        if len(steps) != self._mdp.length:
+            self._refuse(f"a night has {self._mdp.length} steps, from reset to the end, but one given has {len(steps)}")
+        return total
+
+    def _step(self, step: Any) -> Step:
+        """A step of a night, with whole numbers."""
+        try:
+            (time, depth), action, (next_time, next_depth) = step
+            return (int(time), int(depth)), int(action), (int(next_time), int(next_depth))
+        except (TypeError, ValueError):
+            self._refuse(
+                f"a step of a night is (observation, action, next_observation), but one given is {in_short(step)}"
+            )
+            raise
+
+    def _refuse(self, sentence: str) -> None:
+        """Refuse what was given, and remember it: a program may catch the error."""
+        self.slip = self.slip or sentence
+        raise WrongAnswer(sentence)
+
+
+class Judged(NamedTuple):
+    """What came of a program.
+
+    Attributes:
+        meant: the exact return of its policy, as it is meant.
+        actions: shape (S,): the action in each state.
+        asked: how often it asked the teacher.
+    """
+
+    meant: float
+    actions: Integers
+    asked: int
+
+
+def judged(program: Any, seed: int) -> Judged:
+    """Run a program with a seed, and evaluate its policy exactly.
+
+    Raises:
+        WrongAnswer: it breaks the contract, raises an error or does not end.
+    """
+    mdp, call = TASK, f"{NAME}(environment, compare, {N_COMPARISONS}, {seed})"
+    environment = Silent(MDPEnv(mdp))
+    environment.reset(seed=1_000_003 + seed)
+    teacher = Teacher(mdp, N_COMPARISONS, np.random.default_rng([seed, 1]))
+    with student_code(call):
+        policy = program(environment, teacher, N_COMPARISONS, seed)
+    if teacher.slip:  # the program caught it, and went on
+        raise WrongAnswer(teacher.slip)
+    if policy is None:
+        raise WrongAnswer(f"{call} gives None: return the policy, a function from an observation to an action")
+    if isinstance(policy, type) or not callable(policy):
+        raise WrongAnswer(
+            f"{call} should return a function from an observation to an action, but returns {in_short(policy)}"
+        )
+    model = model_of(mdp)
+    actions = np.zeros(len(model.states), int)
+    for row in np.flatnonzero(~model.terminal):
+        what = f"the policy of {NAME}, for the observation {model.states[row]},"
+        with student_code(what):
+            action = policy(np.array(model.states[row]))
+        actions[row] = action_of(what, action, 3)
+    return Judged(policy_evaluation(model, actions).start, actions, teacher.asked)
+
+
+@cache
+def our_returns() -> tuple[float, ...]:
+    """Return the meant returns of our policies: planning on rewards that were learned of random nights."""
+    mdp, model = TASK, model_of(TASK)
+    returns = []
+    for seed in OUR_SEEDS:
+        rewards = learned_rewards(mdp, N_COMPARISONS, NOISE, PRIOR, np.random.default_rng(seed), at_random=True)
+        learned = with_rewards(model, rewards)
+        reference = np.full_like(rewards, 1 / 3)
+        returns.append(policy_evaluation(model, tuned(learned, reference, 0.0)).start)
+    return tuple(returns)
+
+
+def project_14(answer: Any, seed: int) -> str:
+    """Check a program that learns from comparisons: what its policy is worth, as it is meant."""
+    require_function(NAME, answer, "environment, compare, n_comparisons and seed")
+    found = [judged(answer, SEEDS * seed + number) for number in range(SEEDS)]
+    if not any(one.asked for one in found):
+        raise WrongAnswer(f"{NAME} never calls compare(first, second), and nothing else says what is wanted")
+    ours, middle = our_returns(), sorted(found, key=lambda one: one.meant)[SEEDS // 2]
+    told = f"the middle one of {SEEDS} runs makes a clock worth {middle.meant:.1f}"
+    lowest = float(np.quantile(ours, LOW)) - SLACK
+    if not middle.meant >= lowest:
+        why = "" if nobody_asks_why() else f": {symptom(middle)}"
+        raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
+    return f"Right: {told} (ours {np.median(ours):.1f}); random buttons {_random():.1f}, the best clock {_best():.1f}."
+
+
+def symptom(run: Judged) -> str:
+    """Return what a policy that is worth too little looks like, and the likely cause."""
+    actions = run.actions[~model_of(TASK).terminal]
+    if len({*actions.tolist()}) == 1:
+        return (
+            f"it chooses action {actions[0]} in every state; are the rewards that were learned looked up in the state"
+            " and the action where they belong?"
+        )
+    if run.meant < _random() - 2:
+        return "that is worse than random buttons; does the *preferred* night gain, and is the *best* action taken?"
+    if run.meant < _random() + 4:
+        return (
+            "that is hardly better than random buttons; do the rewards change with every comparison, and does the"
+            " policy use them?"
+        )
+    if run.asked < N_COMPARISONS:
+        return f"it asks {run.asked} of {N_COMPARISONS} comparisons; ask them all"
+    return (
+        "it has learned something; does every step of both nights count, as often as it was taken, are there enough"
+        " passes over the comparisons, and enough nights to learn the policy? A night has no discount"
+    )
+
+
+@cache
+def _random() -> float:
+    """The return of random buttons."""
+    model = model_of(TASK)
+    return policy_evaluation(model, np.full(model.successors.shape[:2], 1 / 3)).start
+
+
+@cache
+def _best() -> float:
+    """The best return."""
+    return policy_evaluation(model_of(TASK), tuned(model_of(TASK), np.zeros(0), 0.0)).start
