@@ -9,7 +9,7 @@ Three editions come from its marks:
 
 The command line:
 
-    python lessons/build.py                   write what its source has changed
+    python lessons/build.py                   write what its source has changed; execute where code has
     python lessons/build.py 01_exploration    the same for one lesson
     python lessons/build.py --execute         execute solutions again though their source has not changed
     python lessons/build.py --check           write nothing; fail if a notebook is not what its source makes
@@ -303,6 +303,20 @@ def is_current(path: Path, notebook: NotebookNode) -> bool:
     return bool(text == nbformat.writes(notebook))
 
 
+def keep_outputs(path: Path, notebook: NotebookNode) -> bool:
+    """Take over the outputs of the notebook at a path if no code has changed since, and say whether that was so."""
+    if not path.exists():
+        return False
+    present = nbformat.reads(path.read_text(encoding="utf-8"), as_version=nbformat.NO_CONVERT)
+    before, now = (list(filter(is_code, one.cells)) for one in (present, notebook))
+    if [cell.source for cell in before] != [cell.source for cell in now]:
+        return False
+    for cell, old in zip(now, before, strict=True):
+        cell.outputs, cell.execution_count = old.outputs, old.execution_count
+    notebook.metadata = present.metadata
+    return True
+
+
 def build(source: Path, notebooks: Path, *, execute_again: bool = False) -> list[Path]:
     """Writes the notebooks of a lesson that are not current.
 
@@ -323,7 +337,7 @@ def build(source: Path, notebooks: Path, *, execute_again: bool = False) -> list
         solutions = path.parent.name == "solutions"
         if is_current(path, notebook) and not (solutions and execute_again):
             continue
-        if solutions:
+        if solutions and (execute_again or not keep_outputs(path, notebook)):
             start = time.perf_counter()
             execute(notebook, source.stem)
             print(f"{source.stem}: executed in {time.perf_counter() - start:.0f} s")

@@ -312,6 +312,29 @@ def test_building_twice_changes_no_byte(
     assert "widgets" not in solution.metadata
 
 
+def test_a_change_of_text_executes_nothing(source: Path) -> None:
+    """The outputs are those from before; a change of code is told, so that the notebook is executed."""
+    made = build.editions(source, source.parents[4] / "notebooks")
+    path = [*made][1]
+    path.parent.mkdir(parents=True)
+    path.write_text(with_an_output(made[path]), encoding="utf-8")
+    text = source.read_text(encoding="utf-8")
+    source.write_text(text.replace("# # Doubling", "# # Doubling a number", 1), encoding="utf-8")
+    assert build.build(source, path.parents[1]) == [*made]
+    kept = nbformat.read(path, as_version=4)
+    assert "# Doubling a number" in kept.cells[0].source
+    assert [output.text for cell in filter(is_code, kept.cells) for output in cell.outputs] == ["done\n"]
+    source.write_text(text.replace("half = 1 / 2", "half = 2 / 4", 1), encoding="utf-8")
+    assert not build.keep_outputs(path, build.editions(source, path.parents[1])[path])
+
+
+def with_an_output(notebook: nbformat.NotebookNode) -> str:
+    """A notebook whose first cell of code has printed something."""
+    cell = next(filter(is_code, notebook.cells))
+    cell.outputs, cell.execution_count = [nbformat.v4.new_output("stream", text="done\n")], 1
+    return str(nbformat.writes(notebook))
+
+
 def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Missing, edited and left-over notebooks are named; outputs are allowed in solutions only."""
     root = source.parents[4]
@@ -319,9 +342,7 @@ def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFix
     student, solution, teacher = made
     for path in (student, solution):
         path.parent.mkdir(exist_ok=True)
-        cell = next(filter(is_code, made[path].cells))
-        cell.outputs, cell.execution_count = [nbformat.v4.new_output("stream", text="done\n")], 1
-        path.write_text(nbformat.writes(made[path]), encoding="utf-8")
+        path.write_text(with_an_output(made[path]), encoding="utf-8")
     (root / "notebooks" / "00_gone.ipynb").touch()
     (root / "notebooks" / ".ipynb_checkpoints").mkdir()
     (root / "notebooks" / ".ipynb_checkpoints" / "01_doubling-checkpoint.ipynb").touch()
