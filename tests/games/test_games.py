@@ -11,8 +11,10 @@ from hypothesis import strategies as st
 import edugym
 from edugym import games
 from edugym.compiled import execution
+from edugym.games.against import Met
 from edugym.games.matrix_games import MatrixGame
 from edugym.mdp.protocol import Random
+from edugym.rendering.ansi import to_text
 from tests.messages import named
 
 
@@ -152,6 +154,27 @@ def test_returns_are_those_of_play() -> None:
     error = np.std(returns, axis=0) / np.sqrt(len(returns))
     assert np.all(np.abs(np.mean(returns, axis=0) - expected) < 5 * error)
     assert expected[0] == -expected[1] != 0
+
+
+def test_the_picture_against_a_fixed_player() -> None:
+    """That of the game, so that one can play against the policy; without one the state in words, as in PettingZoo."""
+    soccer, pennies = games.Soccer.create(), games.MatchingPennies.create()
+    state = soccer.initial(np.random.default_rng(0))
+    mdp = games.against(soccer, 0, games.uniform_policy(soccer, 1))
+    assert mdp.scene(Met(state, 3)) == soccer.scene(state)
+    assert "state 1" in to_text(games.against(pennies, 1, FIRST).scene(Met(1, 0)))
+
+
+def test_a_picture_that_is_none() -> None:
+    """It is refused with the name of the game."""
+
+    class Blank(MatrixGame):
+        def scene(self, state: int) -> Any:
+            return "a picture"
+
+    mdp = games.against(Blank(games.MatchingPennies.create().payoffs), 0, FIRST)
+    with pytest.raises(ValueError, match=named("scene", "Blank", "Scene", "'a picture'")):
+        mdp.scene(Met(0, 0))
 
 
 @pytest.mark.parametrize(("temptation", "talks"), [(5.0, True), (1.0, False)])

@@ -381,12 +381,9 @@ def exploitable(create: Callable[..., Any], contact: float, **settings: Any) -> 
     return mean_interval([games.exploitability(model, run.policies[-1], 0.9) for run in runs])
 
 
-LITTMAN = {"initial_value": 1, "learning_rate": 1, "decay": 0.01**1e-6, "epsilon": 0.2}
-
-
 def test_who_is_exploited() -> None:
     """Minimax Q-learning is hardly exploitable where policies must be random; Q-learning is."""
-    minimax_q = exploitable(games.MinimaxQ.create, 1.0, **LITTMAN)
+    minimax_q = exploitable(games.MinimaxQ.create, 1.0)
     learner = exploitable(q_learning, 1.0, discount=0.9, initial_value=1, exploration=EpsilonGreedy(0.2))
     assert minimax_q.high < 0.1
     assert learner.low > 0.15
@@ -395,7 +392,7 @@ def test_who_is_exploited() -> None:
 @pytest.mark.parametrize(
     ("create", "settings"),
     [
-        (games.MinimaxQ.create, LITTMAN),
+        (games.MinimaxQ.create, {}),
         (q_learning, {"discount": 0.9, "initial_value": 1, "exploration": EpsilonGreedy(0.2)}),
     ],
 )

@@ -219,12 +219,12 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
         In a notebook it shows itself. An MDP without a picture of its own is shown as text.
         """
-        from edugym.rendering.scene import Scene, Text
+        from edugym.rendering.scene import Scene, in_words
 
         state = self.mdp.initial(np.random.default_rng(0)) if self.state is None else self.state
         draw = getattr(self.mdp, "scene", None)
         if draw is None:
-            return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {state!r}", 0.6),))
+            return in_words(state)
         scene = draw(state, **self._history(history_wanted(draw)))
         if not isinstance(scene, Scene):
             raise ValueError(f"scene of {type(self.mdp).__name__} must return a Scene, but returned {in_short(scene)}")

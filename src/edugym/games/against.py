@@ -5,8 +5,9 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.games.policies import checked_policy, draw_from
-from edugym.games.protocol import a_player
+from edugym.games.protocol import a_player, scene_of
 from edugym.mdp.protocol import Random, Reals
+from edugym.rendering.scene import Scene
 
 
 class Met(NamedTuple):
@@ -81,6 +82,10 @@ class Against(NamedTuple):
         """As in the game."""
         names: tuple[str, ...] = getattr(self.game, "action_names", ())
         return names
+
+    def scene(self, state: Met) -> Scene:
+        """As in the game; without a picture of its own, the state in words."""
+        return scene_of(self.game, state.state)
 
 
 def against(game: Any, player: int, policy: Any) -> Against:

@@ -32,24 +32,31 @@ class MinimaxQ(NamedTuple):
         discount: γ, from 0 to 1.
         epsilon: the probability of a uniformly random action, from 0 to 1.
 
-    Choices: Littman begins with α = 1 and a decay that leaves 0.01 of it at the end, with ε = 0.2 and with Q and V of
-    1 (the setting `initial_value`). The defaults here are those of EduGym's other tables: a constant α of 0.1, ε = 0.1
-    and 0. Where several policies guarantee the value, the simplex method finds one of them.
+    The defaults are the settings with which Littman trained in soccer for a million steps: α falls from 1 to 0.01, ε is
+    0.2, and Q and V start at 1 (the setting `initial_value`), the most that can be won there. For n steps set the decay
+    to 0.01 ** (1 / n). All of them are needed: over three seeds of a million steps of soccer they end with an
+    exploitability of 0.02 to 0.05; with a constant α of 0.1 it was 0.23 to 0.31, with first values of 0 it was 0.25 to
+    0.30, and with both and ε = 0.1 it was 0.55 to 0.61, no better than random play.
 
-    References: Littman (1994), Markov games as a framework for multi-agent reinforcement learning, figure 1.
+    Choices: where several policies guarantee the value, the simplex method finds one of them. α falls with every step
+    of the player, whatever its state, as in the paper. Littman goes on after a goal, and his value of the next state
+    is then that of the next kick-off; here it is 0, since a goal ends the episode.
+
+    References: Littman (1994), Markov games as a framework for multi-agent reinforcement learning, figure 1 and section
+    6.2.
     """
 
-    Q: Annotated[Reals, Table(("states", "actions", "others"), fill="initial_value")]
-    V: Annotated[Reals, Table(("states",), fill="initial_value")]
+    Q: Annotated[Reals, Table(("states", "actions", "others"), fill="initial_value", default=1.0)]
+    V: Annotated[Reals, Table(("states",), fill="initial_value", default=1.0)]
     policy: Annotated[Reals, Part()]
     worst: Annotated[Reals, Part()]
     tableau: Annotated[Reals, Part()]
     labels: Annotated[Integers, Part()]
     share: Annotated[Reals, Table((1,), fill=1.0)]
-    learning_rate: LearningRate = 0.1
-    decay: Probability = 1.0
+    learning_rate: LearningRate = 1.0
+    decay: Probability = 0.01**1e-6
     discount: Discount = 0.9
-    epsilon: Probability = 0.1
+    epsilon: Probability = 0.2
 
     def learn(
         self, state: int, action: int, other_action: int, reward: float, next_state: int, terminated: bool
@@ -76,7 +83,7 @@ class MinimaxQ(NamedTuple):
         """Create player 0 or 1 of a game, with new tables and a uniformly random policy.
 
         The settings are `initial_value` and the fields that have a default. Pass them by name. Every entry of Q and V
-        starts at `initial_value`, by default 0.
+        starts at `initial_value`, by default 1.
 
         Raises:
             ValueError: a setting is unknown or not allowed, `game` is no game, or `player` is neither 0 nor 1.

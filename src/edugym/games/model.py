@@ -23,10 +23,12 @@ class JointGame(NamedTuple):
     Attributes:
         game: the game.
         player: whose rewards count, and whose observations are seen.
+        n: how many actions this player has.
     """
 
     game: Any
     player: int
+    n: int
 
     def initial(self, rng: Random) -> Any:
         """As in the game."""
@@ -60,7 +62,7 @@ class JointGame(NamedTuple):
 
     def actions(self, action: int) -> tuple[int, int]:
         """The actions of players 0 and 1."""
-        other, own = divmod(action, n_actions(self.game, self.player))
+        other, own = divmod(action, self.n)
         return (own, other) if self.player == 0 else (other, own)
 
 
@@ -161,7 +163,8 @@ def game_model(game: Any, max_states: int = MAX_STATES) -> GameModel:
         ValueError: `game` is no game, or it is not finite (see `edugym.finite_model`).
     """
     require_game(game)
-    return GameModel(game, (finite_model(JointGame(game, 0), max_states), finite_model(JointGame(game, 1), max_states)))
+    first, second = (finite_model(JointGame(game, player, n_actions(game, player)), max_states) for player in (0, 1))
+    return GameModel(game, (first, second))
 
 
 def expected_returns(model: GameModel, policies: Any, discount: float = 1.0) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from edugym.checks.mdps import CHECKED_STEPS
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.games.checking import CheckedGame
-from edugym.games.protocol import require_game
+from edugym.games.protocol import require_game, scene_of
 from edugym.system.extras import require
 from edugym.system.packages import is_own
 
@@ -150,13 +150,7 @@ class GameEnv:
         """
         if self.game_state is None:
             raise ResetNeeded("render before the first reset: call reset() to start an episode")
-        from edugym.rendering.scene import Scene, Text
-
-        draw = getattr(self.game, "scene", None)
-        if draw is None:
-            return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {self.game_state!r}", 0.6),))
-        scene: Scene = draw(self.game_state)
-        return scene
+        return scene_of(self.game, self.game_state)
 
     def render(self) -> Any:
         """Draw the present state as `render_mode` says: an array of pixels (height, width, 3), or a string.

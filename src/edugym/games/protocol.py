@@ -11,6 +11,7 @@ from gymnasium import Space, spaces
 from edugym.checks.interfaces import a_class, class_name, require_method, step_limit
 from edugym.checks.parameters import in_short, one_of
 from edugym.mdp.protocol import Observation_co, Random, State
+from edugym.rendering.scene import Scene, in_words
 
 METHODS = {
     "initial": ("rng",),
@@ -88,6 +89,19 @@ def require_game(game: Any) -> None:
                     f" but is {in_short(space)}"
                 )
     step_limit(game)
+
+
+def scene_of(game: Any, state: Any) -> Scene:
+    """The picture of a state; of a game without pictures, the state in words.
+
+    Raises:
+        ValueError: the game's own picture is no `Scene`.
+    """
+    draw = getattr(game, "scene", None)
+    scene = in_words(state) if draw is None else draw(state)
+    if not isinstance(scene, Scene):
+        raise ValueError(f"scene of {class_name(game)} must return a Scene, but returned {in_short(scene)}")
+    return scene
 
 
 def a_player(player: Any) -> int:

@@ -84,15 +84,21 @@ class Soccer(NamedTuple):
     - `max_steps` (100): the number of steps after which an episode is truncated, from 1 to 2^62.
 
     ## Choices
-    - Littman's players start anew after a goal; here that ends the episode. His games end as a draw with probability
-      0.1 after every step, which stands for the discount of 0.9 with which the players learned; here the discount is
-      the players' own.
+    What differs from Littman (1994), section 6:
+
+    - There the players start anew after a goal, and play on; here a goal ends the episode. (In his tests, not in
+      training, a step is also declared a draw with probability 0.1, in place of the discount of 0.9. Here the discount
+      belongs to the players, and there are no draws.)
+    - There is no step limit there; `max_steps` is ours.
+    - There is no `contact` there: it is 1.
     - His A scores in the west and his B in the east: player 0 is his B.
-    - He has no `contact`: his is 1.
-    - The squares at the start are ours; he gives them in a figure.
+    - The squares at the start are in a figure that we have not seen. Programs of others that follow the paper start as
+      here, or with rows 1 and 2 exchanged, which is the same game in a mirror.
+    - That a player without the ball who runs into the other changes nothing follows from his rule, by which the
+      player who stands still gets the ball: it has it already.
 
     ## References
-    Littman (1994), Markov games as a framework for multi-agent reinforcement learning, section 5.
+    Littman (1994), Markov games as a framework for multi-agent reinforcement learning, section 6.
     """
 
     contact: float = 1.0

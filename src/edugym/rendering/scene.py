@@ -41,6 +41,7 @@ __all__ = [
     "Shape",
     "Stroke",
     "Text",
+    "in_words",
 ]
 
 
@@ -50,3 +51,8 @@ class Scene(Drawing):
 
     def _repr_svg_(self) -> str:
         return to_svg(self)
+
+
+def in_words(state: object) -> Scene:
+    """The picture of a state that has none of its own: what it is, in words."""
+    return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {state!r}", 0.6),))
