@@ -3,6 +3,7 @@
 import functools
 import warnings
 import zlib
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from edugym.checks.contract import tables_of
 from edugym.experiments import repeat as repeating
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
+from edugym.games.train_players import GameRun, train_players
 from edugym.training import train as training
 from edugym.training.run import Run
 from edugym.training.train import train
@@ -47,6 +49,17 @@ def made_up_run(
     made = np.round(rng.uniform(*returns, (2, len(steps))), 0 if returns == SOLVED_OR_NOT else 2)
     made[:, 0] = returns[0]
     return Run(steps, made[0], made[1], rng.integers(1, 9, len(steps)), run.agent, run.seed, 0.0, complete=True)
+
+
+def short_match(game: Any, agents: Any, n_steps: int, *, most: int = 50, **how: Any) -> GameRun:
+    """Let two players train for a few steps, and return a run that looks as long as it was asked for."""
+    few = min(n_steps, most)
+    run = train_players(game, agents, few, evaluate_every=few, seed=how.get("seed", 0))
+    every = how.get("evaluate_every", n_steps)
+    steps = np.unique(np.append(np.arange(0, n_steps, every), n_steps))
+    policies = [run.policies[0], *[run.policies[-1]] * (len(steps) - 1)]
+    returns, episodes = np.zeros((len(steps), 2)), np.ones(len(steps), np.int64)
+    return replace(run, steps=steps, policies=policies, training_returns=returns, episodes=episodes)
 
 
 def told(agent: Any, n_steps: int, seed: Any) -> str:

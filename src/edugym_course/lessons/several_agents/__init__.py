@@ -1,0 +1,1 @@
+"""Several agents (lesson 13)."""

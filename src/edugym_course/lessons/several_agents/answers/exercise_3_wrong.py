@@ -1,0 +1,170 @@
+# %% V stays
+# says: after learn(Q, V,
+# says: V is not changed: after Q it is the value of the matrix game Q[state]
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+
+# %% the next state is solved
+# says: the value of the *next* state is solved anew; it is Q[state] that has changed
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[next_state], _, _ = games.solve_zero_sum(Q[next_state])
+
+# %% V is the maximum
+# says: V is the largest entry of Q[state], as if the other player wanted it too; it is the value of the game
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = Q[state].max()
+
+# %% without chance
+# says: V is what the best single action guarantees, max_a min_o Q; a random choice may guarantee more
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = Q[state].min(axis=1).max()
+
+# %% min max
+# says: V is min_o max_a Q, as if you saw the other's action before you choose
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = Q[state].max(axis=0).min()
+
+# %% a mean
+# says: V is the best *mean* over the other's actions, as if it tossed a coin
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = Q[state].mean(axis=1).max()
+
+# %% V is the target
+# says: V is set to the target of one step; it is the value of the matrix game Q[state]
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = target
+
+# %% solved too early
+# says: the game is solved before Q changes; first Q, then V
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    V[state] = games.solve_zero_sum(Q[state]).value
+    Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+
+
+# %% columns
+# says: rows and columns have changed places: your actions are the rows of Q[state], and you want a high payoff
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state], _, _ = games.solve_zero_sum(Q[state].T)
+
+# %% a maximum ahead
+# says: the target has max Q[next_state], as if the other player wanted it too; it is V[next_state]
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * Q[next_state].max()
+
+# %% the other repeats
+# says: the target takes for granted that the other repeats its action: max_a Q[next_state, a, other_action]; it is V[next_state]
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * Q[next_state][:, other_action].max()
+
+# %% no chance ahead
+# says: the target has max_a min_o Q[next_state]; a random choice may guarantee more: it is V[next_state]
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * Q[next_state].min(axis=1).max()
+
+# %% the same pair
+# says: the target has Q[next_state, action, other_action]; neither need do the same again
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * Q[next_state][action][other_action]
+
+# %% the old state
+# says: the target has V[state]; the future begins in the next state
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * V[state]
+
+# %% no end
+# says: the value of the next state counts after the end; a terminal state has no future, so the target is the reward
+# in: step by step
+# - if terminated:
+# -     target = reward
+# - else:
+# -     target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * V[next_state]
+
+# %% ends inverted
+# says: `terminated` is the wrong way round: the value of the next state counts where the game goes on
+# in: step by step
+# - if terminated:
+# + if not terminated:
+
+# %% all of the other's actions
+# says: all entries of Q[state, action] change; the other's action has a number of its own
+# in: step by step
+# - error = target - Q[state][action][other_action]
+# + error = target - Q[state][action]
+# - Q[state][action][other_action] += 0.5 * error
+# + Q[state][action] += 0.5 * error
+
+# %% Q of the next state
+# says: Q[next_state, ...] changes; the pair of actions was taken in `state`
+# in: step by step
+# - error = target - Q[state][action][other_action]
+# + error = target - Q[next_state][action][other_action]
+# - Q[state][action][other_action] += 0.5 * error
+# + Q[next_state][action][other_action] += 0.5 * error
+
+# %% no plus
+# says: `=` where `+=` is needed: the old value is lost
+# in: step by step
+# - Q[state][action][other_action] += 0.5 * error
+# + Q[state][action][other_action] = 0.5 * error
+
+# %% the whole way
+# says: the whole way to the target is gone, as with α = 1; it is 0.5
+# in: step by step
+# - Q[state][action][other_action] += 0.5 * error
+# + Q[state][action][other_action] += 1.0 * error
+
+# %% no discount
+# says: the discount is missing: γ is 0.9
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + V[next_state]
+
+# %% no future
+# says: the value of the next state is missing in the target
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward
+
+# %% the other's reward
+# says: the reward counts with the wrong sign; it is your own
+# in: step by step
+# - if terminated:
+# + reward = -reward
+# + if terminated:
+
+# %% of its own
+# says: `learn` changes neither Q nor V: write into the arrays that it is given, Q[...] += ... and V[state] = ...
+# in: step by step
+# - if terminated:
+# + Q, V = Q.copy(), V.copy()
+# + if terminated:
+
+# %% a tenth
+# says: none of the usual mistakes
+# in: step by step
+# - Q[state][action][other_action] += 0.5 * error
+# + Q[state][action][other_action] += 0.1 * error
+
+# %% an equilibrium for a number
+# says: raises ValueError
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = games.solve_zero_sum(Q[state])
+
+# %% the class
+# says: Q, V, state, action, other_action, reward, next_state and terminated
+learn = games.MinimaxQ

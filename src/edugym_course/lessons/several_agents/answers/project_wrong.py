@@ -1,0 +1,124 @@
+# %% the best action
+# says: in a riddle with
+# says:  places, who knows the policy of
+# says:  more from it in place
+# says:  than from a safe one.
+# says: It has no chance in it: the best action against what the other does now is known to the other, too; the policy is that of the matrix game, as solve_zero_sum finds it
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda state: np.eye(shape[1])[Q[state].mean(axis=1).argmax()]
+
+# %% random play
+# says: It is random play: does the policy that is returned come from what was learned?
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda state: [1 / shape[1]] * shape[1]
+
+# %% the reward of the other
+# says: In one room it takes the worst action: is the reward that of player_0, with its own sign?
+# in: all pairs at random
+# - target = rewards[me]
+# + target = rewards[you]
+
+# %% columns
+# says: In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix game the actions of player_0?
+# in: all pairs at random
+# - solved[state] = games.solve_zero_sum(Q[state])
+# + solved[state] = games.solve_zero_sum(Q[state].T)
+
+# %% half at random
+# says: Look at this place:
+# says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] learned from every pair of actions, and is the policy returned without the random moves?
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda state: 0.6 * solved[state].first + 0.4 / shape[1]
+
+# %% reward alone
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'
+# in: all pairs at random
+# - target += 0.9 * value(int(seen[me]))
+# + target += 0.0
+
+# %% as if the other were kind
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'
+# in: all pairs at random
+# - return solved[state].value if state in solved else 0.0
+# + return Q[state].max()
+
+# %% beyond the end
+# says: after the end a number is seen that other places have, too: what comes then is worth 0, so with `terminated` the target is R alone
+# in: all pairs at random
+# - if not terminated[me]:
+# -     target += 0.9 * value(int(seen[me]))
+# + target += 0.9 * value(int(seen[me]))
+
+# %% cut off is over
+# says: its episodes are truncated, not terminated: the clock was stopped, and the next place still has its value, so only `terminated` makes R alone the target
+# in: all pairs at random
+# - if not terminated[me]:
+# + if not terminated[me] and not truncated[me]:
+
+# %% too slow
+# says: After
+# says:  steps it is safe, so it learns too slowly: is the learning rate, or the share of random actions, too small?
+# in: all pairs at random
+# - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
+# + Q[state, a, o] += 0.2 * (target - Q[state, a, o]) * (rng.random() < 0.07)
+
+# %% a number for a policy
+# says: probabilities that sum to 1, one for each action, but for place
+# says: : that is one action, and the probability of each is asked
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda state: int(Q[state].mean(axis=1).argmax())
+
+# %% a table for a policy
+# says: should return the policy of player_0, a function from a state to the probabilities of its actions, but returns
+# says: : for a table that is `lambda state: policy[state]`
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return Q
+
+# %% one episode
+# says:  steps: go on, episode after episode, until all are taken
+# in: a class, lists, and player 1 who answers
+# - while steps < n_steps:
+# + while environment.agents:
+# - if not environment.agents and steps < n_steps:
+# -     observations, _ = environment.reset()
+
+# %% no reset
+# says:  takes a step where no episode is under way: call reset() at first, and whenever `environment.agents` is empty
+# in: all pairs at random
+# - if not environment.agents:
+# -     seen, _ = environment.reset()
+
+# %% the seed again
+# says:  calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the seed at the first reset only, and call reset() after that
+# in: all pairs at random
+# - seen, _ = environment.reset()
+# + seen, _ = environment.reset(seed=seed)
+
+# %% other numbers every time
+# says:  does not repeat itself: two runs with seed
+# says:  take different actions. Draw every random number from rng = np.random.default_rng(seed), and make all that it learns inside the function
+# in: all pairs at random
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng()
+
+# %% twice as many steps
+# says:  begins another episode after its
+# says:  steps: count the steps of all episodes
+# in: all pairs at random
+# - for _ in range(n_steps):
+# + for _ in range(2 * n_steps):
+
+# %% one action for both
+# says: actions must be a dictionary with one action for each of player_0, player_1
+# in: all pairs at random
+# - seen, rewards, terminated, truncated, _ = environment.step({me: a, you: o})
+# + seen, rewards, terminated, truncated, _ = environment.step((a, o))
+
+# %% an agent for a program
+# says: environment, n_steps and seed
+my_program = games.MinimaxQ

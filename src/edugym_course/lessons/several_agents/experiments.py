@@ -1,0 +1,242 @@
+"""Several agents (lesson 13): players who learn against each other in matrix games and in soccer.
+
+All players have ε = 0.2 and first values of 1, and a learning rate that falls from 1 to 0.01, as in Littman (1994);
+fictitious play has the constant 0.1. They train for 1 000 000 steps in soccer, with discount 0.9 or 0.8 and contact 1
+or 0.5, for 300 000 steps without contact, and for 10 000 in matrix games. 5 repetitions in soccer and twice as many in
+matrix games; the seeds are the same for every kind of player. Exploitability is computed exactly from what they have
+learned, six times in each run. How often best actions change is counted with Q-learning of a constant learning rate of
+0.01 and ε = 0.1, in the second half of 10 000 steps.
+"""
+
+from collections.abc import Iterator, Mapping
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from edugym.experiments.figures.sheet import Sheet, in_pairs
+from edugym.experiments.results.claims import Above, Below, Claim, Within
+from edugym.experiments.results.statistics import exactly, mean_interval
+from edugym.experiments.results.tables import Results
+from edugym.games.model import exploitability
+from edugym_course.lessons.several_agents.figures import exploited, learning
+from edugym_course.lessons.several_agents.methods import (
+    ALONE,
+    BOTH,
+    DISCOUNT,
+    DOMINANT,
+    FICTITIOUS,
+    LEARNERS,
+    MINIMAX,
+    N_CONTROL,
+    N_MATRIX,
+    N_STEPS,
+    NO_SAFE_ACTION,
+    REPETITIONS,
+    TAUGHT,
+    against_each_other,
+    changes,
+    compare,
+    losses,
+    matrix,
+    random_states,
+    soccer,
+    taught,
+)
+from edugym_course.report import Report
+from edugym_course.reporting import SharedArguments, reporting
+
+SETTINGS: Mapping[str, tuple[float, float]] = {
+    "soccer": (1.0, DISCOUNT),
+    "soccer with contact 0.5": (0.5, DISCOUNT),
+    "soccer with discount 0.8": (1.0, 0.8),
+}
+"""By name the contact and the discount: the lesson's setting, and two others."""
+NO_CONTACT = "soccer without contact"
+LATE = 3
+"""How many points, the last ones, count as the end of a matrix game."""
+
+
+def measure(how: SharedArguments) -> tuple[Any, ...]:
+    """Run the experiments."""
+    twice: dict[str, Any] = {"repetitions": 2 * how.repetitions}  # they are quick
+    stop, seeds = how.shared["stop"], range(how.shared["seed"], how.shared["seed"] + how.repetitions)
+    by_matrix, by_field, changed = dict[str, Results](), dict[str, Results](), dict[str, dict[bool, list[float]]]()
+    for i, name in enumerate((*NO_SAFE_ACTION, *DOMINANT)):
+        if not stop.is_set():
+            by_matrix[name] = compare(matrix(name), LEARNERS, N_MATRIX, **how(f"matrix_{i}", **twice))
+    for name in NO_SAFE_ACTION:
+        if not stop.is_set():
+            runs = ((learns, seed) for learns, seed in product((True, False), seeds))
+            found: dict[bool, list[float]] = {True: [], False: []}
+            for learns, seed in runs:
+                found[learns].append(changes(against_each_other(name, learns=learns, seed=seed)))
+            changed[name] = found
+    for i, (name, (contact, discount)) in enumerate(SETTINGS.items()):
+        if not stop.is_set():
+            learners = BOTH if i else LEARNERS
+            by_field[name] = compare(soccer(contact), learners, N_STEPS, discount=discount, **how(f"soccer_{i}"))
+    if stop.is_set():
+        return ()
+    control = compare(soccer(0.0), BOTH, N_CONTROL, **how("no_contact"))
+    lesson = compare(soccer(), {TAUGHT: taught}, N_STEPS, measure=losses, **how("taught"))
+    return by_matrix, by_field, changed, control, lesson
+
+
+def judge(
+    by_matrix: Mapping[str, Results],
+    by_field: Mapping[str, Results],
+    changed: Mapping[str, Mapping[bool, list[float]]],
+    control: Results,
+    lesson: Results,
+) -> Report:
+    """Return claims and figures."""
+    claims = [
+        *exact_claims(),
+        *matrix_claims(by_matrix),
+        *change_claims(changed),
+        *soccer_claims(by_field, control, lesson),
+    ]
+    return Report(claims, figures(by_matrix, by_field, control, lesson))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym_course.reporting.Reporter`)."""
+
+
+def exploitable(name: str) -> str:
+    """Return the claim that two who learn as if alone are exploitable in a matrix game."""
+    return f"Two Q-learners in {name} are exploitable by 0.9 or more"
+
+
+def harmless(name: str) -> str:
+    """Return the claim that they are not where one action is best whatever the other does."""
+    return f"Two Q-learners in the {name} end in the equilibrium"
+
+
+def unlike(name: str) -> str:
+    """Return the claim that minimax Q-learning does better in soccer."""
+    return f"In {name} two Q-learners are more exploitable than two minimax Q-learners"
+
+
+RANDOM_STATES = "In 56 states of soccer every action by itself guarantees less than a random choice"
+NO_RANDOM_STATES = "Without contact there is no such state"
+ALONE_UNHARMED = f"In {NO_CONTACT} two Q-learners are exploitable by less than 0.02"
+TAUGHT_TOO = "A Q-learner whose opponent plays the exact solution and never learns can be beaten by 0.1 or more"
+
+
+def pure_pairs(name: str) -> list[float]:
+    """Return the exploitability of every pair of policies without chance, computed."""
+    game, model = matrix(name)
+    n = game.action_space(0).n
+    return [exploitability(model, (np.eye(n)[[a]], np.eye(n)[[b]])) for a, b in product(range(n), repeat=2)]
+
+
+def exact_claims() -> Iterator[Claim]:
+    """Yield what is computed and not learned."""
+    for name in NO_SAFE_ACTION:
+        found = pure_pairs(name)
+        quantity = "exploitability of the least exploitable pair, computed"
+        statement = f"In {name} every pair of policies without chance is exploitable by 1 or more"
+        yield Claim(statement, quantity, exactly(min(found)), Above(1 - 1e-9))
+    for name in DOMINANT:
+        found = pure_pairs(name)
+        statement = f"In the {name} the pair in which both talk is an equilibrium"
+        yield Claim(statement, "exploitability, computed", exactly(found[-1]), Within(0.0, 1e-9))
+    for statement, contact, states in ((RANDOM_STATES, 1.0, 56), (NO_RANDOM_STATES, 0.0, 0)):
+        yield Claim(statement, "states, computed", exactly(random_states(contact)), Within(states, states))
+
+
+def matrix_claims(by_matrix: Mapping[str, Results]) -> Iterator[Claim]:
+    """Yield the claims on matrix games."""
+    quantity = f"exploitability, last {LATE} points of {N_MATRIX} steps"
+    for name in NO_SAFE_ACTION:
+        results = by_matrix[name]
+        yield Claim(
+            exploitable(name),
+            quantity,
+            mean_interval(results.late(ALONE, LATE)),
+            Above(0.9),
+            "no pair of policies without chance is an equilibrium there, and a Q-learner's policy is without chance",
+            (*map(harmless, DOMINANT), f"Two minimax Q-learners in {name} end in the equilibrium"),
+        )
+        for method in (MINIMAX, FICTITIOUS):
+            statement = {
+                MINIMAX: f"Two minimax Q-learners in {name} end in the equilibrium",
+                FICTITIOUS: f"The average play of two fictitious players in {name} comes close to the equilibrium",
+            }[method]
+            yield Claim(statement, quantity, mean_interval(results.late(method, LATE)), Below(0.05))
+    for name in DOMINANT:
+        yield Claim(harmless(name), quantity, mean_interval(by_matrix[name].late(ALONE, LATE)), Below(0.05))
+
+
+def change_claims(changed: Mapping[str, Mapping[bool, list[float]]]) -> Iterator[Claim]:
+    """Yield the claims on how often a Q-learner's best action changes."""
+    quantity = "changes of the best action in 1 000 steps, in the second half of training"
+    for name, found in changed.items():
+        yield Claim(
+            f"In {name} the best action of a Q-learner goes on changing while the other learns too",
+            quantity,
+            mean_interval(found[True]),
+            Above(0.5),
+            "the other learns, and with what it does the best answer changes",
+            tuple(map(settled, changed)),
+        )
+        yield Claim(settled(name), quantity, mean_interval(found[False]), Below(0.2))
+
+
+def settled(name: str) -> str:
+    """Return the claim that against a player who never learns it comes to rest."""
+    return f"In {name} it comes to rest against a player who never learns"
+
+
+def soccer_claims(by_field: Mapping[str, Results], control: Results, lesson: Results) -> Iterator[Claim]:
+    """Yield the claims on soccer: the lesson's setting, two others, the control, and the perfect opponent."""
+    for name, results in by_field.items():
+        quantity = f"exploitability after {N_STEPS} steps"
+        statement = f"In {name} two minimax Q-learners are exploitable by less than 0.1"
+        yield Claim(statement, quantity, mean_interval(results.final(MINIMAX)), Below(0.1))
+        yield Claim(
+            unlike(name),
+            f"{quantity}, Q-learning less minimax Q-learning",
+            results.difference(ALONE, MINIMAX),
+            Above(0.03),
+            "some states need a random choice, and a Q-learner has no other policy than its best action",
+            (RANDOM_STATES, NO_RANDOM_STATES, ALONE_UNHARMED, TAUGHT_TOO),
+        )
+    quantity = f"exploitability after {N_CONTROL} steps"
+    yield Claim(ALONE_UNHARMED, quantity, mean_interval(control.final(ALONE)), Below(0.02))
+    statement = f"In {NO_CONTACT} two minimax Q-learners are, too"
+    yield Claim(statement, quantity, mean_interval(control.final(MINIMAX)), Below(0.02))
+    yield Claim(
+        TAUGHT_TOO,
+        f"what its best opponent wins from it after {N_STEPS} steps",
+        mean_interval(lesson.final(TAUGHT)),
+        Above(0.1),
+        remark="So it is not only that the other learns: here nobody else does.",
+    )
+    yield Claim(
+        "In soccer the average play of two fictitious players is still exploitable by 0.2 or more",
+        f"exploitability after {N_STEPS} steps",
+        mean_interval(by_field["soccer"].final(FICTITIOUS)),
+        Above(0.2),
+    )
+
+
+def figures(
+    by_matrix: Mapping[str, Results], by_field: Mapping[str, Results], control: Results, lesson: Results
+) -> list[Sheet]:
+    """Return the figures: exploitability while they learn."""
+    return [
+        learning({name: by_matrix[name] for name in (*NO_SAFE_ACTION, *DOMINANT)}, top=2.0, name="matrix_games"),
+        learning({**by_field, NO_CONTACT: control}, name="soccer"),
+        in_pairs("taught", [exploited(lesson, "against the exact solution", label="what its best opponent wins")]),
+    ]
+
+
+def warm_up() -> None:
+    """Compile what the lesson needs: a few steps of everything."""
+    few: dict[str, Any] = {"repetitions": 1, "points": 1}
+    for known in (matrix("rock-paper-scissors"), soccer()):
+        compare(known, LEARNERS, 6_000, **few)
+    compare(soccer(), {TAUGHT: taught}, 6_000, **few)
