@@ -3,7 +3,7 @@
 import math
 import threading
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import pytest
@@ -331,6 +331,23 @@ class Forgets(Plain):
         self.Q[state, action] = math.nan
 
 
+class Paid(Rooms):
+    """It has one reward for both."""
+
+    def rewards(self, state: Any, actions: tuple[int, int], next_state: Any, rng: Random) -> Any:
+        """A number."""
+        return 1.0
+
+    def transition(self, state: tuple[int, int], actions: tuple[int, int], rng: Random) -> tuple[int, int]:
+        """Always to the end."""
+        return 3, 0
+
+
+def met() -> Any:
+    """A run of ten steps."""
+    return games.train_players(PENNIES, two(q_learning, PENNIES), 10)
+
+
 def meet(first: Any, game: Any = None, n_steps: int = 20_000) -> Any:
     """Train somebody against a Q-learner."""
     game = Rooms() if game is None else game
@@ -365,6 +382,19 @@ def meet(first: Any, game: Any = None, n_steps: int = 20_000) -> Any:
             ("MinimaxQ", "edugym.games.train_players"),
         ),
         (lambda: games.learned_policy(PENNIES, 0, q_learning(SOCCER, 0)), ("Q", "player 0", (1, 2), (801, 5))),
+        (
+            lambda: edugym.train(SOCCER, q_learning(SOCCER, 0), 9),
+            ("environment", "Soccer", "two players", "edugym.games.train_players", "edugym.games.against"),
+        ),
+        (lambda: edugym.finite_model(cast(Any, Rooms())), ("Rooms", "two players", "edugym.games.against")),
+        (lambda: games.against(PENNIES, 0, q_learning(PENNIES, 1)), ("policy", "player 1", "learned_policy")),
+        (lambda: games.FixedPlayer.create(PENNIES, 0, [0.5, 0.5]), ("policy", "player 0", (1, 2), "[[0.5, 0.5]]")),
+        (lambda: games.exploitability(games.game_model(PENNIES), met()), ("policies", "pair", "run.policies[-1]")),
+        (
+            lambda: games.exploitability(games.game_model(PENNIES), met().policies),
+            ("policies", "pair", "run.policies[-1]"),
+        ),
+        (lambda: games.game_model(Paid()), ("rewards", "Paid", "pair", 1.0)),
     ],
 )
 def test_slips(call: Callable[[], Any], says: tuple[Any, ...]) -> None:

@@ -62,6 +62,12 @@ def require_playable(name: str, environment: Any, allowed: str, *, is_mdp: bool,
     if allowed == NAMED and hasattr(environment, "act") and not hasattr(environment, "observation_space"):
         kind = environment if isinstance(environment, type) else type(environment)
         raise ValueError(f"{name} must come first, before the agent, but is the agent {kind.__name__}")
+    has_a_reward_each = hasattr(environment, "rewards") and not hasattr(environment, "reward")
+    if has_a_reward_each and hasattr(environment, "transition") and not isinstance(environment, type):
+        raise ValueError(
+            f"{name} must be {allowed}, but {class_name(environment)} is a game of two players: train both with"
+            " edugym.games.train_players, or give edugym.games.against(game, player, policy) for one of them"
+        )
     if allowed != MDP_ONLY:
         require_environment(name, environment, allowed)
     if allowed == SHAPED:  # only its sizes matter: `train` looks at the rest

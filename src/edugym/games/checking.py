@@ -58,6 +58,14 @@ class CheckedGame(NamedTuple):
             raise self._mistake("observation", seen, f"an element of {space} to player {player}", state)
         return seen
 
+    def observation_space(self, player: int) -> Any:
+        """As in the game."""
+        return self.game.observation_space(player)
+
+    def action_space(self, player: int) -> Any:
+        """As in the game."""
+        return self.game.action_space(player)
+
     def _unchanging(self, method: str, state: Any, *others: Any) -> Any:
         before = kept(state)
         returned = getattr(self.game, method)(state, *others)

@@ -10,9 +10,11 @@ from edugym.exact.model import MAX_STATES, finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
+from edugym.games.checking import CheckedGame
 from edugym.games.policies import checked_policies, checked_policy, uniform_policy
 from edugym.games.protocol import a_player, n_actions, require_game
 from edugym.mdp.protocol import Random, Reals
+from edugym.system.packages import is_own
 
 
 class JointGame(NamedTuple):
@@ -163,7 +165,9 @@ def game_model(game: Any, max_states: int = MAX_STATES) -> GameModel:
         ValueError: `game` is no game, or it is not finite (see `edugym.finite_model`).
     """
     require_game(game)
-    first, second = (finite_model(JointGame(game, player, n_actions(game, player)), max_states) for player in (0, 1))
+    checked = game if is_own(game) else CheckedGame(game)
+    joint = (JointGame(checked, player, n_actions(game, player)) for player in (0, 1))
+    first, second = (finite_model(one, max_states) for one in joint)
     return GameModel(game, (first, second))
 
 

@@ -37,9 +37,12 @@ def checked_policy(game: Any, player: int, policy: Any, name: str = "policy") ->
     except (ValueError, TypeError, OverflowError):
         table = np.zeros(0)
     if table.shape != shape:
+        agent = hasattr(policy, "act") and not isinstance(policy, type)
+        hint = f": learned_policy(game, {player}, agent) is that of an agent" if agent else ""
+        hint = hint or (f": put the row into a table, [{in_short(policy)}]" if table.shape == shape[1:] else "")
         raise ValueError(
             f"{name} of player {player} must be an array of shape {shape}, with a row of probabilities for each"
-            f" observation, but is {in_short(policy)}"
+            f" observation, but is {in_short(policy)}{hint}"
         )
     bad = ~((table >= 0).all(axis=1) & (np.abs(table.sum(axis=1) - 1) < 1e-6))
     if bad.any():
@@ -58,8 +61,10 @@ def checked_policies(game: Any, policies: Any) -> tuple[Reals, Reals]:
         ValueError: they are not two, or one of them is something else.
     """
     if not isinstance(policies, tuple | list) or len(policies) != 2:
+        several = isinstance(policies, list) and policies and isinstance(policies[-1], tuple)
+        hint = ": those of a run are run.policies[-1]" if several or hasattr(policies, "policies") else ""
         raise ValueError(
-            f"policies must be a pair of tables, one of player 0 and one of player 1, but is {in_short(policies)}"
+            f"policies must be a pair of tables, one of player 0 and one of player 1, but is {in_short(policies)}{hint}"
         )
     first, second = policies
     return checked_policy(game, 0, first, "policies"), checked_policy(game, 1, second, "policies")
