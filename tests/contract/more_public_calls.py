@@ -96,6 +96,23 @@ CALLS: dict[str, Callable[[], Case]] = {
     "games.solve_zero_sum": lambda: Case(games.solve_zero_sum, {"payoffs": [[1]]}),
     "games.table_shape": lambda: Case(games.table_shape, {"game": game_of_one(), "player": 0}, {"player": "0"}),
     "games.uniform_policy": lambda: Case(games.uniform_policy, {"game": game_of_one(), "player": 0}, {"player": "0"}),
+    "objectives.ChebyshevQLearning.create": lambda: Case(
+        objectives.ChebyshevQLearning.create, {"environment": edugym.make_mdp("Diver")},
+        {"weights": "None", "margin": NOT_NEGATIVE, "whole_returns": ""}),
+    "objectives.LagrangianQLearning.create": lambda: Case(
+        objectives.LagrangianQLearning.create, {"environment": edugym.make_mdp("Diver"), "limits": [-7.0]},
+        {"initial_values": "None", "multiplier_rate": NOT_NEGATIVE}),
+    "objectives.ParetoQLearning.create": lambda: Case(
+        objectives.ParetoQLearning.create, {"environment": edugym.make_mdp("Diver")}),
+    "objectives.Weighted.create": lambda: Case(
+        objectives.Weighted.create, {"mdp": edugym.make_mdp("Diver"), "weights": [1, 4]}),
+    "objectives.constrained_optimum": lambda: Case(
+        objectives.constrained_optimum, {"points": [[1, 2]], "limit": 0}, {"limit": NUMBER}),
+    "objectives.table_shape": lambda: Case(objectives.table_shape, {"environment": edugym.make_mdp("Diver")}),
+    "objectives.train_vectors": lambda: Case(
+        objectives.train_vectors,
+        {"environment": "Diver", "agent": objectives.ParetoQLearning.create(edugym.make_mdp("Diver")), "n_steps": 9},
+        {"max_steps": "None", "evaluate_every": "None 1e30 1e400", "stop": "None"}),
     "objectives.VectorRewardEnv": lambda: Case(objectives.VectorRewardEnv, {"mdp": edugym.make_mdp("Diver")}),
     "objectives.VectorRewardEnv.descriptive_model": lambda: Case(
         diver_env().descriptive_model, {"state": 0, "action": 0}),

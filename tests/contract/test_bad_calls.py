@@ -37,10 +37,17 @@ ROOMS = {
     "grading": "edugym_course.grading",
 }
 """Public modules besides `edugym` itself, by the names that the table has for them."""
-CALLED_BY_LOOPS = ("edugym.agents.", "edugym.games.", "edugym.mdp.")
+OF_OBJECTIVES = ("chebyshev_q_learning", "lagrangian_q_learning", "pareto_q_learning", "weighted")
+CALLED_BY_LOOPS = (
+    "edugym.agents.",
+    "edugym.games.",
+    "edugym.mdp.",
+    *(f"edugym.objectives.{module}" for module in OF_OBJECTIVES),
+)
 """Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
 what the gates have looked at."""
 MADE_BY_LIBRARY = {
+    "ConstrainedOptimum",
     "FiniteModel",
     "Front",
     "GameRun",
@@ -52,6 +59,7 @@ MADE_BY_LIBRARY = {
     "Sample",
     "Score",
     "Values",
+    "VectorRun",
 }
 """Classes of which functions return values, and nobody else makes any."""
 NOT_CHECKED = {"statistics.in_short", "tables.with_types", "deep.PPO.gradient", "deep.PPO.learn", "deep.PPO.play"}

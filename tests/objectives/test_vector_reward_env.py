@@ -80,7 +80,7 @@ def test_slips(slip: str) -> None:
 
 def test_no_objectives() -> None:
     """An ordinary MDP, or none."""
-    for mdp in (edugym.make_mdp("Boulder"), Diver, "Diver"):
+    for mdp in (edugym.make_mdp("Boulder"), Diver, "Diver", None):
         with pytest.raises(ValueError, match="mdp must"):
             VectorRewardEnv(mdp)
 

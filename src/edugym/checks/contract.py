@@ -20,6 +20,8 @@ LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "t
 """The names of the parameters that `learn` may have."""
 IN_GAMES = (*(name for name in LEARN_PARAMETERS if name != "next_action"), "other_action")
 """The same for players of games: they learn before they choose the next action, and see what the other player did."""
+FOR_OBJECTIVES = (*(name for name in LEARN_PARAMETERS if name != "next_action"), "rewards")
+"""The same for agents of several objectives, which see the vector of rewards beside the reward."""
 METHODS = {
     "act": ("state", "rng"),
     "learn": ("state", "action", "reward", "next_state", "terminated"),
@@ -34,7 +36,8 @@ OTHER_NAMES = {"done": "terminated", "observation": "state", "next_observation":
 ELSEWHERE = {
     "rng": ": draw random numbers in act, which takes it.",
     "other_action": ": only in a game is there another player; edugym.games.train_players passes its action.",
-    "next_action": ": a player of a game learns before it chooses its next action.",
+    "rewards": ": only edugym.objectives.train_vectors passes vectors.",
+    "next_action": ": here an agent learns before it chooses its next action.",
 }
 """What to say about a parameter that `learn` may not have here."""
 TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})

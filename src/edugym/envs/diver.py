@@ -86,8 +86,9 @@ class Diver(NamedTuple):
     `edugym.objectives.exact_front` computes the Pareto front exactly, and `supported` says which of its points some
     weights prefer. An agent with one number as its reward learns one of those: `edugym.QLearning` with discount 1 and
     `EpsilonGreedy(0.5)` picks up treasure 7 after 100 000 steps at the defaults, with each of 20 seeds. Vamplew et al.
-    (2011) measure what weighted sums miss. Van Moffaert and Nowé (2014) learn all points, with sets of vectors instead
-    of values.
+    (2011) measure what weighted sums miss. `edugym.objectives.ParetoQLearning` (Van Moffaert and Nowé, 2014) learns all
+    points, with sets of vectors instead of values. `ChebyshevQLearning` there can learn each of them, and
+    `LagrangianQLearning` makes one of the objectives a constraint.
 
     ## References
     Vamplew et al. (2011), Empirical evaluation methods for multiobjective reinforcement learning algorithms. It is not

@@ -1,12 +1,34 @@
-"""Several objectives: vectors of rewards, Pareto fronts, and what weighted sums cannot find."""
+"""Several objectives: vectors of rewards, Pareto fronts, agents that learn them, and what weighted sums cannot find."""
 
 import gymnasium
 
+from edugym.objectives.chebyshev_q_learning import ChebyshevQLearning
+from edugym.objectives.constrained import ConstrainedOptimum, constrained_optimum
 from edugym.objectives.exact_front import Front, exact_front
+from edugym.objectives.lagrangian_q_learning import LagrangianQLearning
+from edugym.objectives.pareto_q_learning import ParetoQLearning
 from edugym.objectives.points import pareto_front, supported
+from edugym.objectives.protocol import table_shape
+from edugym.objectives.train_vectors import VectorRun, train_vectors
 from edugym.objectives.vector_reward_env import MO_DIVER, MODiverEnv, VectorRewardEnv
+from edugym.objectives.weighted import Weighted
 
-__all__ = ["Front", "VectorRewardEnv", "exact_front", "pareto_front", "supported"]
+__all__ = [
+    "ChebyshevQLearning",
+    "ConstrainedOptimum",
+    "Front",
+    "LagrangianQLearning",
+    "ParetoQLearning",
+    "VectorRewardEnv",
+    "VectorRun",
+    "Weighted",
+    "constrained_optimum",
+    "exact_front",
+    "pareto_front",
+    "supported",
+    "table_shape",
+    "train_vectors",
+]
 
 if MO_DIVER not in gymnasium.registry:  # without Gymnasium's checker, which wants one number as the reward
     gymnasium.register(MO_DIVER, entry_point=f"{MODiverEnv.__module__}:MODiverEnv", disable_env_checker=True)
