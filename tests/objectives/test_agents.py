@@ -329,11 +329,12 @@ def test_slips_of_tasks(slip: str) -> None:
 
 
 def test_a_task_of_a_student() -> None:
-    """It has no end of its own, is truncated, and agents bootstrap there: both ways are found."""
-    agent = ParetoQLearning.create(loop(), exploration=AT_RANDOM, discount=0.5)
-    run = train_vectors(loop(), agent, 2_000, seed=0)
+    """It has no end of its own, so it is truncated, and the agent bootstraps there."""
+    agent = ChebyshevQLearning.create(loop(), exploration=AT_RANDOM, discount=0.5, learning_rate=1.0)
+    run = train_vectors(loop(), agent, 500, seed=0)
+    assert len(run.training_returns) == 100
     assert set(run.training_returns.sum(axis=1)) <= {2.0, 3.0, 4.0, 5.0, 6.0}
-    assert len(agent.front(0)) > 1
+    assert (agent.Q[0] != 0).any(axis=1).all()
 
 
 @pytest.mark.parametrize(

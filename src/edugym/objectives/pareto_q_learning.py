@@ -41,7 +41,8 @@ class ParetoQLearning(NamedTuple):
 
     Choices: Van Moffaert and Nowé have three ways to evaluate sets; this is that by cardinality. Vectors that agree in
     nine digits count as one. Of a next state that is drawn, ND(S, A) knows only the last one, so this agent is for
-    tasks without chance in the next state. It runs interpreted: machine code has no sets that grow and shrink.
+    tasks without chance in the next state. Where an episode can go on for ever, the sets may grow without end. It runs
+    interpreted: machine code has no sets that grow and shrink.
 
     References: Van Moffaert and Nowé (2014), Multi-objective reinforcement learning using sets of Pareto dominating
     policies.
