@@ -17,7 +17,7 @@ from textwrap import fill
 from edugym import Profile
 from edugym.adapters.registration import in_course_order
 from edugym.experiments.profiles.pictures import written
-from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, said, with_margin
+from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, repetitions_of, said, with_margin
 from edugym.experiments.profiles.scores import HALF
 from edugym_course import agent_profiles, one_table
 
@@ -31,33 +31,41 @@ the ladder, with the same number of steps as all others. A score of 1 means that
 can be, 0 that it plays no better than at random. All agents have their default settings: nothing is tuned, so a low
 score does not mean that the agent cannot learn the task. (One exception: on Trashbot, `GaussianActorCritic` has tiles
 over the wrist and what it holds only.) Agents with features or a network see an observation as a vector, the others as
-a row of their table."""
+a row of their table. SB3 stands for Stable-Baselines3 and sb3-contrib: their agents are made as `PPO("MlpPolicy", env)`
+is, play one copy, and take as many steps as the others and no more."""
 YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent of yours, and shows it beside these
 ([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4)"` does it for an agent with a
 wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
 STRENGTH = "Further down stands up to which strength each is good."
-SCORES = """The score, and how far its 95 % interval reaches to both sides. **Bold** are the agents to take. A dash: the
-agent cannot enter; the reasons are below. A question mark: it is not measured."""
+SCORES = """The score, and how far its 95 % interval reaches to both sides; *runs* says how often each rung was climbed.
+**Bold** are the agents to take; one with fewer runs than others is bold only if its whole interval lies above theirs. A
+dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
 BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
 interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 
 
-def page(profile: Profile, stale: dict[str, list[str]]) -> str:
+def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> str:
     """Return the page.
 
     Args:
         profile: the stored one.
         stale: for each agent, the challenges that were not measured with the present code.
+        libraries: the versions of libraries with which their agents were measured.
     """
     names = profile.challenges
     links = {name: f"[{name}](environments/{name.lower()}.md)" for name in names}
     take = [[f"{links[name]}: {said(profile, name).isolates}", said(profile, name).take] for name in names]
-    scores = [[agent, *(score(profile, agent, name) for name in names)] for agent in profile.agents]
+    scores = [
+        [agent, str(repetitions_of(profile, agent)), *(score(profile, agent, name) for name in names)]
+        for agent in profile.agents
+    ]
     breaks = [[agent, *(breaking(profile, agent, name) for name in names)] for agent in profile.agents]
     rungs = [f"{each.name}: {each.strength}, from {written(each.strengths[0])}" for each in profile.ladders]
     rungs = [f"{text} to {written(each.strengths[-1])}" for text, each in zip(rungs, profile.ladders, strict=True)]
     missing = [entry.name for entry in in_course_order() if entry.name not in names]
-    old = [f"{agent}: {', '.join(challenges)}" for agent, challenges in stale.items()]
+    everywhere = [agent for agent, challenges in stale.items() if set(challenges) >= set(names)]
+    old = [f"{agent}: {', '.join(stale[agent])}" for agent in stale if agent not in everywhere]
+    old += [f"{listed(everywhere)}: everywhere"] if everywhere else []
     slow = [f"{agent} on {', '.join(challenges)}" for agent, challenges in agent_profiles.TOO_SLOW.items()]
     return "\n".join(
         [
@@ -77,7 +85,7 @@ def page(profile: Profile, stale: dict[str, list[str]]) -> str:
             "",
             fill(SCORES, 120),
             "",
-            *table(["", *names], scores),
+            *table(["", "runs", *names], scores),
             "",
             "## Where they break",
             "",
@@ -95,6 +103,7 @@ def page(profile: Profile, stale: dict[str, list[str]]) -> str:
             "",
             *(f"- {sentence}" for sentence in method(profile)),
             f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`.",
+            *([f"- SB3 agents: measured with {libraries}, by `edugym profile --libraries`."] if libraries else []),
             *([f"- There is no ladder for {listed(missing)} yet."] if missing else []),
             f"- Not measured, since its planning takes hours: {'; '.join(slow)}.",
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
@@ -156,9 +165,10 @@ def main() -> int:
     if profile is None:
         print(f"{agent_profiles.PATH} is missing: run edugym profile --all", file=sys.stderr)
         return 1
-    stale = {agent: [ladder.name for ladder in ladders] for agent, ladders in agent_profiles.stale().items()}
+    parts = agent_profiles.stale() | agent_profiles.stale_of_libraries(installed=False)
+    stale = {agent: [ladder.name for ladder in ladders] for agent, ladders in parts.items()}
     challenge = CHALLENGE.read_text(encoding="utf-8")
-    texts = {PAGE: page(profile, stale), CHALLENGE: with_ranking(challenge, profile)}
+    texts = {PAGE: page(profile, stale, agent_profiles.libraries_with()), CHALLENGE: with_ranking(challenge, profile)}
     if not options.check:
         for path, text in texts.items():
             path.write_text(text, encoding="utf-8")

@@ -45,10 +45,19 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
     profile = Profile(
         pandas.DataFrame(rows), (LADDER,), ("good", "blank", "new"), {"blank": {"Boulder": "it is afraid"}}
     )
-    page = loaded().page(profile, {"blank": ["Boulder"]}).replace("\N{NO-BREAK SPACE}", " ")
+    page = (
+        loaded().page(profile, {"blank": ["Boulder"], "good": ["Golf"]}, "torch 1").replace("\N{NO-BREAK SPACE}", " ")
+    )
     score, broken, take = cells
-    for line in (f"| good | {score} |", f"| good | {broken} |", f"| {take} |", "| blank | – |", "| new | ? |"):
+    for line in (
+        f"| good | 3 | {score} |",
+        f"| good | {broken} |",
+        f"| {take} |",
+        "| blank | 0 | – |",
+        "| new | 0 | ? |",
+    ):
         assert line in page
     assert "Boulder, blank: it is afraid." in page
-    assert "made from earlier code: blank: Boulder" in page
+    assert "made from earlier code: good: Golf; blank: everywhere" in page
+    assert "measured with torch 1" in page
     assert "no ladder for Roadrunner" in page

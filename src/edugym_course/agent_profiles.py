@@ -1,6 +1,7 @@
-"""The profiles of the package's agents, stored with the package, so that a new agent is seen beside them.
+"""The profiles of the package's agents and of libraries', stored with the package: a new agent is seen beside them.
 
-`edugym profile --all` makes what is missing, and those parts again whose code has changed.
+`edugym profile --all` makes what is missing of the package's, and those parts again whose code has changed; `edugym
+profile --libraries` does the same for the agents of Stable-Baselines3, which takes hours.
 """
 
 import ast
@@ -8,13 +9,15 @@ import hashlib
 import inspect
 import json
 import os
+from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import edugym
 from edugym import GaussianActorCritic, Profile, TileCoding, profile
 from edugym.adapters.registration import ENVIRONMENTS
-from edugym.experiments.fingerprints import versions
+from edugym.experiments.fingerprints import DEEP, version_of, versions
 from edugym.experiments.profiles.ladders import LADDERS, Ladder
 from edugym.experiments.profiles.profile import why_not_entered
 from edugym.experiments.profiles.scores import COLUMNS
@@ -26,6 +29,12 @@ PATH = Path(__file__).with_suffix(".csv")
 KEPT = ("agent", "challenge", "strength", "repetition", "score", "steps_to_0.9")
 DIGITS = 4
 REPETITIONS = 10
+LIBRARY_REPETITIONS = 3
+"""Of agents of libraries, which take hours: their intervals are wide."""
+LIBRARY_AGENTS = {f"SB3 {algorithm}": algorithm for algorithm in ("DQN", "PPO", "A2C", "QRDQN", "RecurrentPPO")}
+"""The agents of Stable-Baselines3 and sb3-contrib: what they are called here, and there."""
+LIBRARY_CODE = ("edugym.deep.library", "edugym.deep.vec_env")
+"""The modules that determine how those fare, with what they import of their room."""
 WRIST = (1, 1, 9, 9, 1, 1, 2)
 """Cells over the wrist of Trashbot's arm and what it holds: its seven numbers have too many at the defaults."""
 SETTINGS: dict[str, Any] = {"GaussianActorCritic": WRIST}
@@ -33,6 +42,8 @@ SETTINGS: dict[str, Any] = {"GaussianActorCritic": WRIST}
 
 TOO_SLOW = {"RMax": ["Switches"]}
 """Ladders that are not measured, by agent: hours of planning, over every pair of a state and a goal."""
+Parts = dict[str, list[Ladder]]
+"""For each agent, ladders."""
 
 
 def agents() -> dict[str, Any]:
@@ -46,10 +57,24 @@ def on_tiles(environment: Any) -> GaussianActorCritic:
     return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))
 
 
+def library_agents() -> dict[str, Any]:
+    """The agents of libraries, by name: functions that make one as its library does, with one copy of the task."""
+    return {name: partial(_of_library, algorithm) for name, algorithm in LIBRARY_AGENTS.items()}
+
+
+def _of_library(algorithm: str, environment: Any) -> Any:
+    from edugym.deep.library import LibraryAgent
+
+    return LibraryAgent.create(environment, algorithm)
+
+
 def code_of(agent: str, ladder: Ladder) -> str:
     """A hash of what determines how an agent fares on a ladder: its code, that of the task, and the rungs."""
     tasks = [entry.module for entry in ENVIRONMENTS if entry.name == ladder.name]
-    modules = [*_with_imports(getattr(edugym, agent).__module__), *tasks, "edugym.training.loops"]
+    if agent in LIBRARY_AGENTS:
+        modules = [*_with_imports(*LIBRARY_CODE), *tasks]
+    else:
+        modules = [*_with_imports(getattr(edugym, agent).__module__), *tasks, "edugym.training.loops"]
     code = [inspect.getsource(ladder.make), *(source(module).read_text(encoding="utf-8") for module in modules)]
     parts = [what_determines(part, shown=("scene", "info")) for part in code]
     bounds = ladder.bounds and [[round(bound, 6) for bound in ladder.bounds(strength)] for strength in ladder.strengths]
@@ -57,22 +82,49 @@ def code_of(agent: str, ladder: Ladder) -> str:
     return hashlib.sha256("\n".join([*parts, repr((rungs, SETTINGS.get(agent)))]).encode()).hexdigest()[:16]
 
 
-def _with_imports(module: str) -> list[str]:
-    """A module of an agent, and those of the room of agents that it imports, directly or not."""
-    found = [module]
+def _with_imports(*modules: str) -> list[str]:
+    """Modules of agents, and those of the rooms of agents that they import, directly or not."""
+    found = [*modules]
     for name in found:  # grows on the way
         for part in ast.walk(ast.parse(source(name).read_text(encoding="utf-8"))):
             other = part.module if isinstance(part, ast.ImportFrom) else None
-            if other and other.startswith("edugym.agents.") and other not in found:
+            if other and other.startswith(("edugym.agents.", "edugym.deep.")) and other not in found:
                 found.append(other)
     return sorted(found)
 
 
-def stale() -> dict[str, list[Ladder]]:
-    """The ladders on which an agent was not measured, or with other code; agents without any are left out.
+def library_versions() -> dict[str, str]:
+    """The versions of the libraries that are installed."""
+    return {name: version for name in DEEP if (version := version_of(name))}
 
-    Those that are `TOO_SLOW` do not count.
+
+def stale() -> Parts:
+    """The ladders on which an agent of the package was not measured, or with other code.
+
+    Those that are `TOO_SLOW` do not count; agents without any are left out.
     """
+    return _stale(agents())
+
+
+def stale_of_libraries(installed: bool = True) -> Parts:
+    """The ladders on which an agent of a library was not measured, or with other code; agents without any are left out.
+
+    Args:
+        installed: whether one that was measured with another version than that installed here counts too.
+    """
+    found = _stale(LIBRARY_AGENTS)
+    here, made = library_versions() if installed else {}, _about().get("libraries", {}) if PATH.exists() else {}
+    for name, ladders in made.items():
+        other = [ladder for ladder in LADDERS if _differ(here, ladders.get(ladder.name, {}))]
+        found[name] = [ladder for ladder in LADDERS if ladder in [*found.get(name, []), *other]]
+    return {name: ladders for name, ladders in found.items() if ladders}
+
+
+def _differ(here: dict[str, str], there: dict[str, str]) -> bool:
+    return any(here[name] != there[name] for name in here.keys() & there.keys())
+
+
+def _stale(names: Iterable[str]) -> Parts:
     made = _about()["code"] if PATH.exists() else {}
     found = {
         name: [
@@ -81,22 +133,23 @@ def stale() -> dict[str, list[Ladder]]:
             if ladder.name not in TOO_SLOW.get(name, [])
             and made.get(name, {}).get(ladder.name) != code_of(name, ladder)
         ]
-        for name in agents()
+        for name in names
     }
     return {name: ladders for name, ladders in found.items() if ladders}
 
 
 def load() -> Profile | None:
-    """The stored profile of all agents of the package; None where nothing is stored.
+    """The stored profile of all agents of the package, and of those of libraries that were measured on some ladder.
 
-    It has the scores, not the returns.
+    It has the scores, not the returns. It is None where nothing is stored.
     """
     if not PATH.exists():
         return None
     import pandas
 
-    runs = pandas.read_csv(PATH)
-    names, blank = tuple(agents()), _about()["blank"]
+    runs, blank = pandas.read_csv(PATH), _about()["blank"]
+    measured = {*runs["agent"]}
+    names = (*agents(), *(name for name in LIBRARY_AGENTS if name in measured))
     runs = runs[runs["agent"].isin(names)].reindex(columns=list(COLUMNS))
     return Profile(runs, LADDERS, names, {name: blank.get(name, {}) for name in names})
 
@@ -106,8 +159,20 @@ def made_with() -> str:
     return str(_about()["versions"])
 
 
-def make_again(parts: dict[str, list[Ladder]], checkpoints: str | os.PathLike[str], **how: Any) -> Profile:
-    """Make parts of profiles again, and store those of an agent as soon as they are done.
+def libraries_with() -> str:
+    """The versions of libraries with which their agents were measured; "" where none was."""
+    made = _about().get("libraries", {})
+    found = {
+        f"{name} {version}"
+        for ladders in made.values()
+        for about in ladders.values()
+        for name, version in about.items()
+    }
+    return ", ".join(sorted(found))
+
+
+def make_again(parts: Parts, checkpoints: str | os.PathLike[str], **how: Any) -> Profile:
+    """Make parts of profiles again, and store those of an agent (of a library: each ladder) as soon as they are done.
 
     Args:
         parts: for each agent, ladders.
@@ -115,31 +180,57 @@ def make_again(parts: dict[str, list[Ladder]], checkpoints: str | os.PathLike[st
         how: more arguments of `edugym.profile`.
     """
     for name, ladders in parts.items():
-        agent = {name: agents()[name]}
-        blank = why_not_entered(agent, ladders)[name]
-        entered = [ladder for ladder in ladders if ladder.name not in blank]
-        runs: list[Any] = []
-        if entered:
-            found = profile(agent, challenges=entered, repetitions=REPETITIONS, checkpoints=checkpoints, **how)
-            runs = found.runs[list(KEPT)].round({"score": DIGITS}).to_dict("records")
-        _store(name, runs, {ladder.name: code_of(name, ladder) for ladder in ladders}, blank)
+        if name in LIBRARY_AGENTS:
+            for ladder in ladders:
+                _make(name, library_agents()[name], [ladder], LIBRARY_REPETITIONS, checkpoints, how)
+        else:
+            _make(name, agents()[name], ladders, REPETITIONS, checkpoints, how)
     stored = load()
     assert stored is not None
     return stored
 
 
-def _store(name: str, runs: list[Any], code: dict[str, str], blank: dict[str, str]) -> None:
-    """Put what is new of an agent in the place of the old."""
+def _make(
+    name: str,
+    make: Any,
+    ladders: list[Ladder],
+    repetitions: int,
+    checkpoints: str | os.PathLike[str],
+    how: dict[str, Any],
+) -> None:
+    """Measure an agent on ladders, and store the result."""
+    agent = {name: make}
+    blank = why_not_entered(agent, ladders)[name]
+    entered = [ladder for ladder in ladders if ladder.name not in blank]
+    runs: list[Any] = []
+    if entered:
+        found = profile(agent, challenges=entered, repetitions=repetitions, checkpoints=checkpoints, **how)
+        runs = found.runs[list(KEPT)].round({"score": DIGITS}).to_dict("records")
+    store(name, runs, {ladder.name: code_of(name, ladder) for ladder in ladders}, blank)
+
+
+def store(name: str, runs: list[Any], code: dict[str, str], blank: dict[str, str]) -> None:
+    """Put what is new of an agent in the place of the old.
+
+    Args:
+        name: the agent.
+        runs: its rows, as `KEPT` says.
+        code: for each ladder that was tried, `code_of` it.
+        blank: the ladders that it cannot enter, with the reason.
+    """
     import pandas
 
     rows = pandas.DataFrame(runs, columns=list(KEPT))
-    about: dict[str, Any] = {"versions": "", "code": {}, "blank": {}}
+    about: dict[str, Any] = {"versions": "", "code": {}, "blank": {}, "libraries": {}}
     if PATH.exists():
         old = pandas.read_csv(PATH)
         old = old[(old["agent"] != name) | ~old["challenge"].isin([*code])]
         rows = pandas.concat([part for part in (old, rows) if len(part)]).sort_values("agent", kind="stable")
-        about = _about()
-    about["versions"] = versions()
+        about |= _about()
+    if name in LIBRARY_AGENTS:
+        about["libraries"].setdefault(name, {}).update(dict.fromkeys(code, library_versions()))
+    else:
+        about["versions"] = versions()
     about["code"][name] = about["code"].get(name, {}) | code
     before = about["blank"].get(name, {})
     about["blank"][name] = {challenge: why for challenge, why in before.items() if challenge not in code} | blank

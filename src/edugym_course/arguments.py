@@ -11,10 +11,11 @@ from typing import Any
 import edugym
 from edugym.experiments.players import is_policy
 from edugym.system.own_files import run_file
+from edugym_course.agent_profiles import library_agents
 
 HELP = (
-    "Agents of the package (QLearning) or of a file (my_agent.py:MyAgent; it is run, so open only files of people whom"
-    ' you trust), with wrappers if you like ("QLearning + FrameStack(4)").'
+    'Agents of the package (QLearning), of Stable-Baselines3 ("SB3 PPO"), or of a file (my_agent.py:MyAgent; it is run,'
+    ' so open only files of people whom you trust), with wrappers if you like ("QLearning + FrameStack(4)").'
 )
 
 
@@ -134,11 +135,15 @@ def _has_setting(make: Any, name: str) -> bool:
 
 
 def _of_package(name: str) -> Any:
-    """The function that makes an agent of the package."""
+    """The function that makes an agent of the package, or of a library."""
     known = [one for one in dir(edugym) if hasattr(getattr(edugym, one), "learn")]
+    of_libraries = library_agents()
+    if name in of_libraries:
+        return of_libraries[name]
     if name not in known:
         raise ValueError(
-            f"an agent must be one of {', '.join(known)}, or be written FILE.py:NAME, but is {name or 'missing'}"
+            f"an agent must be one of {', '.join([*known, *of_libraries])}, or be written FILE.py:NAME, but is"
+            f" {name or 'missing'}"
         )
     return getattr(edugym, name).create
 

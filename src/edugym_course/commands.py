@@ -131,6 +131,9 @@ def profile(
     everyone: Annotated[
         bool, typer.Option("--all", help="For developers: make the stored profiles again whose code has changed.")
     ] = False,
+    libraries: Annotated[
+        bool, typer.Option("--libraries", help="For developers: as --all, of agents of Stable-Baselines3; takes hours.")
+    ] = False,
 ) -> None:
     """Say which challenges an agent masters, and how strong each may become.
 
@@ -143,8 +146,9 @@ def profile(
     """
     from edugym_course import profiling
 
-    if bool(agents) == everyone:
-        raise typer.BadParameter("give agents, or --all", param_hint="AGENT")
+    if bool(agents) + everyone + libraries != 1:
+        raise typer.BadParameter("give agents, or --all, or --libraries", param_hint="AGENT")
+    everyone = everyone or libraries
     if everyone and (tuned or one_table):
         wrong = "--tuned" if tuned else "--one-table"
         raise typer.BadParameter("stored profiles are not tuned, and enter no challenge: give agents", param_hint=wrong)
@@ -154,7 +158,7 @@ def profile(
     chosen = {} if everyone else {"challenges": challenge, "repetitions": repetitions, "seed": seed}
     try:
         said = profiling.profile_and_report(
-            agents or [], tuned or [], output, {"jobs": jobs, **chosen}, one_table=one_table
+            agents or [], tuned or [], output, {"jobs": jobs, **chosen}, one_table=one_table, libraries=libraries
         )
     except KeyboardInterrupt:
         typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)

@@ -185,7 +185,8 @@ def ranking(found: Profile, stored: Profile, challenges: Sequence[str]) -> list[
 
 def of_package(stored: Profile, challenges: Sequence[str]) -> list[Place]:
     """The agents of the package, by their stored profiles, best first; those not measured everywhere are left out."""
-    places = [Place(label, points(stored, label, challenges), has_one_table(label), False) for label in stored.agents]
+    own = [label for label in stored.agents if label in agent_profiles.agents()]
+    places = [Place(label, points(stored, label, challenges), has_one_table(label), False) for label in own]
     return best_first([place for place in places if place.points.n])
 
 
@@ -197,7 +198,8 @@ def best_first(places: Sequence[Place]) -> list[Place]:
 def points(profile: Profile, agent: str, challenges: Sequence[str]) -> Interval:
     """100 times the mean score of an agent over the challenges; not measured (n = 0) where one is missing."""
     scores = [profile.scores(agent, challenge).mean(axis=0) for challenge in challenges]
-    return mean_interval(100 * np.mean(scores, axis=0))
+    fewest = min(map(len, scores))
+    return mean_interval(100 * np.mean([score[:fewest] for score in scores], axis=0))
 
 
 def has_one_table(name: str) -> bool:

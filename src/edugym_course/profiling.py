@@ -24,7 +24,13 @@ UNFINISHED = "unfinished"
 
 
 def profile_and_report(
-    agents: list[str], tuned: list[str], output: Path, how: dict[str, Any], *, one_table: bool = False
+    agents: list[str],
+    tuned: list[str],
+    output: Path,
+    how: dict[str, Any],
+    *,
+    one_table: bool = False,
+    libraries: bool = False,
 ) -> list[str]:
     """Profile agents, write the report, and return what to say.
 
@@ -33,6 +39,7 @@ def profile_and_report(
         tuned: settings among which the agents choose in a second profile, as they are written on the command line.
         output: the folder for the report.
         how: more arguments of `edugym.profile`.
+        libraries: whether those made again are the profiles of agents of libraries, not those of the package's.
         one_table: whether the agents enter the challenge for a class, by its rules.
 
     Raises:
@@ -50,7 +57,7 @@ def profile_and_report(
         elif agents:
             found, beside = _profiles(arguments.agents(agents), tuned, how), agent_profiles.load()
         else:
-            stale = agent_profiles.stale()
+            stale = agent_profiles.stale_of_libraries() if libraries else agent_profiles.stale()
             found, beside = agent_profiles.make_again(stale, **how), None
         path = call_interruptibly(report.write, found, output, beside)
     shutil.rmtree(output / UNFINISHED, ignore_errors=True)
@@ -58,6 +65,9 @@ def profile_and_report(
     said = [f"{name}. {report.said(found, name).sentence}" for name in found.challenges]
     if not agents:
         said.append(f"Made again: {', '.join(stale) or 'none'}.")
+        if old := {} if libraries else agent_profiles.stale_of_libraries():
+            parts = [f"{name} ({', '.join(ladder.name for ladder in ladders)})" for name, ladders in old.items()]
+            said.append(f"Not made again: {', '.join(parts)}: edugym profile --libraries, which takes hours.")
     elif beside and (stale := agent_profiles.stale()):
         said.append(f"No stored profile was made from the present code of {', '.join(stale)}: edugym profile --all.")
     if one_table and beside:

@@ -5,8 +5,10 @@ import re
 import signal
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
+import pandas
 import pytest
 from gymnasium.spaces import Discrete
 from matplotlib import pyplot
@@ -17,6 +19,8 @@ from edugym.experiments.profiles import profile as profiles
 from edugym.experiments.profiles import report
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.pictures import OTHERS, Dots, Rungs
+from edugym.experiments.profiles.scores import COLUMNS
+from edugym.training.run import Run
 from edugym_course import agent_profiles, arguments, profiling
 from edugym_course.stored import what_determines
 from tests.course.test_commands import run
@@ -261,8 +265,9 @@ def test_a_command_that_is_wrong(tmp_path: Path) -> None:
     for given, says in (
         (("Nobody",), "an agent must be one of"),
         (("QLearning", "--challenge", "Chess"), "Chess"),
-        ((), "give agents, or --all"),
-        (("QLearning", "--all"), "give agents, or --all"),
+        ((), "give agents, or --all, or --libraries"),
+        (("QLearning", "--all"), "give agents, or --all, or --libraries"),
+        (("--libraries", "--all"), "give agents, or --all, or --libraries"),
         (("--all", "--tuned", "learning_rate=0.1"), "stored profiles are not tuned"),
         (("QLearning", "--tuned", "learning_rate=7"), "learning_rate"),
     ):
@@ -380,6 +385,71 @@ def test_only_what_has_changed_is_made_again(tmp_path: Path, monkeypatch: pytest
     assert later is not None
     assert later.agents == ("SARSA",)
     assert later.score("SARSA", "Boulder").n == 0
+
+
+class Fixed(NamedTuple):
+    """An agent that trains itself and scores 1: it knows the way up the wall."""
+
+    environment: Any
+
+    def train(self, n_steps: int, *, evaluate_every: int, evaluation_episodes: int, seed: int) -> Run:
+        """A curve of two points."""
+        ends = np.array([1.0, 1.0])
+        return Run(np.array([0, n_steps]), ends, ends, ends, self, seed, 0.0, True)
+
+
+def test_stored_profiles_of_libraries(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They are made by a command of their own, ladder by ladder; what has other code or another version is stale."""
+    other = LOW._replace(name="Other")
+    monkeypatch.setattr(agent_profiles, "PATH", tmp_path / "stored.csv")
+    monkeypatch.setattr(agent_profiles, "LADDERS", (LOW, other))
+    monkeypatch.setattr(agent_profiles, "agents", lambda: {"QLearning": edugym.QLearning.create})
+    monkeypatch.setattr(agent_profiles, "LIBRARY_AGENTS", {"SB3 DQN": "DQN"})
+    monkeypatch.setattr(agent_profiles, "library_agents", lambda: {"SB3 DQN": lambda environment: Fixed(environment)})
+    monkeypatch.setattr(agent_profiles, "library_versions", lambda: {"torch": "1"})
+    agent_profiles.store("QLearning", [], {"Boulder": code_of("QLearning", LOW)}, {})
+    stored = agent_profiles.load()
+    assert stored is not None
+    assert stored.agents == ("QLearning",)
+    assert agent_profiles.stale_of_libraries() == {"SB3 DQN": [LOW, other]}
+    agent_profiles.make_again({"SB3 DQN": [LOW]}, tmp_path / "unfinished", jobs=1)
+    assert agent_profiles.stale_of_libraries() == {"SB3 DQN": [other]}
+    done = run("profile", "--libraries", "--jobs", "1", "--output", str(tmp_path / "out"))
+    assert done.exit_code == 0, done.output
+    assert "Made again: SB3 DQN." in done.output
+    found = agent_profiles.load()
+    assert found is not None
+    assert found.agents == ("QLearning", "SB3 DQN")
+    assert found.score("SB3 DQN", "Boulder") == (1.0, 1.0, 1.0, agent_profiles.LIBRARY_REPETITIONS)
+    assert agent_profiles.stale_of_libraries() == {}
+    assert agent_profiles.libraries_with() == "torch 1"
+    monkeypatch.setattr(agent_profiles, "library_versions", lambda: {"torch": "2"})
+    assert agent_profiles.stale_of_libraries() == {"SB3 DQN": [LOW, other]}
+    assert agent_profiles.stale_of_libraries(installed=False) == {}
+    monkeypatch.setattr(agent_profiles, "library_versions", dict)  # where they are not installed, nobody can tell
+    assert agent_profiles.stale_of_libraries() == {}
+
+
+@pytest.mark.parametrize(
+    ("scores", "take"),
+    [
+        ((0.5, 0.5, 0.9, 0.9), ["few"]),
+        ((0.5, 0.5, 0.6, 0.9), ["often"]),
+        ((0.5, 0.5, 0.5, 0.5), ["often"]),
+    ],
+)
+def test_who_has_fewer_repetitions_is_named_only_if_surely_better(scores: tuple[float, ...], take: list[str]) -> None:
+    """Two runs with a wide interval do not tell; the method says how many there were."""
+    first, second, third, fourth = scores
+    rows = [
+        {"agent": agent, "challenge": "Boulder", "strength": 2, "repetition": number, "score": score}
+        for agent, runs in (("often", (first, second, first)), ("few", (third, fourth)))
+        for number, score in enumerate(runs)
+    ]
+    runs = pandas.DataFrame(rows).reindex(columns=list(COLUMNS))
+    found = Profile(runs, (LOW._replace(strengths=(2,)),), ("often", "few"))
+    assert report.best_agents(found, "Boulder") == take
+    assert "Fewer times: few 2." in report.method(found)
 
 
 code_of = agent_profiles.code_of

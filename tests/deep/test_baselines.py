@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 import torch
 
+from edugym import make_mdp
 from edugym.deep import stable_baselines3_run
 from edugym.deep.baselines import _policy
+from edugym.deep.library import LibraryAgent
 from edugym.training.run import Run
 from tests.deep.test_curves import measured
 from tests.messages import named
@@ -16,6 +18,7 @@ FEW: dict[str, dict[str, Any]] = {
     "DQN": {"learning_starts": 10, "buffer_size": 100},
     "PPO": {"n_steps": 8, "batch_size": 16, "n_epochs": 1},
     "A2C": {"n_steps": 4},
+    "QRDQN": {"learning_starts": 10, "buffer_size": 100},
     "RecurrentPPO": {"n_steps": 8, "batch_size": 16, "n_epochs": 1, "policy_kwargs": {"lstm_hidden_size": 8}},
 }
 
@@ -60,6 +63,26 @@ def test_what_is_wrong_is_refused() -> None:
     for algorithm, n_steps, how, message in wrong:
         with pytest.raises(ValueError, match=message):
             stable_baselines3_run("Catch", algorithm, n_steps, **how)
+
+
+@pytest.mark.parametrize(("n_steps", "updates"), [(7, 0), (8, 1), (15, 1), (16, 2)])
+def test_a_round_that_does_not_fit_is_not_learned_from(n_steps: int, updates: int) -> None:
+    """Rounds of 8 steps; the budget is kept to the step."""
+    made = LibraryAgent.create(make_mdp("Catch"), "PPO", **FEW["PPO"] | {"batch_size": 8})
+    run = made.train(n_steps, evaluate_every=n_steps, evaluation_episodes=1)
+    assert run.steps[-1] == n_steps
+    assert run.agent._n_updates == updates
+
+
+def test_which_agents_fit_where() -> None:
+    """Values of actions need actions that can be counted; a memory takes numbers of several kinds too."""
+    for algorithm in ("DQN", "QRDQN"):
+        with pytest.raises(ValueError, match=r"needs the actions 0, 1, .* but the action space is Box"):
+            LibraryAgent.create(make_mdp("Trashbot"), algorithm)
+    with pytest.raises(ValueError, match=named("algorithm", "'DQN'", "'SAC'")):
+        LibraryAgent.create(make_mdp("Catch"), "SAC")
+    run = LibraryAgent.create(make_mdp("Golf"), "RecurrentPPO", **FEW["RecurrentPPO"]).train(8, evaluation_episodes=1)
+    assert run.steps[-1] == 8
 
 
 @pytest.mark.slow

@@ -129,7 +129,7 @@ def test_what_is_the_same() -> None:
 @pytest.mark.parametrize(
     ("name", "other"),
     [("platform.machine", lambda: "another machine"), ("platform.python_version", lambda: "3.99"),
-     ("_version", lambda package: "99"), ("_own_code", lambda: "other code of this package")],
+     ("version_of", lambda package: "99"), ("_own_code", lambda: "other code of this package")],
 )  # fmt: skip
 def test_what_the_numbers_depend_on_counts(name: str, other: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """The machine, versions, and all files of this package."""
@@ -228,6 +228,6 @@ def test_code_of_a_notebook_counts(module: str) -> None:
 def test_a_library_that_a_function_imports_counts_by_its_version(monkeypatch: pytest.MonkeyPatch) -> None:
     """Also where the import is inside the function."""
     use = defined("def use(): import pandas")
-    before, version = fingerprint(use), fingerprints._version
-    monkeypatch.setattr(fingerprints, "_version", lambda package: "99" if package == "pandas" else version(package))
+    before, version = fingerprint(use), fingerprints.version_of
+    monkeypatch.setattr(fingerprints, "version_of", lambda package: "99" if package == "pandas" else version(package))
     assert fingerprint(use) != before

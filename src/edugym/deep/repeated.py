@@ -14,7 +14,7 @@ import numpy as np
 from edugym.checks.parameters import whole_number
 from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import Planned, planned_runs
-from edugym.experiments.fingerprints import versions
+from edugym.experiments.fingerprints import deep_versions
 from edugym.experiments.results.rows import MEASURED, with_types
 from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
@@ -136,11 +136,6 @@ def _collected(
         parts.append(pandas.DataFrame(columns | same | {"settings": settings, "versions": deep_versions()}))
     table = pandas.concat(parts, ignore_index=True)
     return Results(with_types(table.astype({"layout_seed": "Int64"})[[*MEASURED, *table.columns.drop(list(MEASURED))]]))
-
-
-def deep_versions() -> str:
-    """Return the versions of what the numbers depend on."""
-    return versions("torch", "stable-baselines3", "sb3-contrib")
 
 
 def _settings(trainer: Any) -> Any:

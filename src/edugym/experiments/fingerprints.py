@@ -44,8 +44,16 @@ def fingerprint(*values: Any) -> str:
 def versions(*more: str) -> str:
     """The versions of what the numbers depend on: these packages, and `more` of those that are installed."""
     packages = ("edugym", "numpy", "numba", "gymnasium", *more)
-    found = [f"{package} {_version(package)}" for package in packages if _version(package)]
+    found = [f"{package} {version_of(package)}" for package in packages if version_of(package)]
     return ", ".join([f"python {platform.python_version()}", *found])
+
+
+DEEP = ("torch", "stable-baselines3", "sb3-contrib")
+
+
+def deep_versions() -> str:
+    """The versions of what the numbers of deep agents depend on."""
+    return versions(*DEEP)
 
 
 class _Hasher:
@@ -80,7 +88,7 @@ class _Hasher:
         if type(thing) is np.ndarray and not thing.dtype.hasobject:
             self._array(thing)
         elif isinstance(thing, ModuleType | BuiltinFunctionType) or _is_library(thing):
-            self.add(_name(thing), _version(_package(thing)))
+            self.add(_name(thing), version_of(_package(thing)))
             if isinstance(thing, FunctionType) and _package(thing) in OURS:
                 self._closure(thing)  # functions that one factory made have the same name
         elif isinstance(thing, FunctionType):
@@ -160,7 +168,7 @@ class _Hasher:
         seen.add(top)
         places = _files_of(top)
         if _are_installed(places):
-            self.add(top, _version(top))
+            self.add(top, version_of(top))
             return
         for place in places:
             for file in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
@@ -262,7 +270,8 @@ def _name(thing: Any) -> str:
 
 
 @cache
-def _version(package: str) -> str:
+def version_of(package: str) -> str:
+    """The version of an installed package; "" where it has none."""
     try:
         return version(package)
     except PackageNotFoundError:  # numba where there is no compiler, or a module of Python's own

@@ -6,7 +6,7 @@ import os
 import signal
 import threading
 import warnings
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Collection, Generator, Mapping
 from contextlib import suppress
 from numbers import Integral
 from pathlib import Path
@@ -206,8 +206,12 @@ def checked_jobs(jobs: Any) -> None:
         raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {in_short(jobs)}")
 
 
-def makers_of(agents: Mapping[str, Any]) -> dict[str, Maker]:
+def makers_of(agents: Mapping[str, Any], methods: Collection[str] = METHODS) -> dict[str, Maker]:
     """For each label, a function that makes an agent for one run, which shares nothing with those of other runs.
+
+    Args:
+        agents: as `repeat` takes them.
+        methods: what has one of these methods is an agent.
 
     Raises:
         ValueError: `agents` is not a dictionary from labels to methods, as `repeat` takes it.
@@ -219,10 +223,10 @@ def makers_of(agents: Mapping[str, Any]) -> dict[str, Maker]:
             raise ValueError(f"the labels of agents must be texts that are not empty, but one is {label!r}")
     if not agents:
         raise ValueError("agents must have one agent or more, but is empty")
-    return {label: _maker(label, agent) for label, agent in agents.items()}
+    return {label: _maker(label, agent, methods) for label, agent in agents.items()}
 
 
-def _maker(label: str, agent: Any) -> Maker:
+def _maker(label: str, agent: Any, methods: Collection[str]) -> Maker:
     """A function that makes an agent for one run, which shares nothing with those of other runs."""
     needed = f"agents[{label!r}] must be an agent or a function that makes one for an environment, but is"
     if isinstance(agent, type):
@@ -230,7 +234,7 @@ def _maker(label: str, agent: Any) -> Maker:
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
     if is_policy(agent):
         return lambda environment: Player(agent, environment)
-    if any(hasattr(agent, name) for name in METHODS):
+    if any(hasattr(agent, name) for name in methods):
         return lambda _: deep_copy(agent, f"{GIVE_A_FUNCTION} that makes one")
     if not callable(agent):
         raise ValueError(f"{needed} {in_short(agent)}")
@@ -245,7 +249,7 @@ def _maker(label: str, agent: Any) -> Maker:
 
     def make(environment: Any) -> Any:
         made = agent(environment)
-        is_agent = any(hasattr(made, name) for name in METHODS)
+        is_agent = any(hasattr(made, name) for name in methods)
         if is_policy(made) or (callable(made) and not is_agent and not isinstance(made, type)):
             return Player(made, environment)
         if not is_agent:

@@ -5,7 +5,7 @@ import re
 import signal
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas
@@ -18,6 +18,7 @@ from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
 from edugym.experiments.profiles.tuning import other_seed, with_untuned
 from edugym.mdp.frame_stack import FrameStack
+from edugym.training.run import Run
 from tests.compiled.cells import WALK, cell
 
 Walk = cell(WALK)["Walk"]
@@ -151,6 +152,35 @@ def test_ctrl_c_keeps_what_is_done_and_the_same_call_goes_on(tmp_path: Path) -> 
     found = run()
     assert log.read_text()[before:].split() == ["4", *4 * ["6"]]  # both rungs are tried, and the second is climbed
     assert found.runs.equals(profile({"Q": QLearning.create}, challenges=[WALKS], repetitions=2).runs)
+
+
+def test_an_agent_may_train_itself(tmp_path: Path) -> None:
+    """It gets the budget and the seeds that others get; each finished run is kept, and Ctrl-C loses no other."""
+    log = tmp_path / "log"  # as above
+
+    class Learner(NamedTuple):
+        environment: Any
+
+        def train(self, n_steps: int, *, evaluate_every: int, evaluation_episodes: int, seed: int) -> Run:
+            with log.open("a") as lines:
+                lines.write(f"{seed} ")
+            if len(log.read_text().split()) == 2:
+                raise KeyboardInterrupt
+            steps = np.arange(0, n_steps + 1, evaluate_every)
+            return Run(steps, steps / n_steps - 1, steps * 0.0, steps, self, seed, 0.0, True)
+
+    def run() -> Profile:
+        how: dict[str, Any] = {"challenges": [WALKS], "repetitions": 2, "jobs": 1, "checkpoints": tmp_path / "kept"}
+        return profile({"own": lambda environment: Learner(environment)}, **how)
+
+    with pytest.raises(Interrupted):
+        run()
+    found = run()
+    first, second = (planned.repetition.seed for planned in planned_runs(["own"], 2, 0))
+    assert [*map(int, log.read_text().split())] == [first, second, second, first, second]
+    assert found.runs["return"].tolist() == [0.0] * 4
+    assert found.runs["steps"].tolist() == [400] * 4
+    assert found.score("own", "Walks").n == 2
 
 
 @pytest.mark.parametrize(

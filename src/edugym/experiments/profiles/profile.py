@@ -13,14 +13,14 @@ import numpy as np
 from gymnasium.spaces import Discrete
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks.contract import contract_of
+from edugym.checks.contract import METHODS, contract_of
 from edugym.checks.parameters import a_path, in_short, true_or_false, whole_number
-from edugym.experiments.configuration import planned_runs
-from edugym.experiments.fingerprints import fingerprint
+from edugym.experiments.configuration import Repetition, planned_runs
+from edugym.experiments.fingerprints import deep_versions, fingerprint
 from edugym.experiments.profiles.ladders import LADDERS, Ladder, bounds_of, checked, steps_of
+from edugym.experiments.profiles.own_training import TRAIN, curves, trains_itself
 from edugym.experiments.profiles.scores import COLUMNS, NEARLY, Profile
 from edugym.experiments.repeat import MOST_REPETITIONS, Maker, checked_jobs, makers_of, repeat
-from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
 from edugym.system.interrupts import Interrupted, SignalGuard
@@ -57,6 +57,18 @@ class Method(NamedTuple):
     given: Any
 
 
+class Trial(NamedTuple):
+    """What is seen of an agent before it is trained.
+
+    Attributes:
+        errors: the challenges that it cannot enter, with what is raised there.
+        alone: whether it trains itself.
+    """
+
+    errors: dict[str, Exception]
+    alone: bool
+
+
 class Rung(NamedTuple):
     """A ladder at one of its strengths."""
 
@@ -87,8 +99,10 @@ def profile(
     on from there.
 
     Args:
-        agents: a dictionary from labels to agents, as `repeat` takes them. With a wrapper, give a pair of the agent and
-            a function that wraps an MDP: `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`.
+        agents: a dictionary from labels to agents, as `repeat` takes them. What a function makes may also train itself,
+            as `edugym.deep.PPO` and `LibraryAgent` do: by a method `train(n_steps, *, evaluate_every,
+            evaluation_episodes, seed)` that returns a `Run`, in processes, not threads. With a wrapper, give a pair of
+            the agent and a function that wraps an MDP: `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`.
         challenges: names of environments of the course, or ladders of your own; None is every environment that has one.
         repetitions: the number of runs on each rung, from 1 to 1 000 000.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more.
@@ -118,6 +132,7 @@ def profile(
     if folder is not None:
         check_writable(folder / ".edugym")  # any file name: tests that the folder is writable
     blank: dict[str, dict[str, str]] = {method.label: {} for method in methods}
+    on_their_own: set[str] = set()
     rows: list[Row] = []
     rungs = [Rung(ladder, strength) for ladder in ladders for strength in ladder.strengths]
     done = 0
@@ -131,16 +146,18 @@ def profile(
     try:
         with SignalGuard() as guard, progress_bar(len(rungs), "rungs", shown=progress) as bar:
             for method in methods:
-                errors = _not_entered(method, ladders)
+                errors, alone = _tried(method, ladders)
                 if len(errors) == len(ladders):
                     error = next(iter(errors.values()))
                     error.add_note(f"agents[{method.label!r}] can enter none of the challenges")
                     raise error
                 blank[method.label] |= {name: _reason(error) for name, error in errors.items()}
+                if alone:
+                    on_their_own.add(method.label)
             for rung in rungs:
                 guard.should_stop()
                 entering = [method for method in methods if rung.ladder.name not in blank[method.label]]
-                rows += _climb(rung, entering, repetitions, seed, jobs, folder)
+                rows += _climb(rung, entering, on_their_own, repetitions, seed, jobs, folder)
                 done += 1
                 bar.update(1)
     except KeyboardInterrupt:
@@ -156,7 +173,10 @@ def _methods(agents: Mapping[str, Any]) -> list[Method]:
     if isinstance(agents, Mapping):
         wraps = {label: _wrap(label, agent) for label, agent in agents.items()}
         without = {label: agent[0] if wraps[label] else agent for label, agent in agents.items()}
-    return [Method(label, make, wraps[label], agents[label]) for label, make in makers_of(without).items()]
+    return [
+        Method(label, make, wraps[label], agents[label])
+        for label, make in makers_of(without, [*METHODS, TRAIN]).items()
+    ]
 
 
 def _wrap(label: str, agent: Any) -> Wrap | None:
@@ -195,22 +215,23 @@ def _ladders(challenges: Sequence[str | Ladder] | None) -> tuple[Ladder, ...]:
 def why_not_entered(agents: Mapping[str, Any], ladders: Sequence[Ladder]) -> dict[str, dict[str, str]]:
     """For each agent, the challenges that it cannot enter, with the reason; arguments as in `profile`."""
     return {
-        method.label: {name: _reason(error) for name, error in _not_entered(method, ladders).items()}
+        method.label: {name: _reason(error) for name, error in _tried(method, ladders).errors.items()}
         for method in _methods(agents)
     }
 
 
-def _not_entered(method: Method, ladders: Sequence[Ladder]) -> dict[str, Exception]:
-    """The challenges that an agent cannot enter, with what is raised there."""
+def _tried(method: Method, ladders: Sequence[Ladder]) -> Trial:
+    """An agent, tried on all rungs."""
     errors: dict[str, Exception] = {}
+    alone = False
     for ladder in ladders:
         for strength in ladder.strengths:
             try:
-                _try(method, ladder, strength)
+                alone = _try(method, ladder, strength)
             except Exception as error:  # a student's agent may fail in any way where it does not fit
                 errors[ladder.name] = error
                 break
-    return errors
+    return Trial(errors, alone)
 
 
 def _reason(error: Exception) -> str:
@@ -218,19 +239,23 @@ def _reason(error: Exception) -> str:
     return str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
 
 
-def _try(method: Method, ladder: Ladder, strength: float) -> None:
-    """Make an agent for a rung; a student's also takes some steps on the easiest one.
+def _try(method: Method, ladder: Ladder, strength: float) -> bool:
+    """Make an agent for a rung; a student's also takes some steps on the easiest one. Return whether it trains itself.
 
     Raises:
         Exception: it does not fit.
     """
     environment = _task(ladder, strength, method.wrap, layout_seed=0)
-    contract = contract_of(method.make(environment))
+    made = method.make(environment)
+    if trains_itself(made):  # it has refused what does not fit when it was made
+        return True
+    contract = contract_of(made)
     trainer(environment, contract, 0, None, 0)
     if not contract.is_own and strength == ladder.strengths[0]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             train(environment, contract.agent, TRIED, evaluate_every=TRIED)
+    return False
 
 
 def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) -> MDPEnv[Any]:
@@ -255,50 +280,61 @@ def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) 
 
 
 def _climb(
-    rung: Rung, methods: list[Method], repetitions: int, seed: int, jobs: int | None, folder: Path | None
+    rung: Rung,
+    methods: list[Method],
+    on_their_own: set[str],
+    repetitions: int,
+    seed: int,
+    jobs: int | None,
+    folder: Path | None,
 ) -> Iterator[Row]:
     """The rows of a rung: those that are in the folder, and the others made."""
     ladder, strength = rung
     n_steps = steps_of(ladder, strength)
     for method in methods:
         task = partial(_task, ladder, strength, method.wrap)
-        path = None if folder is None else _kept_at(folder, rung, method, repetitions, seed)
+        path = _kept_at(folder, rung, method, repetitions, seed)
         if path is not None and path.exists():
             rows = json.loads(path.read_text(encoding="utf-8"))
         else:
-            results = repeat(
-                task,
-                {method.label: method.make},
-                n_steps,
-                repetitions=repetitions,
-                seed=seed,
-                evaluate_every=max(1, n_steps // POINTS),
-                evaluation_episodes=ladder.evaluation_episodes,
-                jobs=jobs,
-            )
-            rows = _scored(results, rung, method.label, repetitions, seed)
+            measured: dict[str, Any] = {
+                "evaluate_every": max(1, n_steps // POINTS),
+                "evaluation_episodes": ladder.evaluation_episodes,
+            }
+            plan = [planned.repetition for planned in planned_runs([method.label], repetitions, seed)]
+            found: Any
+            if method.label in on_their_own:
+                kept_at = partial(_kept_at, folder, rung, method, deep_versions())
+                found = curves(method.make, task, plan, {"n_steps": n_steps, **measured}, jobs, kept_at)
+            else:
+                how = {"repetitions": repetitions, "seed": seed, "jobs": jobs, **measured}
+                found = repeat(task, {method.label: method.make}, n_steps, **how).curves(method.label)
+            rows = _scored(found, rung, plan)
             if path is not None:
                 write_whole(path, json.dumps(rows).encode())
         yield from ({**row, "agent": method.label} for row in rows)
 
 
-def _kept_at(folder: Path, rung: Rung, method: Method, repetitions: int, seed: int) -> Path | None:
-    """The file for the rows of an agent on a rung; None, with a warning, where what determines them cannot be told."""
+def _kept_at(folder: Path | None, rung: Rung, method: Method, *more: Any) -> Path | None:
+    """The file for what an agent does on a rung, with `more` that determines it.
+
+    None where there is no folder and, with a warning, where what determines it cannot be told.
+    """
+    if folder is None:
+        return None
     try:
-        name = fingerprint(rung, method.given, repetitions, seed)
+        name = fingerprint(rung, method.given, *more)
     except Exception as error:  # each class has its own for what cannot be taken apart
         warnings.warn(f"what {method.label!r} does cannot be kept on the disk: {error}", stacklevel=2)
         return None
     return folder / f"{name}.json"
 
 
-def _scored(results: Results, rung: Rung, label: str, repetitions: int, seed: int) -> list[Row]:
-    """A row for each repetition of an agent on a rung."""
+def _scored(curves: Mapping[int, Any], rung: Rung, repetitions: Sequence[Repetition]) -> list[Row]:
+    """A row for each repetition on a rung, of which the learning curves are given."""
     ladder, strength = rung
-    curves = results.curves(label)
     rows = []
-    for planned in planned_runs([label], repetitions, seed):
-        repetition = planned.repetition
+    for repetition in repetitions:
         bounds = bounds_of(ladder, strength, repetition.layout_seed)
         scores = bounds.score(curves[repetition.number])
         reached = scores.index[scores >= NEARLY]

@@ -110,15 +110,21 @@ def said(profile: Profile, challenge: str) -> Said:
 def best_agents(profile: Profile, challenge: str) -> list[str]:
     """The agent with the highest score, and those whose difference from it may be chance; none where none enters.
 
-    An agent that is not better than random play is none of them.
+    An agent that is not better than random play is none of them. One with fewer repetitions than others is one of them
+    only if it is surely better: its interval lies above that of the best of the others.
     """
     scores = {agent: profile.score(agent, challenge) for agent in profile.agents}
     entered = {agent: score for agent, score in scores.items() if score.n and score.estimate > 0}
     if not entered:
         return []
-    best = max(entered, key=lambda agent: entered[agent].estimate)
-    runs = {agent: profile.scores(agent, challenge).mean(axis=0) for agent in entered}
-    return [best, *(a for a in entered if a != best and paired_difference(runs[best], runs[a]).low <= 0)]
+    most = max(score.n for score in entered.values())
+    often = [agent for agent, score in entered.items() if score.n == most]
+    best = max(often, key=lambda agent: entered[agent].estimate)
+    surely = [agent for agent in entered if agent not in often and entered[agent].low > entered[best].high]
+    if surely:
+        return sorted(surely, key=lambda agent: -entered[agent].estimate)
+    runs = {agent: profile.scores(agent, challenge).mean(axis=0) for agent in often}
+    return [best, *(a for a in often if a != best and paired_difference(runs[best], runs[a]).low <= 0)]
 
 
 def better_beside(profile: Profile, challenge: str, beside: Profile | None) -> str | None:
@@ -187,9 +193,17 @@ def reasons(profile: Profile) -> list[str]:
     return [f"{agent}, {name}: {why}" for agent, blank in profile.blank.items() for name, why in blank.items()]
 
 
+def repetitions_of(profile: Profile, agent: str) -> int:
+    """How often an agent was trained on each rung."""
+    return max((profile.score(agent, challenge).n for challenge in profile.challenges), default=0)
+
+
 def method(profile: Profile) -> list[str]:
     """How everything was measured, a sentence for each thing."""
-    repetitions = int(profile.runs["repetition"].max()) + 1 if len(profile.runs) else 0
+    counts = {agent: repetitions_of(profile, agent) for agent in profile.agents}
+    repetitions = max(counts.values(), default=0)
+    fewer = {agent: count for agent, count in counts.items() if 0 < count < repetitions}
+    fewer_said = [f"Fewer times: {listed([f'{agent} {count}' for agent, count in fewer.items()])}."] if fewer else []
     bests = [
         f"The best play in {ladder.name} is {ladder.source}." for ladder in profile.ladders if ladder.source != EXACT
     ]
@@ -203,9 +217,10 @@ def method(profile: Profile) -> list[str]:
     return [
         f"Every agent trained {repetitions} times on every rung of every ladder, each time with another seed and"
         " layout, and was then evaluated without exploring.",
+        *fewer_said,
         "A score of 0 is the mean return of random play, 1 that of the best play; below 0 is worse than random play.",
-        f"The score in a challenge is the mean over the rungs. The intervals are 95 % intervals over the"
-        f" {repetitions} repetitions. An agent breaks where its mean score first falls below 0.5, interpolated.",
+        "The score in a challenge is the mean over the rungs. The intervals are 95 % intervals over the"
+        " repetitions. An agent breaks where its mean score first falls below 0.5, interpolated.",
         profile.settings,
         f"The budgets: {named}.",
         f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),

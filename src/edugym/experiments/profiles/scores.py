@@ -42,7 +42,7 @@ class Profile:
             `steps`, those of the training; `steps_to_0.9`, those after which the score first was 0.9, NaN if it never
             was.
         ladders: the ladders, in order.
-        agents: the labels of the agents, in order.
+        agents: the labels of the agents, in order; one may have fewer repetitions than another.
         blank: for each agent, the challenges that it cannot enter, with the reason.
         settings: how the agents came by their settings, in a sentence.
     """
@@ -136,7 +136,7 @@ class Profile:
         if (agent, challenge, column) in self._tables:
             return self._tables[agent, challenge, column].copy()
         rows = self.runs[(self.runs["agent"] == agent) & (self.runs["challenge"] == challenge)]
-        repetitions = range(int(self.runs["repetition"].max()) + 1) if len(self.runs) else range(1)
+        repetitions = range(int(rows["repetition"].max()) + 1) if len(rows) else range(1)
         table = rows.pivot(index="strength", columns="repetition", values=column)
         values: Reals = table.reindex(strengths, columns=repetitions).to_numpy(float)
         self._tables[agent, challenge, column] = values
