@@ -16,7 +16,7 @@ from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.tuning import tuned_profile, with_untuned
 from edugym.system.files import check_writable
 from edugym.system.interrupts import SignalGuard, call_interruptibly
-from edugym_course import agent_profiles, arguments
+from edugym_course import agent_profiles, arguments, one_table_rules
 from edugym_course import one_table as class_challenge
 
 UNFINISHED = "unfinished"
@@ -87,7 +87,7 @@ def _profiles(agents: dict[str, Any], tuned: list[str], how: dict[str, Any]) -> 
 def _by_the_rules(agents: dict[str, Any], how: dict[str, Any]) -> Profile:
     """The profile of agents that keep to the rules of the challenge for a class."""
     ladders, entering = class_challenge.ladders(), class_challenge.by_the_rules(agents)
-    class_challenge.check_rules(entering, ladders)
+    one_table_rules.check_rules(entering, ladders)
     return profile(entering, **how | {"challenges": ladders})
 
 

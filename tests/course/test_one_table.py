@@ -11,7 +11,7 @@ import edugym
 from edugym import Profile
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.mdp.protocol import Reals
-from edugym_course import agent_profiles, one_table
+from edugym_course import agent_profiles, arguments, one_table, one_table_rules
 from tests.course.test_commands import run
 
 PAGE = Path(__file__).parents[2] / "docs" / "class-challenge.md"
@@ -84,6 +84,58 @@ def test_a_submission_that_breaks_a_rule_is_refused(
     assert not (folder / "entry" / "report.html").exists()
 
 
+TARGET = "        target = reward\n"
+HIDDEN = [
+    ("global", "\n\nseen = [0]\n\n\nclass MyAgent", "seen[0] = state", ("one table", "something else changed")),
+    ("class", "\n\nclass Seen:\n    all = {}\n\n\nclass MyAgent", "Seen.all[0] = state", ("something else changed",)),
+    ("large", "\n\nplan = [*range(9999)]\n\n\nclass MyAgent", "", ("one table", "plan 9,999")),
+    ("keys", "\n\nclass MyAgent", "self.seen[reward + self.Q.sum(), state, 0.5] = 0", ("one table", "seen")),
+    ("digits", "\n\nclass MyAgent", "self.seen[0] = (self.seen.get(0, 1) << 64) + state", ("one table", "seen")),
+    (
+        "size",
+        "\n\nclass MyAgent",
+        "reward = 5.0 if len(self.Q) == 9 else reward",
+        ("nothing tuned", "Boulder", "height"),
+    ),
+    ("hard", "\n\nclass MyAgent", "reward = 5.0 if len(self.Q) > 9 else reward", ("tuned", "Boulder", "height")),
+    ("state", "\n\nclass MyAgent", "reward += state", ("nothing tuned", "Q", "numbered")),
+]
+
+
+@pytest.mark.parametrize(("start", "line", "names"), [row[1:] for row in HIDDEN], ids=[row[0] for row in HIDDEN])
+def test_what_is_hidden_is_found(
+    start: str, line: str, names: tuple[str, ...], folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In global variables, class attributes, keys and digits; and an agent that knows a task by its size or states."""
+    monkeypatch.setattr(one_table, "ladders", lambda: SHORT)
+    code = SAMPLE.replace("\n\nclass MyAgent", start)
+    if "self.seen" in line:
+        code = code.replace("    epsilon: float = 0.1", "    epsilon: float = 0.1\n    seen: dict = None")
+        code = code.replace("1.0))", "1.0), seen={})")
+    done = entered(code.replace(TARGET, f"        {line or 'pass'}\n{TARGET}"), folder)
+    assert done.exit_code == 2, done.output
+    for name in names:
+        assert name in re.sub(r"[│\s]+", " ", done.output)
+
+
+ALLOWED = [
+    ("import", "\n\nLIMIT = 3\nNAMES = ('a', 'b')\n\n\nclass MyAgent", "int(LIMIT)"),
+    ("window", "\n\nclass MyAgent", "self.window.append(state) if len(self.window) < 9 else self.window.pop(0)"),
+]
+
+
+@pytest.mark.parametrize(("start", "line"), [row[1:] for row in ALLOWED], ids=[row[0] for row in ALLOWED])
+def test_what_is_within_the_rules_passes(start: str, line: str, folder: Path) -> None:
+    """Constants, and a window of the last steps; a table that is a dictionary."""
+    code = SAMPLE.replace("\n\nclass MyAgent", start).replace(TARGET, f"        {line}\n{TARGET}")
+    if "window" in line:
+        code = code.replace("    epsilon: float = 0.1", "    epsilon: float = 0.1\n    window: list = None")
+        code = code.replace("1.0))", "1.0), window=[])")
+    (folder / "my_agent.py").write_text(code, encoding="utf-8")
+    agents = one_table.by_the_rules(arguments.agents(["my_agent.py:MyAgent"]))
+    one_table_rules.check_rules(agents, SHORT)
+
+
 @pytest.mark.parametrize(
     ("line", "says"),
     [
@@ -126,13 +178,21 @@ class Slotted:
         (Nested(np.zeros((2, 3)), [(1, 2.0), (3, 4.0)]), 6 + 4 + 1),
         (Slotted(), 1 + 1 + 3),
         ({1, 2}, 2),
+        (2**640, 11),
+        ("a" * 80, 10),
+        ({(2, 3): 1.0, (0.5, 0.5): 1.0}, 1 + 2 + 1),
+        ({2: 1.0, 8: 1.0}, 1 + 1 + 1),
+        ({(9, 9): 1.0}, 2 + 1),
         (len, 0),
         (Slotted, 0),
     ],
 )
 def test_what_an_agent_keeps_is_counted(kept: Any, numbers: int) -> None:
-    """In arrays, tuples, lists, dictionaries and objects; functions and classes are none of it."""
-    assert one_table.numbers_in(kept) == numbers
+    """In arrays, tuples, lists, objects, and dictionaries, whose keys are free where they are places in a table.
+
+    Functions and classes are none of it.
+    """
+    assert one_table_rules.numbers_in(kept, (8, 4)) == numbers
 
 
 @pytest.mark.parametrize("name", sorted(agent_profiles.agents()))
@@ -141,10 +201,10 @@ def test_the_package_is_judged_as_submissions_are(name: str) -> None:
     ladders = tuple(ladder for ladder in SHORT if ladder.name == "Golf")
     make = getattr(edugym, name).create
     if one_table.has_one_table(name):
-        one_table.check_rules(one_table.by_the_rules({name: make}), ladders)
+        one_table_rules.check_rules(one_table.by_the_rules({name: make}), ladders)
     else:
         with pytest.raises((ValueError, AttributeError)):
-            one_table.check_rules(one_table.by_the_rules({name: make}), ladders)
+            one_table_rules.check_rules(one_table.by_the_rules({name: make}), ladders)
 
 
 def test_points_are_the_mean_of_the_scores() -> None:

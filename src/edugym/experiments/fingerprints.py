@@ -87,7 +87,7 @@ class _Hasher:
         self.add(type(thing).__module__, type(thing).__qualname__)
         if type(thing) is np.ndarray and not thing.dtype.hasobject:
             self._array(thing)
-        elif isinstance(thing, ModuleType | BuiltinFunctionType) or _is_library(thing):
+        elif isinstance(thing, ModuleType | BuiltinFunctionType) or is_library(thing):
             self.add(_name(thing), version_of(_package(thing)))
             if isinstance(thing, FunctionType) and _package(thing) in OURS:
                 self._closure(thing)  # functions that one factory made have the same name
@@ -110,7 +110,7 @@ class _Hasher:
         elif isinstance(thing, tuple | list):
             self._visit_all(type(thing), len(thing), *thing, getattr(thing, "__dict__", None))
         elif isinstance(thing, Mapping):
-            names = ("default_factory",) if _is_library(type(thing)) else ("__dict__", "default_factory")
+            names = ("default_factory",) if is_library(type(thing)) else ("__dict__", "default_factory")
             attributes = (getattr(thing, name, None) for name in names)
             self._visit_all(type(thing), len(thing), *(part for item in thing.items() for part in item), *attributes)
         elif isinstance(thing, set | frozenset):
@@ -156,7 +156,7 @@ class _Hasher:
     def _visit_global(self, value: Any, names: set[str]) -> None:
         """Hash what a global name stands for; of a module, what the code may take from it."""
         self.visit(value)
-        if isinstance(value, ModuleType) and not _is_library(value):
+        if isinstance(value, ModuleType) and not is_library(value):
             for name in sorted(names & vars(value).keys()):
                 self.add(name)
                 self._visit_global(vars(value)[name], names - {name})
@@ -234,7 +234,7 @@ _OF_EVERY_CLASS = frozenset(
 )
 
 
-def _is_library(thing: Any) -> bool:
+def is_library(thing: Any) -> bool:
     """Whether a class, function or module belongs to this package, to Python or to an installed one."""
     if not isinstance(thing, ModuleType | FunctionType | type):
         return False
