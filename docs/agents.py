@@ -105,7 +105,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`.",
             *([f"- SB3 agents: measured with {libraries}, by `edugym profile --libraries`."] if libraries else []),
             *([f"- There is no ladder for {listed(missing)} yet."] if missing else []),
-            f"- Not measured, since its planning takes hours: {'; '.join(slow)}.",
+            f"- Not measured, since its planning at every step takes a quarter of an hour in all: {'; '.join(slow)}.",
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
             "",
         ]

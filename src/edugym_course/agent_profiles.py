@@ -41,7 +41,11 @@ SETTINGS: dict[str, Any] = {"GaussianActorCritic": WRIST}
 """What is not at its default, by agent."""
 
 TOO_SLOW = {"RMax": ["Switches"]}
-"""Ladders that are not measured, by agent: hours of planning, over every pair of a state and a goal."""
+"""Ladders that are not measured, by agent.
+
+R-max plans 1000 updates at each step as long as pairs become known, and with 4 switches or more they do all the time: a
+run of 20 000 steps takes 10 seconds or more, and all of them about a quarter of an hour of one core.
+"""
 Parts = dict[str, list[Ladder]]
 """For each agent, ladders."""
 
