@@ -16,6 +16,7 @@ from textwrap import fill
 from typing import Any, NamedTuple
 
 import numpy as np
+from other_measures import CAPACITY, DIGITS, by_other_measures, gain, other_measures, shown, table
 
 import edugym
 from edugym import DiscreteActions, Discretised, FrameStack, Hashed, Interval, QLearning, mean_interval
@@ -35,13 +36,6 @@ OWN = 0.2
 """An environment's own remedy must gain more than this, with the whole interval."""
 NO_CHANGE = 0.1
 """A remedy changes little where the whole interval of its gain lies within this much of 0."""
-DIGITS = 4
-CAPACITY = 200_000
-
-
-def table(mdp: Any) -> Any:
-    """The task for a table of what occurs; it shows the same to a table as the task itself, where that fits one."""
-    return Hashed.create(mdp, CAPACITY)
 
 
 def binned(mdp: Any) -> Any:
@@ -111,12 +105,7 @@ def measure() -> dict[str, Any]:
             if not np.isnan(difference).any():
                 gains[remedy.name][name] = difference.round(DIGITS).tolist()
     shutil.rmtree(UNFINISHED)
-    return {"versions": versions(), "base": base, "gains": gains}
-
-
-def gain(rungs: Any) -> Interval:
-    """The gain over the whole ladder; `rungs` has the shape (n_strengths, n_repetitions)."""
-    return mean_interval(np.array(rungs).mean(axis=0))
+    return {"versions": versions(), "base": base, "gains": gains, "others": other_measures()}
 
 
 def change(rungs: Any) -> Interval:
@@ -141,13 +130,6 @@ whole interval; elsewhere it should be near 0."""
 def names(data: dict[str, Any]) -> list[str]:
     """The environments that were measured, in the order of the course."""
     return [ladder.name for ladder in LADDERS if ladder.name in data["base"]]
-
-
-def shown(interval: Interval) -> str:
-    """A gain with its interval."""
-    estimate = rounded(interval.estimate)
-    sign = "+" if float(estimate) > 0 else ""
-    return f"{sign}{estimate} [{rounded(interval.low)}, {rounded(interval.high)}]"
 
 
 def matrix(data: dict[str, Any]) -> list[str]:
@@ -210,7 +192,8 @@ def findings(data: dict[str, Any]) -> Findings:
     if failed:
         found.follows.append(
             f"In {', '.join(failed)} the remedy of the lesson does not raise the score, on these ladders and at these"
-            " settings: a profile does not see what the lesson shows there."
+            " settings: a profile does not see what the lesson shows there. In Roadrunner and Catch another strength"
+            " would: the price of a fall, measured while learning, and images of which none comes twice."
         )
     if shared:
         found.follows.append(
@@ -241,6 +224,9 @@ def page(data: dict[str, Any]) -> str:
             "",
             *items(found.own),
             "",
+            "## Is the measure the one that the challenge is about?",
+            "",
+            *by_other_measures(data["others"]),
             "## Where does the remedy for another challenge matter?",
             "",
             f"In {len(found.others)} of {others} the gain differs from 0 by more than {limit}",

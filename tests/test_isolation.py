@@ -2,14 +2,16 @@
 
 import importlib.util
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import other_measures
 import pytest
 
 import edugym
-from edugym import DQN, FrameStack, QLearning, SARSALambda
+from edugym import DQN, FrameStack, QLearning, SARSALambda, mean_interval
 from edugym.experiments.profiles.ladders import LADDERS
 
 FILE = Path(__file__).parents[1] / "docs" / "isolation.py"
@@ -59,6 +61,25 @@ def test_findings_follow_from_the_data(data: dict[str, Any], own: str, others: i
     assert own in found.own[0]
     assert [len(found.others), len(found.strengths)] == [others, strengths]
     assert ("does not raise" in found.follows[0]) == ("not" in own)
+
+
+def test_what_other_measures_say_follows_from_the_data() -> None:
+    """Each number stands beside what it was measured for."""
+    names = [f"{name}: {what}" for name in other_measures.GOLF for what in ("spread", "worst", "mean")]
+    others = {name: [[k / 100, k / 100 + 0.02]] * 7 for k, name in enumerate(names)}
+    others |= {"Roadrunner": [[0.1, 0.1], [0.2, 0.2], [0.3, 0.3], [0.4, 0.4]], "Catch": [[-0.5, -0.5]]}
+    others[other_measures.LIT] = [[0.7, 0.7], [0.8, 0.8], [0.9, 0.9]]
+    text = " ".join(" ".join(other_measures.by_other_measures(others)).split())
+    for part in ("+0.10 [0.10, 0.10] at -10", "+0.40 [0.40, 0.40] at -300", "+0.90 [0.90, 0.90] at 8"):
+        assert part in text
+    assert re.search(r"risk of -1, the spread .* by \+0.01 .* worst tenth by \+0.02 .* mean by \+0.03", text)
+    assert "DQN saves -0.50 [-0.50, -0.50] of the budget" in text
+
+
+def test_sarsa_saves_while_it_learns_where_a_fall_is_dear() -> None:
+    """And costs where it is cheap."""
+    assert mean_interval(other_measures.saved_while_learning(-300.0)).low > 0.1
+    assert mean_interval(other_measures.saved_while_learning(-10.0)).high < -0.2
 
 
 @pytest.mark.parametrize(
