@@ -166,7 +166,9 @@ class Findings(NamedTuple):
 def findings(data: dict[str, Any]) -> Findings:
     """What the measurement says."""
     found = Findings([], [], [], [])
-    passed, failed, shared = [], [], []
+    passed: list[str] = []
+    failed: list[str] = []
+    shared: list[str] = []
     for remedy in REMEDIES:
         for name in names(data):
             rungs = data["gains"].get(remedy.name, {}).get(name)

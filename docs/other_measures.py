@@ -166,8 +166,8 @@ def by_other_measures(others: dict[str, Any]) -> list[str]:
         " saved, since random play, which scores 0, falls in most episodes.",
         "**Golf** is about chance, and its remedy about risk, not about the mean. Of the scores of"
         f" {GAMES} greedy games, with the default risk of -1, {golf[0]}. With a risk of -5, {golf[1]}. So the dislike"
-        " of single surprises does not make the worst games better on this ladder; a strong one pays for a smaller spread"
-        " with a smaller mean.",
+        " of single surprises does not make the worst games better on this ladder; a strong one pays for a smaller"
+        " spread with a smaller mean.",
         "**Catch** is about observations of many dimensions. Until a score of 0.9, DQN saves"
         f" {shown(gain(others['Catch']))} of the budget, so the table is faster; even the largest board has only some"
         " 8,000 states. A table fails where no image comes twice: with another brightness at every step, from"
