@@ -46,7 +46,7 @@ export class Editor {
     })
     find('template').onchange = () => {
       if (this.edited() && !confirm('Replace your code?')) find('template').selectedIndex = this.template
-      else this.fill().then(() => { this.clear(); this.pack() })
+      else this.settled = this.fill().then(() => { this.clear(); this.pack() })
     }
     find('rival').onchange = () => this.clear()
     find('run-code').onclick = () => this.run()
@@ -55,7 +55,7 @@ export class Editor {
     this.first = `With your first change or run, your browser loads Python: ${Math.round(megabytes)} MB.`
   }
 
-  // Show a task: `state` is the page's, `task` its data at this strength, and `code` writes the lines that make the task
+  // Show a task; `settled`, which others may set too, is what Run waits for. `state` is the page's, `task` its data at this strength, and `code` writes the lines that make the task
   // and an agent.
   async open(race, task, state, code) {
     const other = this.race !== race
@@ -105,7 +105,8 @@ export class Editor {
   clear() {
     if (this.running) this.stop('')
     this.walk?.stop()
-    this.ours = this.theirs = []
+    this.ours = []
+    this.theirs = []
     this.looks = {}
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
     this.walk = new Walk(look => this.pictures.ours.happen(look), this.task.look.length)
@@ -139,27 +140,28 @@ export class Editor {
     return this.worker
   }
 
-  run() {
+  async run() {
+    this.find('run-code').disabled = true
+    await this.settled?.catch(() => {}) // what is still being arranged would end a run that has begun
     if (this.running) return
     this.found = undefined
     this.clear()
     this.field.mark(null)
-    const { steps, seed } = this.state, { race, lane } = this, { rows, cell } = lane.table
+    const { steps, seed } = this.state, { race, lane } = this, { table } = lane
     this.running = true
-    this.find('run-code').disabled = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
     this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes,
-      rows, look: this.task.look, now: cell.length })
+      table, look: this.task.look })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
       if (data.id !== this.number) return
-      this.theirs = data.curves[0]
+      this.theirs.push(...data.points[0])
       this.looks.theirs = data
       soon(this.curves)
       soon(this.paint.theirs)
     }
-    this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: lane.kernel, plan: lane.plan, look: lane.plan.look, rows, now: cell.length,
+    this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: lane.kernel, plan: lane.plan, look: lane.plan.look, table,
       seeds: [this.seeds[seed]], steps, every: Math.max(1, Math.floor(steps / LATE)), settings: {}, at: 0 })
     this.rival.postMessage({ kind: 'rate', rate: Infinity })
   }

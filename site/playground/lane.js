@@ -4,8 +4,6 @@ import { short } from './chart.js'
 import { Picture } from './picture.js'
 import { soon } from './soon.js'
 
-const SLOW = 20 // up to so many steps a second, the picture shows what the agent would do as things are now
-
 export class Lane {
   constructor(k, { onAgent, onBet, onLook }) {
     this.k = k
@@ -27,19 +25,17 @@ export class Lane {
   // Begin anew: `race` and `task` are the data of the page, `how` its settings.
   begin(race, task, agent, how) {
     const { label, says, kernel } = race.agents[agent], lane = task.agents[agent]
-    Object.assign(this, { label, how, look: null, steps: 0, curves: [], over: false, table: task.tables[lane.table] })
+    Object.assign(this, { label, how, look: null, steps: 0, curves: how.seeds.map(() => []), over: false, table: task.tables[lane.table] })
     if (this.race !== race) this.select.innerHTML = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
     this.race = race
     this.select.selectedIndex = agent
     this.says.textContent = says
     this.numbers.textContent = ''
     this.picture = new Picture(this.place, task.scene, this.table, task.marks, `${race.name}, as ${label} learns it`)
-    const { rows, cell } = this.table
-    this.worker.postMessage({ kind: 'new', id: ++this.id, kernel, plan: lane, look: lane.look, rows, now: cell.length, ...how, at: how.at[this.k] })
+    this.worker.postMessage({ kind: 'new', id: ++this.id, kernel, plan: lane, look: lane.look, table: this.table, ...how, at: how.at[this.k] })
   }
 
   rate(rate) {
-    this.perSecond = rate || this.perSecond
     this.worker.postMessage({ kind: 'rate', rate })
   }
 
@@ -47,7 +43,8 @@ export class Lane {
     if (data.kind === 'error') this.numbers.textContent = data.message
     if (data.id !== this.id) return
     const fresh = !this.look
-    Object.assign(this, { look: data, steps: data.steps, curves: data.curves, over: data.over })
+    Object.assign(this, { look: data, steps: data.steps, over: data.over })
+    data.points.forEach((points, k) => this.curves[k].push(...points))
     soon(this.draw)
     this.onLook(this, fresh)
   }
@@ -56,7 +53,7 @@ export class Lane {
     const { look, how } = this
     if (!look) return
     this.picture.happen(look.look)
-    this.picture.know(look, how.show, how.policy, this.perSecond <= SLOW || !look.steps ? look.row : undefined)
+    this.picture.know(look, how.show, how.policy)
     const last = this.curves[0].at(-1)
     const means = this.curves.map(curve => curve.at(-1)[1])
     const mean = means.reduce((sum, value) => sum + value, 0) / means.length

@@ -47,15 +47,15 @@ export class Learner {
 
   // What it knows (see knowledge.js). Go-Explore has a table for every goal: then the one is shown that leads to the
   // best state so far.
-  knowledge(rows) {
-    const { values, goal } = this, size = goal ? values.length / rows : values.length, first = goal ? Number(goal[0]) * size : 0
-    return knowledge(Float64Array.from(this.visits, Number), values.subarray(first, first + size), rows)
+  knowledge(table, now) {
+    const { values, goal } = this, size = goal ? values.length / table.rows : values.length, first = goal ? Number(goal[0]) * size : 0
+    return knowledge(this.visits, values.subarray(first, first + size), table, now)
   }
 
-  // The row of the table that it observes, and the numbers that decide the picture; `now` says how many observations
-  // there are: a row that remembers more begins again after so many.
-  moment(look, now) {
+  // The row of the table that it observes, and the numbers that decide the picture: a row that remembers more begins
+  // again after all observations.
+  moment(look, { cell }) {
     const observed = this.kernel.index('result.1'), row = this.kernel.result(observed)
-    return { row, look: look.map(k => k === observed ? row % now : this.kernel.result(k)) }
+    return { row, look: look.map(k => k === observed ? row % cell.length : this.kernel.result(k)) }
   }
 }

@@ -137,7 +137,7 @@ function draw() {
 function finish() {
   state.at = lanes.map(({ steps }) => steps)
   stop()
-  draw()
+  soon(draw)
   controls()
   const [, t] = data.several.find(([n]) => n === state.several)
   const results = lanes.map(lane => {
@@ -205,7 +205,7 @@ find('speed').oninput = event => {
 find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refresh))
 for (const name of OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
 find('own').onclick = () => { for (const name of OWN) state[name] = null; restart() }
-find('code-steps').onchange = event => set('steps', Number(event.target.value), () => restart().then(refresh))
+find('code-steps').onchange = event => set('steps', Number(event.target.value), () => settle(restart().then(refresh)))
 for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
 find('show').onchange = find('code-show').onchange = event => set('show', event.target.value, redraw)
 find('policy').onchange = event => set('policy', event.target.checked, redraw)
@@ -255,7 +255,13 @@ function uncover() {
 
 async function refresh() {
   if (state.play) await play.open(race, task, data.seeds[state.seed])
-  if (state.code) await editor.open(race, task, state, { task: made, agent: agent => `agent = ${create(agent, agent.settings)}\n` })
+  if (state.code) await settle(editor.open(race, task, state, { task: made, agent: agent => `agent = ${create(agent, agent.settings)}\n` }))
+}
+
+// The editor runs nothing before this has come.
+function settle(promise) {
+  if (editor) editor.settled = promise
+  return promise
 }
 
 for (const name of Object.keys(TABS)) find(`tab-${name}`).onclick = () => choose(name)
@@ -316,7 +322,7 @@ find('theme').onclick = () => {
   document.documentElement.dataset.theme = localStorage.theme = theme
 }
 addEventListener('storage', setTheme) // the page around this one has changed it
-addEventListener('hashchange', open)
+addEventListener('hashchange', () => settle(open()))
 addEventListener('resize', remeasure)
-await open()
+await settle(open())
 document.documentElement.dataset.ready = 'true' // see style.css

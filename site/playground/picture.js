@@ -43,28 +43,25 @@ export class Picture {
     }
   }
 
-  // What the agent knows: `show` is "visits" or "values"; `now` is the row that it observes, if only what it would do
-  // with all else as it is now should be seen.
-  know({ visits, values, greedy }, show, policy, now) {
+  // What the agent knows, see knowledge.js; `show` is "visits" or "values".
+  know({ visits, values, greedy }, show, policy) {
     const { canvas, scene, table } = this
     if (!this.scale) this.measure()
     if (!this.scale) return // it is hidden
     const { scale } = this, pen = canvas.getContext('2d')
     pen.setTransform(scale, 0, 0, scale, 0, 0)
     pen.clearRect(0, 0, scene.width, scene.height)
-    const cells = this.gather(visits, now)
-    const most = Math.log1p(Math.max(1, ...cells.map(cell => cell.visits)))
-    const shown = cells.filter(cell => cell.row >= 0).map(cell => values[cell.row])
+    const most = Math.log1p(Math.max(1, ...visits))
+    const shown = values.filter(value => !Number.isNaN(value))
     const low = Math.min(...shown), range = Math.max(...shown) - low || 1
     canvas.dataset.cells = shown.length // for tests
-    for (const [k, { visits, row }] of cells.entries()) {
-      if (!visits) continue
-      const [x, y, w, h] = table.cells[k]
-      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.55 * (Math.log1p(visits) / most) ** 2})`
-      else pen.fillStyle = row >= 0 ? colour((values[row] - low) / range) : 'transparent'
+    for (const [k, [x, y, w, h]] of table.cells.entries()) {
+      if (!visits[k]) continue
+      if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.55 * (Math.log1p(visits[k]) / most) ** 2})`
+      else pen.fillStyle = Number.isNaN(values[k]) ? 'transparent' : colour((values[k] - low) / range)
       if (show !== 'nothing') pen.fillRect(x, y, w, h)
       const readable = Math.min(w, h) * scale > SMALLEST * devicePixelRatio
-      const mark = policy && readable && row >= 0 && greedy[row] >= 0 && this.marks[greedy[row]]
+      const mark = policy && readable && greedy[k] >= 0 && this.marks[greedy[k]]
       if (mark) this.sign(pen, mark, x + w / 2, y + h / 2, Math.min(w, h))
     }
   }
@@ -75,21 +72,6 @@ export class Picture {
     this.scale = canvas.clientWidth * devicePixelRatio / scene.width
     canvas.width = Math.round(scene.width * this.scale)
     canvas.height = Math.round(scene.height * this.scale)
-  }
-
-  // For each cell the visits, and the row that stands for it: the most visited, or that which fits what is now.
-  gather(visits, now) {
-    const { table } = this, cells = table.cells.map(() => ({ visits: 0, row: -1, most: 0 }))
-    const past = now === undefined ? -1 : Math.floor(now / table.cell.length)
-    const layer = now === undefined ? -1 : table.layer[now % table.cell.length]
-    for (let row = 0; row < table.rows; row++) {
-      const seen = row % table.cell.length, cell = cells[table.cell[seen]]
-      if (!cell || !visits[row]) continue
-      cell.visits += visits[row]
-      const fits = now === undefined || (table.layer[seen] === layer && (row - seen) / table.cell.length === past)
-      if (fits && visits[row] > cell.most) { cell.row = row; cell.most = visits[row] }
-    }
-    return cells
   }
 
   sign(pen, [dx, dy, text], x, y, size) {

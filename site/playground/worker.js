@@ -4,9 +4,12 @@ import { fetched } from './kernel.js'
 import { Learner } from './learner.js'
 
 const FRAME = 33 // milliseconds between two pictures
-const BUSY = 25 // milliseconds of work at most before it looks at its messages again
+const LANES = 3
+// Milliseconds of work at most before it looks at its messages again: all lanes together leave a core to the page.
+const BUSY = Math.min(25, FRAME * Math.max(1, navigator.hardwareConcurrency - 1) / LANES)
+const SLOW = 20 // up to so many steps a second, the picture shows what the agent would do as things are now
 const loading = {}
-let task, learners = [], rate = 0, owed = 0, last = 0, timer, chunk = 100 // steps between two looks at the clock
+let task, learners = [], told = 0, rate = 0, pace = Infinity, owed = 0, last = 0, timer, chunk = 100 // steps between two looks at the clock
 
 onmessage = async ({ data }) => {
   try {
@@ -19,7 +22,7 @@ onmessage = async ({ data }) => {
 
 async function begin(asked) {
   clearTimeout(timer)
-  rate = 0
+  rate = told = 0
   task = asked
   learners = []
   const loaded = await (loading[asked.kernel] ??= fetched(asked.kernel))
@@ -34,6 +37,7 @@ async function begin(asked) {
 function change(asked) {
   clearTimeout(timer)
   rate = asked
+  pace = rate || pace // also while it pauses
   last = performance.now()
   owed = rate ? 1 : 0 // the first step comes at once
   if (rate && learners.length) frame() // or else as soon as the kernel is there
@@ -54,11 +58,12 @@ function frame() {
   if (!learners[0].over) timer = setTimeout(frame, Math.max(0, FRAME - (performance.now() - began)))
 }
 
+// Tell the page what there is to see: of the curves, what is new.
 function show() {
-  const [learner] = learners
-  const knowledge = learner.knowledge(task.rows)
-  const curves = learners.map(learner => learner.curve)
-  const { steps, over } = learner, moment = learner.moment(task.look, task.now)
-  postMessage({ kind: 'look', id: task.id, steps, over, curves, ...moment, ...knowledge },
-    Object.values(knowledge).map(array => array.buffer))
+  const [learner] = learners, { table } = task, { steps, over } = learner
+  const { row, look } = learner.moment(task.look, table)
+  const known = learner.knowledge(table, pace <= SLOW || !steps ? row : undefined)
+  const points = learners.map(({ curve }) => curve.slice(told))
+  told = learner.curve.length
+  postMessage({ kind: 'look', id: task.id, steps, over, points, look, ...known }, Object.values(known).map(array => array.buffer))
 }
