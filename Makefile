@@ -48,12 +48,13 @@ bench: .venv/dev.installed
 reproduce: .venv/lab.installed
 	.venv/bin/edugym reproduce $(ARGS)
 
-# The website with the playground. Nothing of the lessons is executed; kernels that were compiled before are not compiled again.
+# The website with the playground, and where PYODIDE names a folder with a release of Pyodide, with the lessons in JupyterLite. Nothing of the lessons is executed; kernels that were compiled before are not compiled again.
+LITE := $(if $(PYODIDE),--pyodide "$(PYODIDE)")
 site: .venv/site.installed
-	.venv/bin/python site/website.py --jobs $(JOBS)
+	.venv/bin/python site/website.py --jobs $(JOBS) $(LITE)
 
 site-serve: .venv/site.installed
-	.venv/bin/python site/website.py --jobs $(JOBS) --serve $(ARGS)
+	.venv/bin/python site/website.py --jobs $(JOBS) $(LITE) --serve $(ARGS)
 
 # From a copy of what is committed, so that nothing of the working folder gets in.
 dist: .venv/dev.installed

@@ -29,18 +29,16 @@ UNUSED = re.compile(
 )
 """What no agent needs."""
 INSTALLED = ("gymnasium", "cloudpickle", "typing_extensions", "farama-notifications")
-STUBS = {
-    "_multiprocessing.py": (
-        "class SemLock:\n    SEM_VALUE_MAX = 1\n    def __init__(self, *_, **__):\n"
-        '        raise OSError("there are no processes here")\nsem_unlink = None\n'
-    ),
-    "numpy/_distributor_init_local.py": (
-        "import ctypes, pathlib\n"
-        'ctypes.CDLL(str(pathlib.Path(__file__).with_name("backtrace.wasm")), ctypes.RTLD_GLOBAL)\n'
-    ),
-}
-"""A module that Pyodide lacks, and what gives NumPy the function `backtrace`, without which large arrays end it all."""
-
+MULTIPROCESSING = (
+    'import os\nos.environ["JOBLIB_MULTIPROCESSING"] = "0"  # or it warns of what follows\n'
+    "class SemLock:\n    SEM_VALUE_MAX = 1\n    def __init__(self, *_, **__):\n"
+    '        raise OSError("there are no processes here")\nsem_unlink = None\n'
+)
+"""A module that Pyodide lacks."""
+DISTRIBUTOR = (
+    'import ctypes, pathlib\nctypes.CDLL(str(pathlib.Path(__file__).with_name("backtrace.wasm")), ctypes.RTLD_GLOBAL)\n'
+)
+"""What gives NumPy the function `backtrace`, without which large arrays end it all."""
 BACKTRACE = bytes.fromhex(
     "0061736d01000000000f0864796c696e6b2e3001040004000001070160027f7f017f020f0103656e"
     "76066d656d6f727902000003020100070d01096261636b747261636500000a0601040041000b"
@@ -66,14 +64,15 @@ def build(folder: Path) -> dict[str, int] | None:
         for name in FILES:
             (folder / name).write_bytes(npm.content(archive, f"package/{name}"))
     with zipfile.ZipFile(folder / "packages.zip", "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packages:
-        for name, content in {**dict(_numpy(numpy)), **dict(_installed()), **dict(_own())}.items():
+        for name, content in {**dict(numpy_files(numpy)), **dict(_installed()), **dict(_own())}.items():
             packages.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
     (folder / "draws.wasm").write_bytes(draws.module())
     (folder / "draws.json").write_text(json.dumps(draws.tables()))
     return {file.name: file.stat().st_size for file in sorted(folder.iterdir())}
 
 
-def _numpy(package: Path) -> Iterator[tuple[str, bytes]]:
+def numpy_files(package: Path) -> Iterator[tuple[str, bytes]]:
+    """The files of NumPy by their paths, from the package of npm."""
     with tarfile.open(package) as outer:
         (name,) = [name for name in outer.getnames() if name.endswith(".tar.gz")]
         file = outer.extractfile(name)
@@ -82,6 +81,8 @@ def _numpy(package: Path) -> Iterator[tuple[str, bytes]]:
                 path = member.name.removeprefix("./")
                 if member.isfile() and path.startswith(SITE) and not UNUSED.search(path):
                     yield path.removeprefix(SITE), npm.content(inner, member.name)
+    yield "numpy/_distributor_init_local.py", DISTRIBUTOR.encode()
+    yield "numpy/backtrace.wasm", BACKTRACE
 
 
 def _installed() -> Iterator[tuple[str, bytes]]:
@@ -98,6 +99,4 @@ def _own() -> Iterator[tuple[str, bytes]]:
         if file.is_file() and "__pycache__" not in file.parts:
             yield file.relative_to(source).as_posix(), file.read_bytes()
     yield "edugym_page.py", (HERE / "edugym_page.py").read_bytes()
-    for name, text in STUBS.items():
-        yield name, text.encode()
-    yield "numpy/backtrace.wasm", BACKTRACE
+    yield "_multiprocessing.py", MULTIPROCESSING.encode()

@@ -18,6 +18,7 @@ from pathlib import Path
 import accessibility
 import agent_pages
 import lesson_pages
+import lite
 import mathematics
 import playground
 import projected_pages
@@ -33,9 +34,15 @@ HERE = ROOT / "site"
 BUILT = HERE / "build"
 RACE = '\n*{1}* <a href="../playground/index.html#task={0}">Bet on an agent, or play yourself</a>.\n\n```python'
 
+LITE = """<a href="lite/lab/index.html">JupyterLab with all lessons</a> runs here in your browser: nothing is
+installed, and nothing is sent anywhere. The first start loads Python and its libraries, which takes a while. Your
+changes stay in this browser, so download what you want to keep."""
+NO_LITE = """JupyterLab with all lessons can run in your browser. This copy of the site was built without it; who builds
+the site can add it: `make site PYODIDE=folder`, with an unpacked release of Pyodide 0.27."""
 
-def sources() -> dict[str, bytes]:
-    """Return the contents of all files that Sphinx reads, by their path."""
+
+def sources(with_lite: bool = False) -> dict[str, bytes]:
+    """Return the contents of all files that Sphinx reads, by their path; JupyterLite is there `with_lite`."""
     lessons = lesson_pages.lessons()
     texts = {
         **_copied(),
@@ -53,6 +60,7 @@ def sources() -> dict[str, bytes]:
         link = f"| [{name}](/{agent_pages.place(kind)}.md) |"
         texts["agents/index"] = texts["agents/index"].replace(f"\n| {name} |", f"\n{link}")
     texts["index"] = texts["index"].replace("<!-- gallery -->", _gallery())
+    texts["students"] = texts["students"].replace("<!-- lite -->", LITE if with_lite else NO_LITE)
     texts["survey"] = texts["survey"].replace("<!-- form -->", form(lessons))
     for folder, pages in _children(texts).items():
         texts[f"{folder}/index"] += "\n".join(["\n```{toctree}", ":hidden:", "", *pages, "```", ""])
@@ -113,9 +121,9 @@ def _gallery() -> str:
     return "\n".join([":::{container} gallery", "", "\n\n".join(cards), "", ":::"])
 
 
-def write(folder: Path) -> None:
+def write(folder: Path, with_lite: bool = False) -> None:
     """Write the sources into a folder; Sphinx reads again what has changed."""
-    wanted = sources()
+    wanted = sources(with_lite)
     for file in [file for file in folder.rglob("*") if file.is_file()]:
         if file.relative_to(folder).as_posix() not in wanted:
             file.unlink()
@@ -126,9 +134,9 @@ def write(folder: Path) -> None:
             file.write_bytes(content)
 
 
-def write_pages(folder: Path, jobs: int = 2) -> int:
+def write_pages(folder: Path, jobs: int = 2, with_lite: bool = False) -> int:
     """Write all pages but the playground into `folder`/html. Return Sphinx's exit status; a warning is an error."""
-    write(folder / "source")
+    write(folder / "source", with_lite)
     source, html, doctrees = (str(folder / name) for name in ("source", "html", "doctrees"))
     shutil.rmtree(html, ignore_errors=True)  # every page has the navigation, so every page is written
     options = ["-a", "-b", "html", "-W", "--keep-going", "-q", "-j", str(jobs)]
@@ -140,13 +148,17 @@ def write_pages(folder: Path, jobs: int = 2) -> int:
     return int(status)
 
 
-def build(folder: Path, jobs: int = 2) -> int:
-    """Write the whole website into `folder`/html."""
-    status = write_pages(folder, jobs)
+def build(folder: Path, jobs: int = 2, pyodide: Path | None = None) -> int:
+    """Write the whole website into `folder`/html, with JupyterLite if a release of Pyodide is given."""
+    if pyodide:
+        lite.check(pyodide)
+    status = write_pages(folder, jobs, with_lite=pyodide is not None)
     if status == 0:
         playground.build(playground.BUILT, jobs=jobs)
         shutil.rmtree(folder / "html" / "playground", ignore_errors=True)
         shutil.copytree(playground.BUILT, folder / "html" / "playground")
+        if pyodide:
+            lite.build(pyodide, folder / "html" / "lite", sorted(lesson_pages.NOTEBOOKS.glob("*.ipynb")))
     return status
 
 
@@ -160,8 +172,12 @@ def main() -> int:
     parser.add_argument("--serve", action="store_true", help="show it in a browser on this machine")
     parser.add_argument("--port", type=int, default=8000, help="where to show it")
     parser.add_argument("--jobs", type=int, default=2, help="how many processes write pages")
+    parser.add_argument("--pyodide", type=Path, help="an unpacked release of Pyodide: adds the lessons in JupyterLite")
     options = parser.parse_args()
-    status = build(BUILT, options.jobs)
+    try:
+        status = build(BUILT, options.jobs, options.pyodide)
+    except ValueError as error:
+        parser.error(str(error))
     if status == 0 and options.serve:
         handler = partial(SimpleHTTPRequestHandler, directory=BUILT / "html")
         with ThreadingHTTPServer(("127.0.0.1", options.port), handler) as server:

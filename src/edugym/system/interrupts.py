@@ -32,6 +32,8 @@ from typing import Any, ParamSpec, TypeVar
 P = ParamSpec("P")
 T = TypeVar("T")
 
+HAS_THREADS = sys.platform != "emscripten"
+"""A browser's Python has none."""
 INTERRUPTED = 130
 """The exit status of a command that Ctrl-C ended, as shells expect it."""
 PATIENCE = 0.15
@@ -329,10 +331,14 @@ MOST_SECONDS_TO_END = 10.0
 def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
     """The same with a limit, in seconds of processor time: then the function is ended, once it runs Python again.
 
+    Without threads the function is called here, and neither ends the wait.
+
     Raises:
         Stopped: this thread is to stop.
         TimeoutError: it has taken longer.
     """
+    if not HAS_THREADS:
+        return function(*args, **kwargs)
     done = threading.Event()
     returned: list[T] = []
     raised: list[BaseException] = []

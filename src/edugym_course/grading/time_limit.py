@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
+from edugym.system.interrupts import HAS_THREADS
 from edugym_course.grading.errors import TooSlow
 
 LIMIT = 30.0
@@ -82,7 +83,9 @@ _watch = _Watch()
 
 @contextmanager
 def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
-    """Run a student's code, and end it when it takes too long. In other threads than the main one it does nothing.
+    """Run a student's code, and end it when it takes too long.
+
+    It does nothing in other threads than the main one, and in a browser, whose Python has no threads.
 
     Args:
         what: what is running, for the sentence: "act(3)".
@@ -91,7 +94,7 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
     Raises:
         TooSlow: it took longer.
     """
-    if threading.current_thread() is not threading.main_thread():
+    if not HAS_THREADS or threading.current_thread() is not threading.main_thread():
         yield
         return
     code = _TimedCode(time.process_time() + limit)

@@ -4,6 +4,7 @@ import base64
 import html
 import inspect
 import io
+import sys
 from collections.abc import Callable
 from decimal import Decimal
 from numbers import Real
@@ -151,19 +152,23 @@ def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
 
 def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
     """Call a function and prepare its result; figures that it made in Matplotlib are closed again."""
-    import matplotlib.pyplot as plt
-
-    before = set(plt.get_fignums())
+    before = set(_open_figures())
     try:
         result = function(**arguments)
-        made = [number for number in plt.get_fignums() if number not in before]
+        made = [number for number in _open_figures() if number not in before]
         figure = figure_of(result)
         if result is None and made:
-            figure = plt.figure(made[-1])
+            figure = sys.modules["matplotlib.pyplot"].figure(made[-1])
         return shown(result if figure is None else figure, function.__name__)
     finally:
-        for number in set(plt.get_fignums()) - before:
-            plt.close(number)
+        for number in set(_open_figures()) - before:
+            sys.modules["matplotlib.pyplot"].close(number)
+
+
+def _open_figures() -> list[int]:
+    """The numbers of the figures that Matplotlib has open: none where nobody has imported it, which takes a second."""
+    plt = sys.modules.get("matplotlib.pyplot")
+    return [] if plt is None else list(plt.get_fignums())
 
 
 def figure_of(result: Any) -> "Figure | None":
@@ -177,9 +182,7 @@ def figure_of(result: Any) -> "Figure | None":
 
 def shown(result: Any, name: str) -> Shown:
     """Prepare the result of the function with this name, as a picture or as text."""
-    from matplotlib.figure import Figure
-
-    if isinstance(result, Figure):
+    if "matplotlib.figure" in sys.modules and isinstance(result, sys.modules["matplotlib.figure"].Figure):
         titles = [result.get_suptitle(), *(axes.get_title() for axes in result.axes), name]
         buffer = io.BytesIO()
         result.savefig(buffer, format="png", bbox_inches="tight")

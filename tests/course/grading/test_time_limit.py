@@ -8,6 +8,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from edugym.system import interrupts
+from edugym_course.grading import time_limit as limits
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.time_limit import time_limit
@@ -47,6 +49,19 @@ def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None],
                 signal.raise_signal(signal.SIGINT)
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+def test_a_browser_has_no_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Code runs there without a limit, and so does what is called interruptibly elsewhere."""
+
+    def no_thread(thread: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(threading.Thread, "start", no_thread)
+    monkeypatch.setattr(interrupts, "HAS_THREADS", False)
+    monkeypatch.setattr(limits, "HAS_THREADS", False)
+    with time_limit("act(3)"):
+        assert interrupts.call_within(1, max, 2, 3) == interrupts.call_interruptibly(max, 2, 3) == 3
 
 
 def test_the_limit_of_all_goes_on_where_the_limit_of_a_part_is_over() -> None:

@@ -124,6 +124,13 @@ class Page:
         until(lambda: self(f"window.jupyterapp && {PANEL}?.context?.path === arguments[0]", notebook), "the notebook")
         until(lambda: self(f"{SESSION}.session?.kernel?.status === 'idle'"), "the kernel")
 
+    @classmethod
+    def of(cls, driver: Any) -> "Page":
+        """The page that a driver shows."""
+        page = cls.__new__(cls)
+        page.driver = driver
+        return page
+
     def __call__(self, expression: str, *arguments: Any) -> Any:
         """Return the value of an expression in JavaScript; a promise is waited for."""
         return self.driver.execute_script(f"return {expression}", *arguments)
