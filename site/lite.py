@@ -134,19 +134,9 @@ def _run_jupyterlite(work: Path, folder: Path) -> None:
         subprocess.run([tools / "bin" / "pip", "install", "--quiet", *TOOLS], check=True)
         stamp.write_text("\n".join(TOOLS))
     shutil.rmtree(folder, ignore_errors=True)
-    options = [
-        "--lite-dir",
-        work,
-        "--output-dir",
-        folder,
-        "--contents",
-        work / "files",
-        "--apps",
-        "lab",
-        "--apps",
-        "notebooks",
-    ]
-    command = [tools / "bin" / "jupyter", "lite", "build", *options, "--no-sourcemaps", "--no-unused-shared-packages"]
+    places = [f"--lite-dir={work}", f"--output-dir={folder}", f"--contents={work / 'files'}"]
+    options = ["--apps=lab", "--apps=notebooks", "--no-sourcemaps", "--no-unused-shared-packages"]
+    command = [str(tools / "bin" / "jupyter"), "lite", "build", *places, *options]
     path = os.pathsep.join([str(tools / "bin"), os.environ["PATH"]])
     done = subprocess.run(command, cwd=work, env={**os.environ, "PATH": path}, capture_output=True, text=True)
     if done.returncode:
@@ -190,7 +180,16 @@ def _entry(wheel: Path) -> dict[str, Any]:
 
 def _from_pypi(folder: Path) -> Iterator[Path]:
     wanted = [f"{name}=={version(name)}" for name in FROM_PYPI]
-    command = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:", "--dest", folder]
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "download",
+        "--quiet",
+        "--no-deps",
+        "--only-binary=:all:",
+        f"--dest={folder}",
+    ]
     subprocess.run([*command, *wanted], check=True)
     yield from folder.glob("*.whl")
 
@@ -212,7 +211,7 @@ def make_wheel(folder: Path, name: str, number: str, files: Mapping[str, bytes])
 def _own(folder: Path) -> Iterator[Path]:
     """EduGym with its course, as it is published, and the module that its libraries look for and Pyodide lacks."""
     made = folder / "own"
-    command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", made, editor.HERE.parent]
-    subprocess.run(command, check=True)
+    command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", f"--wheel-dir={made}"]
+    subprocess.run([*command, str(editor.HERE.parent)], check=True)
     yield from made.glob("edugym-*.whl")
     yield make_wheel(folder, "edugym_stubs", "1.0.0", {"_multiprocessing.py": editor.MULTIPROCESSING.encode()})

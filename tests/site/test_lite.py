@@ -95,7 +95,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     if not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")):
         pytest.skip("needs Chromium, chromedriver and Selenium")
     folder = tmp_path_factory.mktemp("lite")
-    cells = [
+    cells: list[dict[str, Any]] = [
         {
             "cell_type": "code",
             "id": f"c{k}",
