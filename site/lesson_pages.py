@@ -11,14 +11,21 @@ from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlencode
 
+from races import RACES
 from repository import REPOSITORY, ROOT, with_links
 
 from edugym import ENVIRONMENTS
+from edugym.adapters.registration import find
 
 NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
 LIVE = "*In JupyterLab these controls are live.*"
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
+RACE = """<details class="live"><summary>Move sliders here: the race of {0}, live</summary>
+<iframe class="playground" src="../playground/index.html?first#task={0}" loading="lazy"
+title="The race of {0}: bet, run, and move sliders"></iframe>
+</details>"""
+"""It is loaded when it is opened."""
 FOLD = '<details class="aside"><summary>Show this aside</summary>'
 FOLD_ENDS = "</details><!-- of the aside -->"
 """It ends otherwise than the folds inside of it, so that `projected_pages` can leave all of it out."""
@@ -52,6 +59,7 @@ def lesson(path: Path) -> Lesson:
     executed = json.loads((NOTEBOOKS / "solutions" / path.name).read_text(encoding="utf-8"))["cells"]
     outputs = {cell["id"]: (_source(cell), cell.get("outputs", [])) for cell in executed}
     heading, text, figures = "", list[str](), dict[str, bytes]()
+    races = _races(path)
     folded = False
     for cell in cells:
         source = _source(cell)
@@ -72,6 +80,9 @@ def lesson(path: Path) -> Lesson:
         same, shown = outputs[cell["id"]]
         if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):
             text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures).replace(LIVE, _live(source)))
+        if re.search(r"^sliders\(", source, re.MULTILINE):
+            text += races
+            races = []
     text.append("[Answer the three statements on this site](../survey.md), which sends nothing anywhere.")
     title = text[0].split("\n")[0].removeprefix("# ")
     return Lesson(path.stem, title, "\n\n".join([_opening(text[0], path), *text[1:], ""]), figures)
@@ -88,6 +99,12 @@ def _opening(first: str, path: Path) -> str:
         f"{notebook}, or [open it in Colab]({colab}/blob/main/notebooks/{path.name})."
     )
     return f"{heading}\n\n:::{{container}} where\n{here}\n:::\n{rest}"
+
+
+def _races(path: Path) -> list[str]:
+    """Return the race of a lesson's environment, with sliders that need no Python; none where it has no race."""
+    number = int(path.name[:2])
+    return [RACE.format(race.environment) for race in RACES if find(race.environment).lesson == number]
 
 
 def _live(source: str) -> str:

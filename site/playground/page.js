@@ -131,7 +131,7 @@ function draw() {
   const [, t] = data.several.find(([n]) => n === state.several)
   chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum })
   const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval; the pictures show the first` : ''
-  find('caption').textContent = `Mean return of ${race.episodes} games without exploring, after so many training steps${what}`
+  find('caption').textContent = `Mean return (the sum of a game’s rewards) of ${race.episodes} games without exploring, after so many training steps${what}`
 }
 
 function finish() {
@@ -155,7 +155,7 @@ function finish() {
   const first = good.length > winners.length ? ', and got there first' : ''
   const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on ${lanes[state.bet].label}.`
   const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
-  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} at the end${first}.${bet}${luck}`)
+  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} in the last tenth${first}.${bet}${luck}`)
 }
 
 function stop() {

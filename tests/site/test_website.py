@@ -195,6 +195,27 @@ def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: 
 
 
 @needs_browser
+def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
+    """Nothing of the race is loaded before it is opened; then its sliders set the task, and the agents learn it."""
+    opened(browser, address, "lessons/01_exploration")
+    if browser.execute_script("return fetch('../playground/data/playground.json').then(answer => !answer.ok)"):
+        pytest.skip("there is no playground: make site")
+    loaded = "return document.querySelector('.live iframe').contentDocument?.body?.childElementCount ?? 0"
+    assert browser.execute_script(loaded) == 0
+    browser.execute_script("const fold = document.querySelector('.live'); fold.open = true; fold.scrollIntoView()")
+    until(lambda: browser.execute_script(loaded), "the race")
+    browser.switch_to.frame(browser.find_element("css selector", ".live iframe"))
+    until(lambda: browser.execute_script("return document.documentElement.dataset.ready"), "the first race")
+    move = "const slider = document.getElementById(arguments[0]); slider.value = arguments[1]"
+    for slider, value in (("strength", 0), ("epsilon", 0.3), ("speed", 9)):
+        browser.execute_script(f"{move}; slider.dispatchEvent(new Event('input'))", slider, value)
+    until(lambda: browser.find_element("id", "strength-shown").text == "4", "the other height")
+    browser.find_element("id", "run").click()
+    until(lambda: "did best" in browser.find_element("id", "verdict").text, "the end of the race")
+    browser.switch_to.default_content()
+
+
+@needs_browser
 def test_the_films_stop(browser: Any, address: str) -> None:
     """One button stops all moving pictures, and starts them."""
     opened(browser, address, "index")

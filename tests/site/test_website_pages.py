@@ -14,9 +14,11 @@ import pytest
 import reference_pages
 import repository
 import survey
+from races import RACES
 from repository import ROOT
 
 import edugym
+from edugym.adapters.registration import find
 from edugym_course import agent_profiles
 
 
@@ -153,6 +155,15 @@ def test_asides_are_folded_and_are_not_projected(lessons: list[lesson_pages.Less
         questions = [question for inside in found for question in re.findall(r"<legend>.*?</legend>", inside)]
         assert not [question for question in questions if question in projected[f"project/{name}"]]
         assert "Aside" not in projected[f"project/{name}"]
+
+
+def test_a_lesson_has_the_race_of_its_environment(lessons: list[lesson_pages.Lesson]) -> None:
+    """Once, below its first sliders; lessons whose environment has no race have none."""
+    for lesson in lessons:
+        raced = [race.environment for race in RACES if find(race.environment).lesson == int(lesson.name[:2])]
+        _, *found = lesson.text.split('<details class="live">')
+        assert [re.findall("#task=([A-Za-z]+)", part)[0] for part in found] == raced, lesson.name
+        assert "sliders(" in lesson.text.split('<details class="live">')[0]
 
 
 def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[lesson_pages.Lesson]) -> None:
