@@ -211,7 +211,7 @@ def _is_place(key: Any, shape: tuple[int, int] | None) -> bool:
     if shape is None:
         return False
     if isinstance(key, int | np.integer):
-        return 0 <= key < max(shape)
+        return 0 <= int(key) < max(shape)
     return (
         isinstance(key, tuple)
         and len(key) == len(shape)

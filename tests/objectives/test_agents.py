@@ -329,10 +329,10 @@ def test_slips_of_tasks(slip: str) -> None:
 
 
 def test_a_task_of_a_student() -> None:
-    """It has no end of its own, so it is truncated, and the agent bootstraps there."""
+    """An episode may end on its own or be truncated, where the agent bootstraps; it has five steps at most."""
     agent = ChebyshevQLearning.create(loop(), exploration=AT_RANDOM, discount=0.5, learning_rate=1.0)
     run = train_vectors(loop(), agent, 500, seed=0)
-    assert len(run.training_returns) == 100
+    assert len(run.training_returns) > 500 / 5
     assert set(run.training_returns.sum(axis=1)) <= {2.0, 3.0, 4.0, 5.0, 6.0}
     assert (agent.Q[0] != 0).any(axis=1).all()
 

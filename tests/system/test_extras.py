@@ -26,7 +26,7 @@ from edugym_course.lessons.stochasticity.exact import from_the_tee
 
 pytest.importorskip("torch")
 
-from edugym.deep.baselines import _class
+from edugym.deep.baselines import class_of
 from edugym.deep.repeated import repeat_deep
 
 LIBRARIES = ["matplotlib", "pandas", "scipy", "joblib", "PIL", "pygame", "numba", "torch", "IPython", "ipywidgets"]
@@ -46,7 +46,7 @@ NEED_ONE = {
     *(f"edugym.compiled.{name}" for name in ("arithmetic", "compiler_pipelines", "draws", "interrupt_polling")),
     *(f"edugym.compiled.{name}" for name in ("finite", "mixed_numbers", "number_kinds", "operations")),
     *(f"edugym.compiled.{name}" for name in ("random_generators", "typed_checks", "untyped_checks")),
-    *(f"edugym.deep.{name}" for name in ("baselines", "curves", "ppo", "vec_env")),
+    *(f"edugym.deep.{name}" for name in ("actor_critic", "baselines", "curves", "library", "ppo", "vec_env")),
     *("edugym_course.lessons.dimensionality.layers", "edugym_course.notebook"),
 }
 """The modules that are about a library, and are imported where that is there."""
@@ -102,7 +102,7 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
         ("PIL", "plot", lambda path: to_gif([np.zeros((2, 2, 3), np.uint8)], path)),
         ("PIL", "plot", lambda path: play("Boulder", gif=path)),
         ("pettingzoo", "games", lambda path: parallel_env(MatchingPennies.create())),
-        ("sb3_contrib", "deep", lambda path: _class("RecurrentPPO")),
+        ("sb3_contrib", "deep", lambda path: class_of("RecurrentPPO")),
         ("jupyterlab", "lab", lambda path: require_jupyterlab()),
         ("ipywidgets", "lab", lambda path: require_jupyterlab()),
         ("matplotlib", "lab", lambda path: require_jupyterlab()),

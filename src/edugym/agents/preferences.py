@@ -89,14 +89,14 @@ def most_likely(differences: Reals, prior: float) -> Reals:
     Returns:
         The rewards, shape (d,).
     """
-    rewards = np.zeros(differences.shape[1])
+    rewards: Reals = np.zeros(differences.shape[1])
     likelihood = _log_likelihood(differences, rewards, prior)
-    step = np.full_like(rewards, np.inf)
+    step: Reals = np.full_like(rewards, np.inf)
     while np.abs(step).max() > SETTLED:
         surprise = _logistic(-(differences @ rewards))  # 1 - p of what the teacher preferred
         gradient = differences.T @ surprise - prior * rewards
         curvature = (differences.T * (surprise * (1 - surprise))) @ differences + prior * np.eye(len(rewards))
-        step = np.linalg.solve(curvature, gradient)
+        step = np.asarray(np.linalg.solve(curvature, gradient))
         # A whole step may go too far where the teacher never errs; then half of it, or a quarter, is tried.
         while (then := _log_likelihood(differences, rewards + step, prior)) < likelihood:
             step /= 2

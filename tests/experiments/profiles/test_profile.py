@@ -18,6 +18,7 @@ from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
 from edugym.experiments.profiles.tuning import other_seed, with_untuned
 from edugym.mdp.frame_stack import FrameStack
+from edugym.mdp.protocol import Reals
 from edugym.training.run import Run
 from tests.compiled.cells import WALK, cell
 
@@ -167,7 +168,8 @@ def test_an_agent_may_train_itself(tmp_path: Path) -> None:
             if len(log.read_text().split()) == 2:
                 raise KeyboardInterrupt
             steps = np.arange(0, n_steps + 1, evaluate_every)
-            return Run(steps, steps / n_steps - 1, steps * 0.0, steps, self, seed, 0.0, True)
+            returns: Reals = steps / n_steps - 1
+            return Run(steps, returns, np.zeros(len(steps)), steps, self, seed, 0.0, True)
 
     def run() -> Profile:
         how: dict[str, Any] = {"challenges": [WALKS], "repetitions": 2, "jobs": 1, "checkpoints": tmp_path / "kept"}

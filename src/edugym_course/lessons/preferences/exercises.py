@@ -140,7 +140,7 @@ def _comparisons(rng: np.random.Generator) -> list[Comparison]:
 def exercise_2(answer: Any, seed: int) -> str:
     """Check one gradient step for one comparison."""
     require_function("learn", answer, "rewards, first, second, prefers_first and learning_rate")
-    rules = [stepped, *(partial(stepped, **change) for change in STEP_MISTAKES.values())]
+    rules: list[Callable[[Any], Any]] = [stepped, *(partial(stepped, **change) for change in STEP_MISTAKES.values())]
     cases = _comparisons(telling_draw(seed, _comparisons, rules))
     found, calls = [], []
     for rewards, one, other, prefers_first, learning_rate in cases:
@@ -229,7 +229,7 @@ EXTREME: Choice = (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the policy with a penalty, also with large values and a small penalty."""
     require_function("with_penalty", answer, "values, reference and penalty")
-    rules = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
+    rules: list[Callable[[Any], Any]] = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
     cases = [*_choices(telling_draw(seed, _choices, rules)), EXTREME]
     found, calls = [], []
     for values, reference, penalty in cases:

@@ -17,10 +17,10 @@ OF_SLIDERS = (10.0, 3.0, 2.0, 1.0, 0.5, 0.3, 0.1, 0.0)
 
 def panel(found: Followed, title: str = "", *, second: bool = False) -> Against:
     """Return what the policies gain, against how far they go from the reference policy."""
-    gains = {LEARNED: found.learned, MEANT: found.meant} | ({SECOND: found.second} if second else {})
+    measured = {LEARNED: found.learned, MEANT: found.meant} | ({SECOND: found.second} if second else {})
     return Against(
         found.nats.mean(axis=1).tolist(),
-        gains,
+        {label: [*rows] for label, rows in measured.items()},
         title,
         "nats from the reference policy",
         "gain in return",

@@ -194,7 +194,8 @@ def followed(
         ]
         rows.append([*gains, [divergence(model, policy, reference) for policy in policies]])
     measured = np.moveaxis(np.array(rows).reshape(-1, 4, len(penalties)), 0, -1)  # shape (4, penalties, runs)
-    return Followed(*measured, penalties, value_iteration(model).start - before)
+    learned, second, meant, nats = measured
+    return Followed(learned, second, meant, nats, penalties, value_iteration(model).start - before)
 
 
 @wrapper

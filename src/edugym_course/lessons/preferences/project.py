@@ -67,9 +67,9 @@ class Teacher:
         """
         if self.asked == self._most:
             self._refuse(f"compare may be called {self._most} times, and this is one time more")
-        returns = [self._return(night) for night in (first, second)]
+        first_return, second_return = (self._return(night) for night in (first, second))
         self.asked += 1
-        return bool(self._rng.random() < preference(*returns, NOISE))
+        return bool(self._rng.random() < preference(first_return, second_return, NOISE))
 
     def _return(self, night: Any) -> float:
         """What a night is worth to her."""
