@@ -318,7 +318,7 @@ def keep_outputs(path: Path, notebook: NotebookNode) -> bool:
 
 
 def build(source: Path, notebooks: Path, *, execute_again: bool = False) -> list[Path]:
-    """Writes the notebooks of a lesson that are not current.
+    """Writes the notebooks of a lesson that are not current; where only the text has changed, nothing is executed.
 
     Args:
         source: The py:percent file of the lesson.

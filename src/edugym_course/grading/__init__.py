@@ -30,7 +30,7 @@ To check something else than a number, take
 | an agent's `learn` | `updates.Update`, or `one_step.Q_LEARNING` | the same rule with other arguments |
 | an agent's `act` | `choices.check_choices`, or `check_all_choices` for several cases | other probabilities |
 | what `repeat` returned | `results.check_results` | another setting |
-| something of your own | `mistakes.mistake_that_fits` names the mistake | a rule that explains all cases |
+| something of your own | `mistakes.mistake_in_cases` names the mistake | a rule that explains all cases, or most |
 | a program from a blank file | `replay.Rule`, and `curves.Race` against ours | an agent of ours that makes it |
 | an agent that learns well | `challenge.Challenge`, on tasks that belong to a name | none: it gets points |
 

@@ -6,13 +6,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.mistakes import LOOKS_LIKE, explains_most
+from edugym_course.grading.mistakes import what_it_looks_like
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given
 
 DRAWS = 600
 MOST_DEVIATIONS = 4.5
 """How many standard deviations a share may be from its probability; the draws are the same in every check."""
+
+CERTAINLY_ANOTHER = 2.0
+"""How far shares are from probabilities if an action comes always, and another one should."""
 
 
 class ChoiceCase(NamedTuple):
@@ -99,8 +102,12 @@ def _why(call: str, cases: Sequence[ChoiceCase], shares: Sequence[Any]) -> str:
             f", the same {told.noun} in every call, for it takes no random number from `rng`: is a new generator made"
             " in it, or none used?"
         )
-    likely = [sentence for sentence, fits in explained.items() if explains_most(fits, wrong)]
-    return f": {LOOKS_LIKE}{likely[0]}" if len(likely) == 1 else ", which is none of the usual mistakes"
+    likely = what_it_looks_like(explained, wrong)
+    if likely:
+        return f": {likely}"
+    if max(told.expected) == 1 and 0.0 < _distance(shares[-1], told.expected) < CERTAINLY_ANOTHER:
+        return f", by chance where one {told.noun} is right: does it still explore, or draw in proportion to something?"
+    return ", which is none of the usual mistakes"
 
 
 def _other_shares(call: str, cases: Sequence[ChoiceCase]) -> Iterator[Any]:

@@ -1,7 +1,8 @@
 """Which of the usual mistakes explains what an answer gives, in all cases of a check.
 
 A mistake that explains all cases is named. If there is none, one that explains most of them is what the answer looks
-like. In a single case simple numbers may agree by chance, and so may two mistakes: neither is named then.
+like, and then one that is made in the wrong cases only. In a single case simple numbers may agree by chance, and so may
+two mistakes: neither is named then.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -13,40 +14,73 @@ from edugym_course.grading.values import ROUNDED, UNUSUAL_NUMBER, digits, rounde
 Mistake = TypeVar("Mistake")
 
 LOOKS_LIKE = "in this case it looks like this: "
+AND_ELSEWHERE = "in the others it looks like this: "
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
 def mistake_that_fits(
     mistakes: Mapping[str, Mistake],
     everywhere: Callable[[Mistake], bool],
-    mostly: Callable[[Mistake], bool] | None = None,
     otherwise: str = UNUSUAL,
 ) -> str:
-    """Return the sentence of a mistake.
+    """Return the sentence of a mistake that gives what the answer gives in all cases.
 
     Args:
         mistakes: the mistakes, by the sentence that tells of each.
         everywhere: whether a mistake gives what the answer gives in all cases.
-        mostly: whether it does so in most of them (see `explains_most`); None names no such mistake.
-        otherwise: what to say if none fits, or if several fit most cases.
+        otherwise: what to say if none does.
     """
     if nobody_asks_why():
         return otherwise
-    for sentence, mistake in mistakes.items():
-        if everywhere(mistake):
-            return sentence
-    likely = [sentence for sentence, mistake in mistakes.items() if mostly and mostly(mistake)]
-    return f"{LOOKS_LIKE}{likely[0]}" if len(likely) == 1 else otherwise
+    return next((sentence for sentence, mistake in mistakes.items() if everywhere(mistake)), otherwise)
 
 
-def explains_most(explained: Sequence[bool], wrong: Sequence[bool]) -> bool:
+def mistake_in_cases(
+    mistakes: Mapping[str, Mistake],
+    explained: Callable[[Mistake], Sequence[bool]],
+    wrong: Sequence[bool],
+    otherwise: str = UNUSUAL,
+) -> str:
+    """Return the sentence of a mistake that gives what the answer gives in all cases, or in most, or in the wrong ones.
+
+    Args:
+        mistakes: the mistakes, by the sentence that tells of each.
+        explained: says of a mistake, for each case, whether it gives what the answer gives.
+        wrong: for each case, whether the answer is wrong; it is in one of them or more.
+        otherwise: what to say if none fits, or if several fit.
+    """
+    if nobody_asks_why():
+        return otherwise
+    tried = {sentence: explained(mistake) for sentence, mistake in mistakes.items()}
+    fitting = next((sentence for sentence, fits in tried.items() if all(fits)), "")
+    return fitting or what_it_looks_like(tried, wrong) or otherwise
+
+
+def what_it_looks_like(explained: Mapping[str, Sequence[bool]], wrong: Sequence[bool]) -> str:
+    """Return what to say of the one mistake that explains most cases, or all wrong ones, and "" if there is none.
+
+    Args:
+        explained: by the sentence of a mistake, for each case, whether it gives what the answer gives.
+        wrong: for each case, whether the answer is wrong; it is in one of them or more.
+    """
+    likely = [sentence for sentence, fits in explained.items() if _explains_most(fits, wrong)]
+    if len(likely) == 1:
+        return f"{LOOKS_LIKE}{likely[0]}"
+    where_wrong = [
+        sentence
+        for sentence, fits in explained.items()
+        if all(fit for fit, is_wrong in zip(fits, wrong, strict=True) if is_wrong)
+    ]
+    n_wrong = sum(wrong)
+    if n_wrong == 1 or len(where_wrong) != 1:
+        return ""
+    return f"it is right in {len(wrong) - n_wrong} of {len(wrong)} cases, and {AND_ELSEWHERE}{where_wrong[0]}"
+
+
+def _explains_most(explained: Sequence[bool], wrong: Sequence[bool]) -> bool:
     """Whether a mistake explains the first case that is wrong, which is told, and most of the others.
 
     A case in which the answer is right, and would not be with the mistake, speaks against it.
-
-    Args:
-        explained: for each case, whether the mistake gives what the answer gives.
-        wrong: for each case, whether the answer is wrong; it is in one of them or more.
     """
     counted = [fits for fits, is_wrong in zip(explained, wrong, strict=True) if is_wrong or not fits]
     return explained[[*wrong].index(True)] and 2 * sum(counted) > len(counted)
@@ -83,11 +117,6 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
 
     if rounded_alike([case.found for case in cases], [case.expected for case in cases]):
         otherwise = ROUNDED
-    why = mistake_that_fits(
-        {sentence: sentence for sentence in cases[0].mistakes},
-        lambda sentence: all(explained(sentence)),
-        lambda sentence: explains_most(explained(sentence), wrong),
-        otherwise,
-    )
+    why = mistake_in_cases({sentence: sentence for sentence in cases[0].mistakes}, explained, wrong, otherwise)
     what, found, expected, _ = cases[wrong.index(True)]
     raise WrongAnswer(f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}: {why}")

@@ -12,8 +12,8 @@ differ from the rule's, these explanations are tried in turn, and the first that
 6. wrong numbers, 0 among them;
 7. a count that does not grow by one.
 
-If none does, it is said which mistake fits the first case that differs and most of the others, or that too many
-entries change.
+If none does, it is said which mistake fits the first case that differs and most of the others, or all those that
+differ, or that too many entries change.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -25,7 +25,7 @@ import numpy as np
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.mistakes import LOOKS_LIKE, UNUSUAL, explains_most
+from edugym_course.grading.mistakes import UNUSUAL, what_it_looks_like
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import TOLERANCE, all_same, differing, digits, in_brackets
 
@@ -169,13 +169,9 @@ class Update:
             return counted
         student, expected = (outcomes[difference.case][difference.step] for outcomes in (found, right))
         is_wrong = [not all(map(_agree, *outcomes)) for outcomes in zip(right, found, strict=True)]
-        likely = [
-            sentence
-            for sentence, change in singles.items()
-            if explains_most([*self._explained(cases, found, {**settings, **change})], is_wrong)
-        ]
-        if len(likely) == 1:
-            return f"{LOOKS_LIKE}{likely[0]}"
+        tried = {why: self._explained(cases, found, {**settings, **change}) for why, change in singles.items()}
+        if likely := what_it_looks_like(tried, is_wrong):
+            return likely
         before = _before(cases, found, difference)
         changed, right_ones = (differing(before, after[difference.table]).tolist() for after in (student, expected))
         if len(changed) > len(right_ones):

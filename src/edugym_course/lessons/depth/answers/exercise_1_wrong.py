@@ -33,8 +33,8 @@ def quiet(study):
 
 
 # %% softmax
-# says: act(1, rng)
-# says: it acts at random
+# says: act(state, rng), where state = 1
+# says: , by chance where one action is right
 def quiet(study):
     return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=Softmax(1.0))
 

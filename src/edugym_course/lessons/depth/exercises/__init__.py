@@ -13,7 +13,7 @@ from edugym.adapters.registration import make_mdp
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge, Sizes
-from edugym_course.grading.choices import check_choices
+from edugym_course.grading.choices import ChoiceCase, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
@@ -63,19 +63,27 @@ def exercise_1(answer: Any, seed: int, rate: Rate = LEARNING_RATE) -> str:
     Q[:] = 0.0
     Q[1, 1], Q[2, :] = 0.5, [-0.5, *[0.25] * (n_actions - 1)]
     others = n_actions - 1
-    for state, expected in ((1, np.eye(n_actions)[1].tolist()), (2, [0.0, *[1 / others] * others])):
-        check_choices(
-            f"act({state}, rng)",
-            partial(made.act, state),
-            expected,
-            {
-                "it acts at random": [1 / n_actions] * n_actions,
-                "ties should be broken at random, and it takes the first of equals": np.eye(n_actions)[1].tolist(),
-                "ties should be broken at random, and it takes the last of equals": np.eye(n_actions)[-1].tolist(),
-            },
-            tables={"Q": Q},
-            where=f"where Q[{state}] = {Q[state].tolist()}",
-        )
+    one = np.eye(n_actions).tolist()
+    equals = {
+        "ties should be broken at random, and it takes the first of equals": one[1],
+        "ties should be broken at random, and it takes the last of equals": one[-1],
+    }
+    check_all_choices(
+        "act(state, rng)",
+        [
+            ChoiceCase(
+                partial(made.act, state),
+                expected,
+                {"it acts at random": [1 / n_actions] * n_actions, **mistakes},
+                {"Q": Q},
+                f"where state = {state} and Q[{state}] = {Q[state].tolist()}",
+            )
+            for state, expected, mistakes in (
+                (1, one[1], {}),
+                (2, [0.0, *[1 / others] * others], equals),
+            )
+        ],
+    )
     return "Right: its targets are made of rewards alone, and it takes no random action. See it race:"
 
 

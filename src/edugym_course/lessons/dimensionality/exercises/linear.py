@@ -10,7 +10,7 @@ import numpy as np
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, explains_most, mistake_that_fits
+from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_in_cases
 from edugym_course.grading.own_numbers import step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
@@ -228,11 +228,7 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     pairs = [(step._replace(reward=step.reward - cost), w) for step, w in zip(cases, outcomes, strict=True)]
     wrong = [not _gives(*pair, right_update) for pair in pairs]
     if any(wrong):
-        why = mistake_that_fits(
-            UPDATES,
-            lambda rule: all(_gives(*pair, rule) for pair in pairs),
-            lambda rule: explains_most([_gives(*pair, rule) for pair in pairs], wrong),
-        )
+        why = mistake_in_cases(UPDATES, lambda rule: [_gives(*pair, rule) for pair in pairs], wrong)
         raise WrongAnswer(f"{_told_update(*pairs[wrong.index(True)])}{told_less(cost)}: {why}")
     return "Right: the error times the features. See it catch:"
 

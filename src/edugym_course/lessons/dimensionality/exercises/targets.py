@@ -10,7 +10,7 @@ from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import explains_most, mistake_that_fits
+from edugym_course.grading.mistakes import mistake_in_cases
 from edugym_course.grading.own_numbers import step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, in_brackets, number, same
@@ -249,11 +249,7 @@ def _check_targets(cases: list[Remembered], found: list[float], cost: float) -> 
     wrong = [not _gives(*pair, _right) for pair in pairs]
     if not any(wrong):
         return
-    why = mistake_that_fits(
-        TARGETS,
-        lambda rule: all(_gives(*pair, rule) for pair in pairs),
-        lambda rule: explains_most([_gives(*pair, rule) for pair in pairs], wrong),
-    )
+    why = mistake_in_cases(TARGETS, lambda rule: [_gives(*pair, rule) for pair in pairs], wrong)
     case, target = pairs[wrong.index(True)]
     right = _right(case)
     raise WrongAnswer(

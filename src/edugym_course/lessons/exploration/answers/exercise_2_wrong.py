@@ -37,8 +37,8 @@ def optimist(wall):
 
 
 # %% softmax
-# says: act(1, rng)
-# says: should choose action 1
+# says: act(state, rng), where state = 1
+# says: , by chance where one action is right: does it still explore, or draw in proportion to something?
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=Softmax(0.5), initial_value=1.0)
 
@@ -74,7 +74,7 @@ def optimist(wall):
 
 # %% the first of equals
 # says: ties should be broken at random, and it takes the first of equals
-# says: act(2, rng)
+# says: act(state, rng), where state = 2
 class Early(QLearning):
     __slots__ = ()
 

@@ -71,7 +71,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% act always greedy
 # says: a grip that was never tried comes first, whatever Q says of it
-# says: , rng), where tries[
+# says: act(state, rng), where state = 0, tries[0] = [3, 0]
 def act(self, state, rng):
     return self.greedy(state, rng)
 
@@ -88,7 +88,7 @@ def act(self, state, rng):
 
 
 # %% act at random
-# says: act(0, rng)
+# says: act(state, rng)
 # says: it acts at random
 def act(self, state, rng):
     return int(rng.random() * self.Q.shape[1])
@@ -96,7 +96,7 @@ def act(self, state, rng):
 
 # %% always the least tried
 # says: once all grips were tried the *best* one counts, and it takes the one that was tried least
-# says: act(3, rng)
+# says: act(state, rng), where state = 3
 def act(self, state, rng):
     return int(np.argmin(self.tries[state]))
 

@@ -14,15 +14,21 @@ from edugym.agents.q_learning import QLearning
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge
-from edugym_course.grading.choices import check_choices
+from edugym_course.grading.choices import ChoiceCase, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
 from edugym_course.grading.own_numbers import ExperimentSeed, Own
 from edugym_course.grading.results import check_results
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
+from edugym_course.lessons.exploration.exercises.explorer import (
+    AT_RANDOM,
+    FIRST_OF_EQUALS,
+    LAST_OF_EQUALS,
+    check_act,
+    epsilon_greedy,
+)
 from edugym_course.lessons.exploration.exercises.explorer import EXPLORER as EXPLORER
-from edugym_course.lessons.exploration.exercises.explorer import check_act, epsilon_greedy
 from edugym_course.lessons.exploration.methods import (
     DISCOUNT,
     GO_EXPLORE,
@@ -33,6 +39,7 @@ from edugym_course.lessons.exploration.methods import (
     OPTIMIST,
 )
 
+WORST_GRIP = "it takes the worst grip"
 Height = Annotated[int, Own(tuple(range(60, 161)), "Your wall has height {height}, not 100.")]
 Start = Annotated[
     float,
@@ -151,29 +158,29 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
         one_in = 1 / n_grips
         best, equal = [0.0] * n_grips, [1 / (n_grips - 1)] * n_grips
         best[1], equal[0] = 1.0, 0.0
-        check_choices(
-            "act(1, rng)",
-            partial(made.act, 1),
-            best,
-            {
-                "it acts at random": [one_in] * n_grips,
-                "it takes the worst grip": [1.0, *[0.0] * (n_grips - 1)],
-                **epsilon_greedy(best),
+        at_random = {AT_RANDOM: [one_in] * n_grips}
+        mistakes = {
+            1: {**at_random, WORST_GRIP: [1.0, *[0.0] * (n_grips - 1)], **epsilon_greedy(best)},
+            2: {
+                **at_random,
+                WORST_GRIP: [1.0, *[0.0] * (n_grips - 1)],
+                FIRST_OF_EQUALS: np.eye(n_grips)[1].tolist(),
+                LAST_OF_EQUALS: np.eye(n_grips)[-1].tolist(),
+                **epsilon_greedy(equal),
             },
-            tables={"Q": Q},
-            where=f"where Q[1] = {Q[1].tolist()}",
-        )
-        check_choices(
-            "act(2, rng)",
-            partial(made.act, 2),
-            equal,
-            {
-                "it acts at random": [one_in] * n_grips,
-                "ties should be broken at random, and it takes the first of equals": np.eye(n_grips)[1].tolist(),
-                "ties should be broken at random, and it takes the last of equals": np.eye(n_grips)[-1].tolist(),
-            },
-            tables={"Q": Q},
-            where=f"where Q[2] = {Q[2].tolist()}",
+        }
+        check_all_choices(
+            "act(state, rng)",
+            [
+                ChoiceCase(
+                    partial(made.act, state),
+                    expected,
+                    mistakes[state],
+                    {"Q": Q},
+                    f"where state = {state} and Q[{state}] = {Q[state].tolist()}",
+                )
+                for state, expected in ((1, best), (2, equal))
+            ],
         )
     return (
         "Right: it never takes a random action, and yet it tries everything, for whatever it tries disappoints it. "
@@ -195,7 +202,7 @@ def exercise_3(answer: Any, seed: int, power: Power = 0.5) -> str:
         }
         make = partial(_explorer, answer, wall, settings)
         EXPLORER.check(make, (height + 1, n_grips), settings | {"power": power}, seed)
-        check_act(make(), n_grips)
+        check_act(make, n_grips)
     return (
         "Right: counting tries says what is new here, the bonus says where to go, and no random step is needed. "
         "See it race:"

@@ -1,12 +1,12 @@
 """Exercise 3 of lesson 1: what an explorer does that tries what is new, and what the usual mistakes do."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
 from edugym_course.grading.student_code import student_code
@@ -16,6 +16,11 @@ DRAWS = 20
 LAST_STATE = 4
 """The top of the lowest wall of the check."""
 TRIED_ONCE = "a grip that was tried once is tried: only those count that were tried 0 times"
+WORST = "once all grips were tried the best one counts, and it takes the worst"
+LEAST_TRIED = "once all grips were tried the *best* one counts, and it takes the one that was tried least"
+FIRST_OF_EQUALS = "ties should be broken at random, and it takes the first of equals"
+LAST_OF_EQUALS = "ties should be broken at random, and it takes the last of equals"
+AT_RANDOM = "it acts at random"
 UNTRIED = "a grip that was never tried comes first, whatever Q says of it"
 
 
@@ -126,81 +131,48 @@ def epsilon_greedy(best: list[float]) -> dict[str, list[float]]:
     }
 
 
-def check_act(agent: Any, n_grips: int) -> None:
-    """Check what an explorer does where some grips, all or none were tried."""
+def check_act(make: Callable[[], Any], n_grips: int) -> None:
+    """Check what explorers do where some grips, all or none were tried."""
     others = n_grips - 1
-    same = [1 / n_grips] * n_grips
     last = [0.0] * others + [1.0]
     first = [1.0] + [0.0] * others
+    second = [0.0, 1.0, *[0.0] * (others - 1)]
     but_first = [0.0] + [1 / others] * others
+    of_equals = {FIRST_OF_EQUALS: second, LAST_OF_EQUALS: last}
     cases: list[tuple[list[int], list[float], list[float], dict[str, list[float]]]] = [
-        (
-            [*range(3, 3 + others), 0],
-            [1.0] * others + [-1.0],
-            last,
-            {UNTRIED: [1 / others] * others + [0.0]},
-        ),
+        ([*range(3, 3 + others), 0], [1.0] * others + [-1.0], last, {UNTRIED: [1 / others] * others + [0.0]}),
         ([0, *range(1, n_grips)], [-1.0] + [1.0] * others, first, {UNTRIED: but_first}),
-        (
-            [1, *range(5, 5 + others)],
-            [2.0] + [1.0] * others,
-            first,
-            {"once all grips were tried the best one counts, and it takes the worst": but_first},
-        ),
-        (
-            [7, *range(2, 1 + n_grips)],
-            [2.0] + [1.0] * others,
-            first,
-            {
-                "once all grips were tried the *best* one counts, and it takes the one that was tried least": [
-                    0.0,
-                    1.0,
-                    *[0.0] * (others - 1),
-                ],
-            },
-        ),
+        ([1, *range(5, 5 + others)], [2.0] + [1.0] * others, first, {WORST: but_first}),
+        ([7, *range(2, 1 + n_grips)], [2.0] + [1.0] * others, first, {LEAST_TRIED: second, WORST: but_first}),
         (
             [1, *range(5, 5 + others)],
             [1.0] + [2.0] * others,
             but_first,
-            {
-                TRIED_ONCE: first,
-                "ties should be broken at random, and it takes the first of equals": [
-                    0.0,
-                    1.0,
-                    *[0.0] * (others - 1),
-                ],
-                "ties should be broken at random, and it takes the last of equals": last,
-            },
+            {TRIED_ONCE: first, LEAST_TRIED: first, WORST: first, **of_equals},
         ),
         (
             [2, *range(5, 5 + others)],
             [-0.5] + [-0.25] * others,
             but_first,
-            {
-                "once all grips were tried the *best* one counts, and it takes the one that was tried least": first,
-                "ties should be broken at random, and it takes the first of equals": [
-                    0.0,
-                    1.0,
-                    *[0.0] * (others - 1),
-                ],
-                "ties should be broken at random, and it takes the last of equals": last,
-            },
+            {LEAST_TRIED: first, WORST: first, **of_equals},
         ),
     ]
+    made: list[ChoiceCase] = []
     for k, (tries, values, expected, mistakes) in enumerate(cases):
-        state = k % LAST_STATE
+        state, agent = k % LAST_STATE, make()
         agent.tries[state], agent.Q[state] = tries, values
         agent.visits[state] = sum(tries)
-        check_choices(
-            f"act({state}, rng)",
-            partial(agent.act, state),
-            expected,
-            {**mistakes, "it acts at random": same, **epsilon_greedy(expected)},
-            tables={name: getattr(agent, name) for name in ("Q", "visits", "tries")},
-            where=f"where tries[{state}] = {tries} and Q[{state}] = {values}",
+        made.append(
+            ChoiceCase(
+                partial(agent.act, state),
+                expected,
+                {**mistakes, AT_RANDOM: [1 / n_grips] * n_grips, **epsilon_greedy(expected)},
+                {name: getattr(agent, name) for name in ("Q", "visits", "tries")},
+                f"where state = {state}, tries[{state}] = {tries} and Q[{state}] = {values}",
+            )
         )
-    _check_untried(agent, LAST_STATE, n_grips)
+    check_all_choices("act(state, rng)", made)
+    _check_untried(make(), LAST_STATE, n_grips)
 
 
 def _check_untried(agent: Any, state: int, n_grips: int) -> None:

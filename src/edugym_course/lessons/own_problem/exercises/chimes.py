@@ -15,7 +15,7 @@ from edugym.mdp.protocol import Random
 from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.agents import require_class
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import mistake_in_cases
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, given, number, same
@@ -174,21 +174,18 @@ def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int
         with told_as_wrong(), draws.refused("transition"), student_code(call):
             found.append(_ways(partial(mine.transition, state, action), call))
         expected.append(_ways(partial(right.transition, state, action, wakes=wakes), call))
-    wrong = [k for k, ways in enumerate(found) if not _same(ways, expected[k])]
-    if not wrong:
+    wrong = [not same_ways for same_ways in map(_same, found, expected)]
+    if not any(wrong):
         return
 
-    def explained(mistake: str, places: Sequence[int]) -> bool:
-        rule = partial(right.transition, mistake=mistake, wakes=wakes)
-        return all(_same(found[k], _ways(partial(rule, *steps[k]), "")) for k in places)
+    def explained(mistake: str) -> list[bool]:
+        ways = (_ways(partial(right.transition, *step, mistake=mistake, wakes=wakes), "") for step in steps)
+        return [*map(_same, found, ways)]
 
-    (state, action), first = steps[wrong[0]], wrong[0]
-    why = mistake_that_fits(
-        USED_MISTAKES,
-        lambda mistake: explained(mistake, range(len(steps))),
-        lambda mistake: explained(mistake, wrong[:1]),
-        otherwise=_which_number(found[first], expected[first], state, action, wakes),
-    )
+    first = wrong.index(True)
+    state, action = steps[first]
+    number_that_is_wrong = _which_number(found[first], expected[first], state, action, wakes)
+    why = mistake_in_cases(USED_MISTAKES, explained, wrong, otherwise=number_that_is_wrong)
     raise WrongAnswer(
         f"transition({state}, {action}, rng) should lead to {_told(expected[first])}, but leads to"
         f" {_told(found[first])}: {why}"

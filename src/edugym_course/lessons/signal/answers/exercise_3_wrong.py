@@ -1,6 +1,6 @@
 # %% the last action from the message
 # says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
-# says: where self.last[0] =
+# says: and self.last[0] =
 # in: the solution of act
 # - if self.last[0] >= 0:
 # -     votes[self.last[0]] = -100.0

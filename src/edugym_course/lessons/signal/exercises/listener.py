@@ -1,7 +1,7 @@
 """Exercise 3 of lesson 6: what a player does that votes and remembers, and what the usual mistakes do."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -9,14 +9,16 @@ import numpy as np
 
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.agents import agent_created_by
-from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import LOOKS_LIKE
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 
 FOUR_NEEDS = 4
-DRAWS, CLOSE = 300, 0.12
-"""Draws for each case when a mistake is looked for, and the largest error of a share."""
+DRAWS = 300
+"""Draws for each case when it is asked whether the last action is taken again."""
+CALL = "act(observation, rng)"
 
 
 class Heard(NamedTuple):
@@ -28,7 +30,7 @@ class Heard(NamedTuple):
     @property
     def told(self) -> str:
         """The case, for a sentence."""
-        return f"where self.last[0] = {self.last}"
+        return f"where observation = {np.array2string(self.array, separator=', ')} and self.last[0] = {self.last}"
 
     @property
     def array(self) -> Integers:
@@ -185,27 +187,22 @@ def _chooser(made: Any, case: Heard) -> Callable[[np.random.Generator], Any]:
     return choose
 
 
-def shares_of(made: Any, case: Heard) -> Reals:
-    """Return how often each action is chosen in a case."""
-    rng, choose, shares = np.random.default_rng(2), _chooser(made, case), np.zeros(FOUR_NEEDS)
-    with student_code(case.call):
-        for _ in range(DRAWS):
-            shares[action_of(case.call, choose(rng), FOUR_NEEDS)] += 1 / DRAWS
-    return shares
-
-
-def check_case(made: Any, case: Heard, suspected: set[str], loud: float) -> None:
-    """Check what is chosen in a case."""
-    right = probabilities(case, loud=loud)
-    mistakes = {sentence: probabilities(case, loud=loud, **LISTENER_MISTAKES[sentence]) for sentence in suspected}
-    check_choices(
-        case.call,
-        _chooser(made, case),
-        right.tolist(),
-        {sentence: found.tolist() for sentence, found in mistakes.items() if not np.allclose(found, right)},
-        tables={},
-        where=case.told,
-    )
+def check_actions(made: Any, cases: Sequence[Heard], loud: float) -> None:
+    """Check what a student's player chooses."""
+    asked = []
+    for case in cases:
+        right = probabilities(case, loud=loud)
+        mistakes = {
+            sentence: probabilities(case, loud=loud, **change) for sentence, change in LISTENER_MISTAKES.items()
+        }
+        telling = {sentence: found.tolist() for sentence, found in mistakes.items() if not np.allclose(found, right)}
+        asked.append(ChoiceCase(_chooser(made, case), right.tolist(), telling, {}, case.told))
+    try:
+        check_all_choices(CALL, asked)
+    except WrongAnswer as wrong:
+        if LOOKS_LIKE in str(wrong) or not str(wrong).endswith((*LISTENER_MISTAKES,)):
+            _check_left_out(made, cases)
+        raise
 
 
 def made_by(answer: Any) -> Any:
@@ -233,11 +230,13 @@ def check_memory(made: Any, cases: list[Heard]) -> None:
         )
 
 
-def check_left_out(cases: list[Heard], seen: list[Reals]) -> None:
-    """Check that the last action is never taken again, from how often each action is."""
-    for case, shares in zip(cases, seen, strict=True):
-        if case.last >= 0 and shares[case.last] > 0.0:
+def _check_left_out(made: Any, cases: Sequence[Heard]) -> None:
+    """Check that the last action is never taken again."""
+    for case in cases:
+        rng, choose = np.random.default_rng(2), _chooser(made, case)
+        again = sum(choose(rng) == case.last for _ in range(DRAWS))
+        if again:
             raise WrongAnswer(
-                f"{case.call}, {case.told}, takes action {case.last} in {shares[case.last]:.0%} of calls, but that is"
-                " the one that was taken last: it should not be taken again, however many words name it"
+                f"{CALL}, {case.told}, takes action {case.last} in {again / DRAWS:.0%} of calls, but that is the one"
+                " that was taken last: it should not be taken again, however many words name it"
             )
