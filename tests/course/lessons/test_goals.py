@@ -97,6 +97,9 @@ def test_claims() -> None:
         n: finals({methods.NONE: [1.0 - n] * 2, methods.FUTURE: [2.0 - n, 3.0 - n]}) for n in experiments.OF_TABLES
     }
     assert measured(experiments.table_claims(tables)) == [round(-3 - methods.best_return(4), 6), 1.5, 2.5]
+    low = {n: finals({methods.NONE: [1.0 - n] * 2, methods.FUTURE: [4.0 - n, 5.0 - n]}) for n in experiments.LOW_TABLES}
+    behind = [round(-2.5 - methods.best_return(7), 6), round(methods.best_return(8) + 3.5, 6)]
+    assert measured(experiments.low_table_claims(low)) == [3.5, 3.5, 3.5, *behind]
     shares: Any = {one: [0.1 * i] * 2 for i, one in enumerate(every)}
     assert measured(experiments.memory_claims(shares)) == [0.0, 0.3, 0.1, 0.2]
     agents = {one: [counter_of_wrong_switches(8)] for one in (methods.NONE, methods.FUTURE)}

@@ -106,13 +106,12 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 #
 # **Measured.** Four bins, by a little. On the left every dot is a place where the box can be let go, and the ring is
 # the one nearest to the middle. (The green lines are where the box only just fits.) By and large more bins mean more
-# places, and a better one among them. But 4 bins have more places than 5, and 6 have more than 7. Why? Five bins turn a
-# joint by 0, 6 or 12 degrees to either side, so its angles are 6 degrees apart. Four bins turn a joint by 4 or 12
-# degrees, never by 0. So its angles are 4 degrees apart, but both joints turn at every step, and only every second pair
-# of angles can be reached. That still leaves more pairs than the 6-degree lattice of five bins.
+# places. But 4 bins have more than 5: five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart.
+# Four turn it by 4 or 12, so they are 4 degrees apart. (Both joints turn at every step, so only every second pair can be
+# reached; that still leaves more.)
 #
-# With two bins the box can be let go at four places (two of them nearly coincide), all of them more than half of the
-# way from the middle to the edge. No learning can mend that: an agent with bins is at best as good as its bins.
+# With two bins the box can be let go at four places, all more than half of the way from the middle to the edge. No
+# learning can mend that: an agent with bins is at best as good as its bins.
 # </details>
 #
 # A narrower container asks for more. Move the slider until three bins cannot deliver the box at all. (The best return
@@ -131,17 +130,11 @@ sliders(container, width=(0.28, 0.6, 0.02))
 # ## The idea: learn the policy itself
 #
 # Q-learning chooses the action with the largest value. With real actions that is a search at every step, for the
-# largest of infinitely many values. There are several ways out:
-#
-# - **Bins** make the actions few.
-# - **Search**: draw some actions, keep those with the largest $Q$, draw more around them, and so on (the cross-entropy
-#   method, as in QT-Opt). Or give $Q$ a form whose largest value is known, such as a parabola (NAF).
-# - A **deterministic policy** $a = \mu(s)$ follows the slope of a learned $Q(s, a)$ uphill (DPG, DDPG, TD3).
-# - A **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$: the agent draws its actions from it, and
-#   learns which of them did well. It needs no slope of $Q$, and no $Q$ at all.
-#
-# This lesson is about the first and the last. All its agents learn a stochastic policy; bins only change what it chooses
-# from.
+# largest of infinitely many values. **Bins** make the actions few. Or the agent learns the policy itself: it draws its actions from a
+# **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, and learns which of them did well. It needs
+# no $Q$. All agents of this lesson do that; bins only change what they choose from. (There are more ways out: search
+# among drawn actions, as in QT-Opt; give $Q$ a form whose largest value is known, as in NAF; follow the slope of
+# $Q(s, a)$ with a deterministic policy, as in DDPG and TD3.)
 #
 # ### The policy gradient, in three lines
 # Take one decision first: the agent draws an action $A$ from $\pi(a \mid \theta)$ and gets the reward $R$, whose mean
@@ -304,11 +297,9 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than a tenth, for the late policy. Without a baseline every action gets a reward near 4 and pulls
-# $\mu$ towards itself with full force, to the left as often as to the right. What counts is the small difference
-# between them, and it drowns. With $b = J$ only the difference is left.
-#
-# For the early policy the baseline makes hardly any difference; $b = J$ is even a little worse than $b = 0$. $J$ is a
-# good baseline and not always the best one. What a baseline never changes is the mean.
+# $\mu$ towards itself with full force, to the left as often as to the right, and the small difference between them
+# drowns. With $b = J$ only the difference is left. For the early policy it makes hardly any difference; $J$ is a good
+# baseline and not always the best one. What a baseline never changes is the mean.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -448,14 +439,12 @@ first.measured(min(soon, key=soon.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Three bins are first by far, and the more bins, the later. Three bins for two joints make 9 actions,
-# nine bins make 81. But three bins cannot get more than 4.31: twelve of the 20 runs reach it, and the other eight stop
-# at 4.07. Five and nine end above them on average.
+# **Measured.** Three bins are first by far, and the more bins, the later: three bins for two joints make 9 actions, nine
+# make 81. But three bins cannot get more than 4.31: twelve of the 20 runs reach it, and the other eight stop at 4.07.
+# Five and nine end above them on average.
 #
-# And the continuous agent? It has infinitely many actions, and yet it needs about as many steps as 5 bins. Why is open:
-# it differs in its actions, its features, its algorithm and its settings ($\alpha^\theta$ and the first values). Only
-# the three agents with bins can be compared directly. (For a fair comparison with real numbers see the
-# aside on PPO.) </details>
+# The continuous agent needs about as many steps as 5 bins. Why is open: it differs in its actions, its features, its
+# algorithm and its settings. (For a fair comparison with real numbers see the aside on PPO.) </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent. (The films step with the slider or the button.)
@@ -657,10 +646,9 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 # <details><summary>What was measured</summary>
 #
 # **Measured.** None. They start narrow: hardly any action reaches the rich container, and those in between hit the
-# wall. So they settle there, and place the box exactly, in the wrong container. The bins start everywhere (their
-# learning rate is 0.1). All of them find the rich container. But they cannot reach its middle, so they stop below 4.
-#
-# So real numbers give exactness, and bins a policy that can have several peaks and starts everywhere. </details>
+# wall. So they place the box exactly, in the wrong container. The bins start everywhere, and all of them find the rich
+# container. But they cannot reach its middle, so they stop below 4. Real numbers give exactness, and bins a policy that
+# can have several peaks. </details>
 #
 # Does a wider start help the Gaussian? Does another first $\mu$?
 
@@ -991,34 +979,27 @@ check(project_7, my_program)
 #
 # - Bins limit what is possible: with 3 bins the best return is 4.31, and no learning can mend that. More bins are
 #   mostly better at their best, but not always (4 and 5).
-# - On the same table, with the same agent, fewer bins were learned sooner. The continuous agent needed fewer steps
-#   than 9 bins on average. Why is open: its features, its algorithm and its settings differ too. With PPO (in an aside)
-#   only 3 bins were clearly sooner, and only than 5 and 9 bins.
-# - What is possible is not what is learned: in a narrower container (in an aside) the continuous agent lost more of its
-#   return than the agent with 3 bins.
-# - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. We
-#   checked it for $\mu$ and for $\ln \sigma$ by finite differences.
-# - A baseline does not change that mean. With small steps it kept narrow Gaussian policies in the container; with
-#   $\alpha = 0.1$ it did not (in an aside). On Trashbot with bins and on the lake REINFORCE learned without one as well.
+# - On the same table, with the same agent, fewer bins were learned sooner. With PPO (in an aside) only 3 bins were clearly
+#   sooner, and only than 5 and 9.
+# - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. A
+#   baseline does not change that mean. With small steps it kept narrow policies in the container; with $\alpha = 0.1$ it
+#   did not (in an aside).
 # - A Gaussian has one peak. Where a better action lies behind worse ones, bins can find it, and a narrow Gaussian
 #   does not.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With continuous actions no agent can try them all. We can
-# choose a few, and then the best of these few is the most that we can get; more bins mostly cost learning time,
-# and with $m$ joints there are $n^m$ actions. We can search for the best action of a learned $Q$ at every step, or let a
-# deterministic policy climb it. Or we learn a stochastic policy itself: draw an action from $\pi(a \mid s,
-# \theta)$, and move $\theta$ along $(G - b)\, \nabla \ln \pi$, towards actions that did better than expected. For a
-# Gaussian this moves the mean towards good actions, and makes the policy narrow when good ones are near. It places
-# exactly, but it has one peak and sees only what is near it.
+# choose a few: then the best of these few is the most that we can get, and with $m$ joints there are $n^m$ of them. Or we
+# learn a stochastic policy itself: draw an action from $\pi(a \mid s, \theta)$, and move $\theta$ along
+# $(G - b)\, \nabla \ln \pi$, towards actions that did better than expected. For a Gaussian this moves the mean towards good
+# actions, and makes the policy narrow when good ones are near. It places exactly, but it has one peak and sees only what
+# is near it.
 #
 # ### Limits
-# Two of the four ways out, the search for the largest $Q$ and the deterministic policy, were named and not tried.
-# Trashbot has two joints; the growth of $n^m$ was computed and not felt. Bins need not be crossed: PPO has one softmax
-# for each joint, which takes $nm$ outputs instead of $n^m$. Our Gaussian actor-critic kept its $\sigma$ fixed. It was
-# tuned by trials of a few settings, as the table was, so the fast experiment ranks these agents and not all agents. And
-# the clock is not in the observation, and the wrist does not tell the bend of the elbow, so the task is not quite
-# Markov.
+# The search for the largest $Q$ and the deterministic policy were named and not tried. Trashbot has two joints; the growth
+# of $n^m$ was computed and not felt. (Bins need not be crossed: PPO has a softmax for each joint, $nm$ outputs instead of
+# $n^m$.) The agents were tuned by trials of a few settings, so the fast experiment ranks these agents and not all. And
+# the clock is not in the observation, and the wrist does not tell the bend of the elbow, so the task is not quite Markov.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.

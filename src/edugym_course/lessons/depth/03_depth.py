@@ -255,13 +255,11 @@ print(f"optimum      {study.reward_threshold:.2f}")
 # | repetitions | 60, each on its own layout, the same layouts for all methods; bands are 95 % intervals |
 #
 # The dashed line is the *optimum*, the dotted one the return of the best *ε-soft* policy, which takes a random action
-# with probability $\varepsilon$ on every day. Both are means over the 60 layouts, from the exact model. An evaluation
-# does not explore, so it may rise above the dotted line. The last panel shows training itself, and there an ε-greedy
-# agent cannot.
+# with probability $\varepsilon$ on every day. Both are exact. Only an evaluation, which does not explore, can rise above
+# the dotted line; training, in the last panel, cannot.
 #
-# The cell after the next is the whole experiment. `repeat` makes each agent 60 times, trains it, and plays three episodes
-# without exploring every 1 250 steps. `methods.counted` counts how often an agent passes the exam while it trains. (Further
-# down `methods.compare` does all this, with other settings.)
+# The cell after the next is the whole experiment. (`methods.counted` counts how often an agent passes the exam while it
+# trains. Further down `methods.compare` does all this, with other settings.)
 #
 # **Predict.** With the noisiest rewards, $\sigma = 1$: who is ahead after 250 episodes (2 500 steps), and who at the
 # end?
@@ -460,7 +458,13 @@ noise.measured(100 * targets.noise_share(0.2))
 # random one costs 10, and their bars are so high. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures,
 # which are on the days 2, 4 and 5 of this layout: a random action may miss one.)
 #
-# **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
+# With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
+# aside), while on a free day two actions differ by a few hundredths. So Monte Carlo passes the exam and wastes its free
+# days, even without noise of the rewards.
+
+# %% [markdown] tags=["aside"]
+# ### Aside: how much a value scatters
+# With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
 # targets, and $x$ the variance of the value itself after many updates. One more update,
 # $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If the policy stays and each target is independent
 # of those before, as with Monte Carlo, this means
@@ -478,14 +482,13 @@ for n in (1, 3, 5, 10):
 print("from one action to the next, by their prices:", np.diff(np.sort(-make_mdp("Study").action_rewards)).round(2))
 
 # %% [markdown]
-# The last line compares this with the task: on a free day, two actions differ by a few hundredths. A value that
-# scatters by ± 0.69 cannot tell them apart. (On later days it scatters hardly less, since nearly all of it comes from
-# the exam.) So Monte Carlo passes the exam and wastes its free days. Noise of the rewards is not needed for that. (For
-# smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap scatter too.)
-#
+# The last line compares this with the task. (On later days the value scatters hardly less: nearly all of it comes from
+# the exam. For smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap scatter too.)
+
+# %% [markdown]
 # ### The price of depth can be paid by the learning rate
-# The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
-# $\lceil H/n \rceil / \alpha$ episodes.
+# A value scatters less with a smaller $\alpha$, since it averages more targets. But then the staircase, which takes
+# $\lceil H/n \rceil / \alpha$ episodes, is longer.
 #
 # **Predict.** With which $n$ is the best learning rate for the first 500 episodes the *smallest*?
 
@@ -626,15 +629,11 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # <details><summary>What was measured</summary>
 #
 # **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never passed the
-# exam at all*. So this is a problem of exploration, not of credit.
+# exam at all*. So this is a problem of exploration, not of credit. The others keep less of what they met: such a run has
+# typically passed once or twice (in brackets), and one pass moves the values of $n$ days only.
 #
-# And why do the others not keep what they have met? Look at the brackets: such a run has typically passed once or twice
-# in all, by chance. One pass moves the values of $n$ days only, and the next pass may not come in time. Monte Carlo
-# hands it to all ten days at once, and then repeats it.
-#
-# Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price.
-# So what was tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which
-# untried actions can be reached keeps a value near 0, so the agent goes there (compare optimistic values in Sutton and
+# Why does one-step SARSA meet the exam in more runs? All values start at 0, and every action has a price, so what was
+# not tried looks better. One-step SARSA hands this back too: it goes where untried actions are (optimistic values, Sutton and
 # Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (An aside below tests
 # this.)
 # </details>
@@ -1009,12 +1008,9 @@ check(project_3, my_program)
 #
 # - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about
 #   $\lceil H/n \rceil / \alpha$ equal episodes. So deep targets are ahead early.
-# - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
-# - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards. So Monte
-#   Carlo ends behind among the runs that pass, even without noise.
-# - More noise did not make Monte Carlo end worse (in an aside), probably since noise also explores. More actions without
-#   effect did, but
-#   not by variance: Monte Carlo met the exam less often.
+# - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards.
+# - More noise did not make Monte Carlo end worse (in an aside; a guess: noise also explores). More actions without effect
+#   did, but not by variance: Monte Carlo met the exam less often.
 # - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
 # - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at
 #   exploring actions is fast early and precise late.

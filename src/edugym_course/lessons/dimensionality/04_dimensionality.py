@@ -107,13 +107,9 @@ figures.size_sheet()
 
 # %% [markdown]
 # The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
-# line of the network counts weights, all others rows. The two lowest lines lie close together: "boards that occur" are
-# the different boards that can be seen while the ball falls. There are 195 of them, exactly as many as there are states
-# that can occur: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be reached, and
-# in 25 the ball is already down.)
-#
-# So a table could hold rows for those boards alone. It does not need to know them beforehand: a *hashed* table gives a
-# row to each board when it is seen for the first time.
+# line of the network counts weights, all others rows. The two lowest lines lie close together: only 195 boards can be
+# seen while the ball falls, one for each state that can occur. So a table could hold rows for those boards alone. A
+# *hashed* table does: it gives a row to each board when it is seen for the first time.
 #
 # ### Features: rows that share
 # In a table each row is learned alone. To learn about many states at once, describe a state by some numbers, its
@@ -134,10 +130,9 @@ figures.size_sheet()
 # $$
 #
 # But $y$ is no constant: it depends on $w$ as well, through the value of $S'$. That part of the derivative is left out.
-# Hence the name *semi-gradient* (section 9.3). The package does it in these lines. (Mind the order in `learn`. Each
-# computation of a value leaves the features of its state in `features`. The target needs the value of $S'$, so it comes
-# first. Then comes the value of $S$, and `follow_gradient` finds the features of $S$ there. `at_once`, by which the
-# step is divided, is 1 here.)
+# Hence the name *semi-gradient* (section 9.3). In the code, each computation of a value leaves the features of its state
+# in `features`. The target needs the value of $S'$, so it comes first, and then the value of $S$, whose features
+# `follow_gradient` finds there. (`at_once`, by which the step is divided, is 1 here.)
 
 # %%
 source(LinearQLearning.learn)
@@ -168,25 +163,23 @@ source(dqn.forward)
 # DQN (section 16.5) learns $\theta$ by the same idea, with three additions:
 #
 # - **A memory.** The latest 10 000 transitions $(S, A, R, S')$ are kept, each with a note whether $S'$ is terminal.
-#   Every four steps a *batch* of 32 of them is drawn from the memory at random. So each is learned from many times, and
-#   the ones in a batch have little to do with each other.
-# - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, which is
-#   brought up to date every 100 updates. (An aside below shows why.)
+#   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from many times, and those in a batch
+#   have little to do with each other.
+# - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up to
+#   date every 100 updates. (An aside below shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
-#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This is the value less the target;
-#   above, the error was the target less the value. Here we go *down* the slope of the loss, so the step is the same.)
+#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (The sign of the error is the other one
+#   here, as we go *down* the slope of the loss.)
 #
-# Learning starts after 200 steps. Adam, which chooses the step for each weight, takes the place of RMSProp in Mnih et
-# al. (2015).
+# Learning starts after 200 steps. Adam chooses the step for each weight.
 #
 # $$
 # y = R + \gamma \max_a Q(S', a; \theta^-), \qquad
 # \theta \leftarrow \theta - \text{a step of Adam down the gradient of the mean of } L\bigl(Q(S, A; \theta) - y\bigr)
 # $$
 #
-# If $S'$ is terminal, $y = R$. Mind the names in the code: `self.target` is $\theta^-$, the old *weights*, and the
-# variable `target` is $y$. `row` is the place of a transition in the memory. `batch` holds the places that were drawn.
-# `act` draws them, since it is the only method that gets random numbers.
+# If $S'$ is terminal, $y = R$. In the code `self.target` is $\theta^-$, the old *weights*, and `target` is $y$. `batch`
+# holds the places in the memory that were drawn. `act` draws them, since it is the only method that gets random numbers.
 
 # %%
 source(DQN, "learn", "add_gradient")
@@ -231,13 +224,12 @@ frames("Catch", choose, seed=2)
 # | network | DQN, 64 hidden units, Adam with learning rate 0.001; 5 repetitions, so its bands are wide |
 # | evaluation | 30 greedy episodes at each point |
 #
-# A line in the figures is the mean over the repetitions, and the band its 95 % confidence interval. (Elsewhere this is
-# a bar through a dot; without a bar, all runs agree.) A band can pass above 1, though no return does.
+# A line in the figures is the mean over the repetitions, and the band its 95 % confidence interval, which can pass above 1.
 #
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
 #
-# The cell after the next is the whole experiment, once for positions and once for boards. `repeat` makes the agent 30 times,
-# trains it, and plays 30 greedy episodes every 250 steps. (`methods.learn` makes this call too.)
+# The cell after the next is the whole experiment, once for positions and once for boards. (`methods.learn` makes this call
+# too.)
 #
 # **Predict.** How fast does the table of boards learn, compared with the table of positions?
 
@@ -268,9 +260,8 @@ slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Exactly as fast. The lines lie on each other, the thick one under the dark one. For a table the names of
-# its rows mean nothing. "Position (2, 3, 1)" and "the board with these two ones" are two names of the same row. So it
-# is wrong that "a table cannot read pixels".
+# **Measured.** Exactly as fast. For a table the names of its rows mean nothing: "position (2, 3, 1)" and "the board with
+# these two ones" are two names of the same row. So it is wrong that "a table cannot read pixels".
 # </details>
 #
 # Now the pixels get noisy, in three ways. The first pixel takes one of 16 levels at random, at every step. Or all
@@ -478,11 +469,10 @@ unseen.measured(len(generalises))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns here, but for
-# one run of ten. Its large steps are a part of the reason: with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its
-# sum has no term for ball and paddle together, so it cannot represent the true values. Weights exist that catch every
-# ball, from all five columns: try to find them. But Q-learning looks for correct values, not for a good policy. In 60
-# runs with each of four learning rates none found such weights.)
+# no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run of
+# ten; with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its sum has no term for ball and paddle together, so it
+# cannot represent the true values. Weights exist that catch every ball: try to find them. In 60 runs with each of four
+# learning rates Q-learning found none.)
 # </details>
 #
 # ### The picture that explains it
@@ -518,9 +508,9 @@ for row in touched:
 # the test, it is multiplied by random weights, as they were drawn at the start.
 #
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
-# network on pixels shares much between boards that have most pixels in common, as with noise. A weight of the first
-# layer counts only where its pixel is not 0. A ball in column 1 and a ball in column 2 light different pixels. So no
-# weight that reads the ball is shared. Ball minus paddle shares all that matters, but there a person has done the work.
+# network on pixels shares much between boards that have most pixels in common, as with noise. But a ball in column 1 and
+# a ball in column 2 light different pixels, so no weight that reads the ball is shared. Ball minus paddle shares all that
+# matters, and there a person has done the work.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the paddle goes instead
@@ -1083,14 +1073,13 @@ check(project_4, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - A dense table over 50 pixels needs 27 petabytes. A hashed table of boards learns exactly as a table of positions.
-# - A table fails when every observation is new, even if it differs from another one only by a little noise. The network
-#   did learn then.
+# - A hashed table of boards learns exactly as a table of positions. It fails when every observation is new, even if it
+#   differs from another one only by a little noise. The network did learn then.
 # - Linear features share weights between states. The update is the semi-gradient step: the error times the features.
-# - DQN is that step through two layers, with a memory and an old copy of the weights for the target.
+#   DQN is that step through two layers, with a memory and an old copy of the weights for the target.
 # - A network on pixels knew nothing about balls in columns that it had never seen: weights from pixels that were always
-#   0 do not move. A usual small CNN was no better. A network in which no weight belongs to a column did know.
-# - Function approximation, bootstrapping and off-policy learning together can make values grow for ever.
+#   0 do not move. A network in which no weight belongs to a column did know.
+# - Function approximation, bootstrapping and off-policy learning together can make values grow for ever (in an aside).
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, so it needs to meet

@@ -321,7 +321,7 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 # ### And a table?
 # Now a table with 'future'. With $\alpha = 1$ one look at a step is enough, since nothing is random. With four switches a table
 # learns all in 15 000 steps, with hindsight or without. With eight there are $4^8 = 65\,536$ pairs of a state and a goal,
-# and eight actions in each.
+# and eight actions in each. All values start at 0.
 #
 # **Predict.** What does the table with 'future' return after 15 000 steps with eight switches?
 
@@ -330,18 +330,23 @@ tabular = predict("The table with 'future' returns ...", unit="(from −8 to −
 tabular
 
 # %%
-four, both = methods.tables(4), methods.tables(8)
-display(figures.learning_curves({"table, 4 switches": (4, four), "table, 8 switches": (8, both)}))
+four, both, low = methods.tables(4), methods.tables(8), methods.tables(8, first_value=-8.0)
+by_title = {"table, 4 switches": (4, four), "8 switches": (8, both), "8 switches, values start at −8": (8, low)}
+display(figures.learning_curves(by_title))
+print(f"with first values of −8 it returns {low.final('future').mean():.1f} with 'future'")
 tabular.measured(both.final("future").mean())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About −7.9, as if it had learned nothing. Each step is learned five times, so a table makes at most
-# 75 000 updates for its 524 288 numbers, and each tells of one pair alone. The network had the same transitions, and knows the way for all
-# pairs. So it has *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others
-# are. For a table hindsight saves some steps where most pairs can be visited. With six switches and 50 000 steps it returned
-# −3.0 instead of −3.9; the best is −2.05.
+# **Measured.** About −7.9, as if it had learned nothing. But it has! Every reward is 0 or $-1$, so no value can be higher than the
+# first ones, 0. What was never tried looks better than a way to the goal that hindsight has found, worth $-2$, say. So
+# the greedy policy does what it knows nothing of. (This is the optimism of lesson 1.) In the right panel the values start at
+# $-8$: this table returns about −5.3 with 'future', and about −7.8 without hindsight.
+#
+# It is still far behind the network. It makes at most 75 000 updates for its 524 288 numbers, and each tells of one pair
+# alone. (With seven switches, and a quarter of the pairs, a table came to −3.3; the best is −2.5.) The network has
+# *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others are.
 # </details>
 
 # %% [markdown]
@@ -431,19 +436,100 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 ### END HIDDEN TESTS
 
 # %% [markdown]
+# ### From a blank file
+# Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a table of universal values with the
+# hindsight 'final', and its loop, some 40 lines. `reset` and `step` give dictionaries here. Under `"achieved_goal"` is the
+# pattern $S$ of the switches, an array of 0 and 1, and under `"desired_goal"` is $G$. As a table take a dictionary with the
+# key `(tuple(S), tuple(G))`, say.
+#
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps, episode after episode. It learns each
+# step at once, for the goal of the episode:
+#
+# $$
+# Q(S, G, A) \leftarrow Q(S, G, A) + \alpha \left[ R + \gamma \max_a Q(S', G, a) - Q(S, G, A) \right]
+# $$
+#
+# When an episode is over, whether it reached its goal or not, it learns all steps of it again, for the goal $G'$ that the
+# last step achieved. **The last step comes first**, so that the first one hears of the goal in the same sweep. A step that
+# achieves $G'$ has the reward 0 and nothing after it; every other one has $-1$. In the end the program returns its *policy*:
+# a function that takes such a dictionary, and returns the action with the highest value.
+#
+# - Take $\alpha = 0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of $-10$. This is $-1 / (1 - \gamma)$, what it is
+#   worth never to reach the goal. At first all values are equal, so break ties at random.
+# - `environment.action_space.n` says how many switches there are.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#
+# The check runs your program with four switches, and for 20 000 steps with six: ours comes to about −2.5 there, and to −4.1
+# without hindsight. It sees the steps that your program takes, and no line of it. So when it names a mistake, this is the
+# likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def choose_action(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    if rng.random() < epsilon:
+        return int(rng.integers(len(values)))
+    return int(rng.choice(np.flatnonzero(values == values.max())))
+
+
+def my_program(environment, n_steps, seed):
+    """Learn by Q-learning with the hindsight 'final' for `n_steps` steps, and return the greedy policy."""
+    alpha, gamma, epsilon = 0.5, 0.9, 0.1
+    rng = np.random.default_rng(seed)
+    Q = {}
+
+    def row(pattern, goal):
+        """Return the values of a pattern for a goal, −10 where they are new."""
+        return Q.setdefault((pattern, goal), np.full(environment.action_space.n, -10.0))
+
+    def learn(pattern, action, next_pattern, goal):
+        """Learn a step for a goal: its own, or another one."""
+        reached = next_pattern == goal
+        target = 0.0 if reached else -1.0 + gamma * row(next_pattern, goal).max()
+        row(pattern, goal)[action] += alpha * (target - row(pattern, goal)[action])
+
+    seen, _ = environment.reset(seed=seed)
+    steps = []
+    for _ in range(n_steps):
+        pattern, goal = tuple(seen["achieved_goal"]), tuple(seen["desired_goal"])
+        action = choose_action(row(pattern, goal), epsilon, rng)
+        seen, _, terminated, truncated, _ = environment.step(action)
+        steps.append((pattern, action, tuple(seen["achieved_goal"])))
+        learn(*steps[-1], goal)
+        if terminated or truncated:
+            achieved = steps[-1][2]
+            for step in reversed(steps):
+                learn(*step, achieved)
+            seen, _ = environment.reset()
+            steps = []
+    return lambda seen: int(row(tuple(seen["achieved_goal"]), tuple(seen["desired_goal"])).argmax())
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.goals.project import project_11
+
+check(project_11, my_program)
+
+# %% [markdown]
 # ## What you saw
 #
 # - With eight switches random play reaches its goal in one of 37 episodes, and a network without hindsight learned nothing.
 # - With hindsight, 'final' or 'future', it came to the best return. With 'future' it did so even when all its flips were
 #   random.
 # - With goals that were *not* achieved the effect was gone.
-# - A table gained little: it learns each pair of a state and a goal by itself.
+# - A table whose values start at 0 gained nothing: what it had never tried looked best to it. From −8 it gained about 2.5
+#   with eight switches, and the network about 5. A table learns each pair of a state and a goal by itself.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A universal value Q(s, g, a) says what an action is worth for a goal.
 # An episode that misses its goal still reaches others, and hindsight learns its steps again for these, with the rewards that
 # the task would have paid. This neither explores nor changes the task: the steps are the same, and the memory holds more rewards.
-# A network then generalises over states and goals; a table cannot.
+# A network then generalises over states and goals; a table learns each pair by itself.
 #
 # ### Limits
 # Goals must have no part in the dynamics, the reward for any goal must be known, and the method must be off-policy. Hindsight

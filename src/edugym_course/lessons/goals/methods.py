@@ -61,9 +61,10 @@ def network(strategy: str, **settings: Any) -> Maker:
     return partial(HindsightDQN.create, hindsight=STRATEGIES[strategy], **settings)
 
 
-def table(strategy: str, learning_rate: float = LEARNING_RATE) -> Maker:
+def table(strategy: str, **settings: Any) -> Maker:
     """Return a function that makes a table with hindsight, by the name of the strategy."""
-    return partial(HindsightQLearning.create, hindsight=STRATEGIES[strategy], learning_rate=learning_rate)
+    defaults = {"learning_rate": LEARNING_RATE, "hindsight": STRATEGIES[strategy]}
+    return partial(HindsightQLearning.create, **{**defaults, **settings})
 
 
 def learn(n_switches: int, methods: Mapping[str, Maker], n_steps: int = N_STEPS, **how: Any) -> Results:
@@ -96,9 +97,15 @@ def at_random(**how: Any) -> Results:
     )
 
 
-def tables(n_switches: int = N_SWITCHES, strategies: tuple[str, ...] = (NONE, FUTURE), **how: Any) -> Results:
-    """Train tables with some strategies of hindsight; other arguments as in `learn`."""
-    return learn(n_switches, {strategy: table(strategy) for strategy in strategies}, **how)
+def tables(
+    n_switches: int = N_SWITCHES,
+    strategies: tuple[str, ...] = (NONE, FUTURE),
+    first_value: float = 0.0,
+    **how: Any,
+) -> Results:
+    """Train tables whose values start at `first_value`, with strategies of hindsight; other arguments as in `learn`."""
+    made = {strategy: table(strategy, initial_value=first_value) for strategy in strategies}
+    return learn(n_switches, made, **how)
 
 
 def best_return(n_switches: int) -> float:

@@ -171,16 +171,14 @@ frames(
 # likely. If the message has nothing to do with the need, $p(x, y) = p(x)\, p(y)$, all logarithms are 0, and so is the
 # information. To tell which of four equally likely needs it is takes $\log_2 4 = 2$ bits.
 #
-# To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur, and how often. We
-# take a toy *in perfect care*, which always gets what it wants. All bits in this lesson are those of such a toy, where
-# nothing else is said. (A neglected toy has needs that differ more, so its words tell more.)
-#
-# The code below makes the table for messages of one word. `states_met` plays some episodes and counts the states. The
-# last line of the loop adds up the probabilities of the needs that share a word.
+# To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur. We take a toy *in perfect
+# care*, which always gets what it wants. (A neglected toy has needs that differ more, so its words tell more.) The code
+# below makes the table for messages of one word: `states_met` plays some episodes and counts the states, and the last
+# line of the loop adds up the needs that share a word.
 #
 # For longer messages $y$ is how often each word occurs: given the state the words are drawn independently, so their
-# order tells nothing. But they all come from the same state, so the second word tells in part what the first one told.
-# Two words carry less than twice the bits of one.
+# order tells nothing. But they come from the same state, and the second word tells in part what the first one told. Two
+# words carry less than twice the bits of one.
 
 # %%
 source(joint_table)
@@ -205,9 +203,8 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 33 %, only a little more than chance. In a table of pure noise all numbers would be 1/16, about 0.06;
-# where there is no noise, all the weight is on the diagonal. (The states are a sample, and the numbers are rounded. So
-# one of them is 0.05 where its neighbours are 0.06.) The bits fall faster than the share of right words: at
-# $\tau = 0.02$ two words of three are right, and three quarters of the information are gone.
+# without noise all the weight is on the diagonal. The bits fall faster than the share of right words: at $\tau = 0.02$
+# two words of three are right, and three quarters of the information are gone.
 # </details>
 
 # %% [markdown]
@@ -223,12 +220,9 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# (The learning rate is small, since the rewards that follow a noisy word differ widely. With $\alpha = 0.1$ a run
-# loses a good policy for a while much more often. Try it in "Your turn".) The dashed line is the optimum, 6 707,
-# computed by planning with the whole state.
-#
-# The cell after the next is the whole experiment. For each noise `repeat` makes the agent 20 times, trains it, and plays ten
-# greedy episodes every 10 000 steps. (Further down `methods.learn` makes this call, with other settings.)
+# (The learning rate is small, since the rewards that follow a noisy word differ widely: try 0.1 in "Your turn".) The dashed
+# line is the optimum, 6 707, computed by planning with the whole state. The cell after the next is the whole experiment.
+# (Further down `methods.learn` makes this call, with other settings.)
 #
 # **Predict.** At which noise does Q-learning first get less than half of the optimum?
 
@@ -262,11 +256,9 @@ half.measured(methods.noise_label(first))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of the
-# optimum. At $\tau = 0.02$ in perfect care 64 % of the words are right, and a word carries half a bit. A player that
-# obeys hears more: 76 % are right, and a word carries 0.84 bit. That is probably because each mistake leaves a need
-# that is more urgent than the others, and then the words are clearer. At 0.1 the return is about 0, and at
-# $\tau = \infty$ it is that of random actions. (Where a line dips for a moment, one run or two of the 20 have lost a
-# good policy, and find it again.)
+# optimum. In perfect care 64 % of the words are right there, and a word carries half a bit. A player that obeys hears
+# more, 76 % and 0.84 bit. A guess: each mistake leaves a need that is more urgent than the others, and then the words
+# are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random actions.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -365,13 +357,11 @@ longer.measured(
 # <details><summary>What was measured</summary>
 #
 # **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values,
-# so 200 000 steps are two tries for each *on average*. In fact about half are never tried. The others are tried more
-# often, above all at full hit points, where every episode starts. A value that is tried twice with $\alpha = 0.02$ has
-# gone only 4 % of the way to its target. So a larger table needs a larger learning rate, or more time. With
-# $\alpha = 0.2$ four words are ahead of one after 200 000 steps already. Probably because a large learning rate keeps values
-# noisy, $\alpha = 0.05$ is the best of the three in the end. None of them gets as far as the vote, which hears the same
-# words and has nothing to learn. The vote knows two things that the table has to find out row by row: what each word
-# means, and that the *order* of the words does not matter.
+# so 200 000 steps are two tries for each *on average*, and a value that is tried twice with $\alpha = 0.02$ has gone only
+# 4 % of the way to its target. So a larger table needs a larger learning rate, or more time: with $\alpha = 0.2$ four
+# words are ahead of one already. In the end $\alpha = 0.05$ is the best of the three (a guess: a larger rate keeps
+# values noisy). None gets as far as the vote, which knows two things that the table has to find out row by row: what each
+# word means, and that the *order* of the words does not matter.
 # </details>
 
 # %% [markdown]
@@ -394,14 +384,11 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
     print(f"τ = {tau:4}, {length:2} words: {carried:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
-# - **Left.** With one word a player without memory has little else to go by. Q-learning makes full use of the word: its
-#   line lies nearly on that of obeying. At $\tau = 0.02$ a word that carries half a bit in perfect care brings nine
-#   tenths of the return.
-# - **Right.** The information grows with the messages, and the vote turns it into return: 28 words at
-#   $\tau = 0.1$ are worth nearly as much as one word at 0.02, which carries the same half bit. Whoever obeys the first
-#   word leaves the other words unused: that line is flat.
-# - Look at two words on the right (the second point): they carry nearly twice as much as one, and the vote gets nothing
-#   out of it. If the two disagree it can only guess.
+# - **Left.** With one word Q-learning makes full use of it: its line lies nearly on that of obeying. At $\tau = 0.02$ half a
+#   bit brings nine tenths of the return.
+# - **Right.** The vote turns longer messages into return: 28 words at $\tau = 0.1$ are worth nearly as much as one word at
+#   0.02, which carries the same half bit. Whoever obeys the first word leaves the others unused.
+# - Two words carry nearly twice as much as one, and the vote gets nothing out of it. If they disagree it can only guess.
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
@@ -440,15 +427,14 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** No more than random actions. With the same hit points, the greedy policy does the same thing whenever
-# it hears the same word. So it answers "play or feed" always with play, say. Then the toy is never fed, wants to be
-# fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right about each need. Here
-# it never tells the two needs of a word apart.
+# **Measured.** No more than random actions. The greedy policy answers "play or feed" always with play, say. Then the toy is
+# never fed, wants to be fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right
+# about each need. Here it never tells the two needs of a word apart.
 #
-# Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden
-# and nothing is remembered, a policy that draws its actions at random can be better than every one that does not
-# (Singh, Jaakkola and Jordan, 1994). With a known state that never happens: there is always a best policy that is not
-# random. So bits alone do not say what a message is worth. What counts is which mistakes it leaves.
+# Tossing a coin between the two meanings is better: each need is met now and then. Where the state is hidden and nothing
+# is remembered, a random policy can be better than every one that is not (Singh, Jaakkola and Jordan, 1994). With a
+# known state that never happens. So bits alone do not say what a message is worth. What counts is which mistakes it
+# leaves.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -903,13 +889,12 @@ check(project_6, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Words
-#   that carry half a bit, on a toy in perfect care, brought nine tenths of the return.
-# - Longer messages carry more. A vote used that, and Q-learning with a table needed far more steps to use a part of it.
+# - With growing noise the return of Q-learning fell from the optimum to that of random actions. Half a bit, on a toy in
+#   perfect care, brought nine tenths of it.
+# - Longer messages carry more. A vote used that; a table needed far more steps to use a part of it.
 # - Synonyms made learning slow (in an aside). Ambiguous words made it fail, although they carried a whole bit.
-# - Taking the four actions in turn got 99 % without any message, and Q-learning found that once it could see its last
-#   action (in an aside). On a moody toy, taking turns broke down: it got a tenth.
-# - A memory of one action helped the vote at every length, and most where a message told something, but not enough.
+# - Taking turns got 99 % without any message, and a tenth on a moody toy. A memory of one action helped the vote at every
+#   length.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An agent that does not see the state acts on a signal. How

@@ -1,0 +1,173 @@
+# %% no hindsight
+# says: there is no hindsight: nothing is learned again when an episode is over
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in []:
+
+# %% the goal that it had
+# says: the steps are learned again for the goal that the episode *had*; take what its last step achieved
+# in: numbers for patterns
+# - new = s2
+# + new = g
+
+# %% the goal of the first step
+# says: the new goal is what the *first* step achieved, and it should be the last one
+# in: numbers for patterns
+# - new = s2
+# + new = episode[0][2]
+
+# %% before the last step
+# says: the new goal is the pattern *before* the last step; take what this step achieved, its next state
+# in: numbers for patterns
+# - new = s2
+# + new = episode[-1][0]
+
+# %% the start as a goal
+# says: the new goal is the pattern at the start; take what the last step achieved
+# in: numbers for patterns
+# - new = s2
+# + new = episode[0][0]
+
+# %% a goal for each step
+# says: each step gets a goal of its own, what it achieves itself; 'final' has one for an episode
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode[::-1]:
+# +     new = s2
+
+# %% only where it missed
+# says: only episodes that missed their goal are learned again; do so after all of them
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode[::-1] if truncated else []:
+
+# %% only where it arrived
+# says: only episodes that reached their goal are learned again, and they need it least
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode[::-1] if terminated else []:
+
+# %% first to last
+# says: the steps are learned again in the order in which they were taken; begin with the last one, so that the first hears of the goal in the same sweep
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode:
+
+# %% without the last step
+# says: the last step is not learned again, and it is the one that achieves the new goal
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode[-2::-1]:
+
+# %% the last step alone
+# says: only the last step is learned again; all of the episode should be
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode[-1:]:
+
+# %% a list that grows
+# says: the steps of earlier episodes are learned again too: empty the list at each reset
+# in: numbers for patterns
+# - episode = []
+# - o, _ = environment.reset()
+# + o, _ = environment.reset()
+
+# %% old rewards
+# says: rewards and ends are the old ones, of the goal that was missed; a step that achieves the new one brings 0 and ends the episode
+# in: numbers for patterns
+# - r = 0.0 if s2 == new else -1.0
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + r = 0.0 if s2 == g else -1.0
+# + target = r if s2 == g else r + 0.9 * Q[s2, new].max()
+
+# %% paid for every step
+# says: every step that is learned again is paid 0; only one that achieves the new goal is
+# in: numbers for patterns
+# - r = 0.0 if s2 == new else -1.0
+# + r = 0.0
+
+# %% no end at the new goal
+# says: a step that achieves the new goal ends the episode: its target is the reward alone
+# in: numbers for patterns
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r + 0.9 * Q[s2, new].max()
+
+# %% the old goal in the maximum
+# says: the new goal stands beside the state alone; the maximum is that of the next one *with it* too
+# in: numbers for patterns
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + 0.9 * Q[s2, g].max()
+
+# %% the old goal in the value
+# says: the new goal stands beside the next state alone; the value of the state *with it* should move
+# in: numbers for patterns
+# - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + Q[s, g, a] += 0.5 * (target - Q[s, g, a])
+
+# %% in hindsight only
+# says: the steps are learned in hindsight only; learn each at once for its own goal too
+# in: numbers for patterns
+# - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
+# + pass
+
+# %% values from 0
+# says: all values start at 0, so that what was never tried looks best; they should start at −10
+# in: numbers for patterns
+# - Q, rng = np.full((2**n, 2**n, n), -10.0), np.random.default_rng(seed)
+# + Q, rng = np.zeros((2**n, 2**n, n)), np.random.default_rng(seed)
+
+# %% no future
+# says: γ max_a Q(S', G, a) is missing in the target
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r
+
+# %% no discount
+# says: the discount is missing: γ is 0.9 in the text
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r if terminated else r + Q[s2, g].max()
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + Q[s2, new].max()
+
+# %% the whole difference
+# says: the old value is lost: α is 0.5 in the text, and Q moves by a half of the difference
+# in: numbers for patterns
+# - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
+# + Q[s, g, a] = target
+# - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + Q[s, new, a] = target
+
+# %% small steps
+# says: the learning rate is much too small: it is 0.5 in the text
+# in: numbers for patterns
+# - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
+# + Q[s, g, a] += 0.05 * (target - Q[s, g, a])
+# - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + Q[s, new, a] += 0.05 * (target - Q[s, new, a])
+
+# %% the least value
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# in: numbers for patterns
+# - a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].max())))
+# + a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].min())))
+
+# %% beyond the end
+# says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r + 0.9 * Q[s2, g].max()
+
+# %% a truncated end
+# says: a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has its value
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r if terminated or truncated else r + 0.9 * Q[s2, g].max()
+
+# %% the first of equals
+# says: where several actions look best the first is taken, so it flips switch 0 for ever; draw one of them
+# in: numbers for patterns
+# - a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].max())))
+# + a = int(Q[s, g].argmax())

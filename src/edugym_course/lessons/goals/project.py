@@ -1,0 +1,231 @@
+"""The project of lesson 11: a table of universal values with the hindsight 'final', from a blank file."""
+
+from collections import defaultdict
+from functools import partial
+from typing import Any
+
+import gymnasium
+import numpy as np
+
+from edugym.agents.tables import greedy_action
+from edugym.mdp.protocol import Random, Reals
+from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.programs import Environment
+from edugym_course.grading.replay import LOW, Learner, Rule, mistakes_of_loops
+
+N_STEPS, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 0.5, 0.9, 0.1
+WORST = -10.0
+"""The first value of every action: what it is worth never to reach the goal, -1 / (1 - γ)."""
+
+Pattern = tuple[int, ...]
+Observation = dict[str, Any]
+
+
+class Hindsight:
+    """Q-learning of universal values, with the hindsight 'final'.
+
+    Args:
+        shape: the second entry is the number of actions.
+        goal: which goal the steps of an episode are learned for when it is over: what its "last" step achieved, or its
+            "first"; what was there "before" the last step, or at the "start"; "own", what each step achieves itself;
+            "same", the goal that it had; or "none", if they are not learned again.
+        when: whether this is done after "all" episodes, or only where the goal was "missed" or "reached".
+        order: whether the steps are learned "backwards" or "forwards".
+        kept: which of them are learned: "all", all but the last ("not last"), or it alone ("only last").
+        empties: whether the list of steps is emptied after an episode.
+        reward: whether a step is paid for the "new" goal, or as it was for the "old" one, or "always 0".
+        ends: whether a step that achieves the new goal ends the episode.
+        state_has, next_state_has: which goal stands beside the state, and beside the next one: "new" or "old".
+        own: whether each step is learned at once for the goal of the episode.
+        knows_goal: whether values hang on the goal.
+        least: whether the lowest value looks best.
+        first: whether the first of equal values looks best.
+        first_value: of every action.
+        learning_rate: α.
+        discount: γ.
+    """
+
+    def __init__(
+        self,
+        shape: tuple[int, int],
+        goal: str = "last",
+        when: str = "all",
+        order: str = "backwards",
+        kept: str = "all",
+        empties: bool = True,
+        reward: str = "new",
+        ends: bool = True,
+        state_has: str = "new",
+        next_state_has: str = "new",
+        own: bool = True,
+        knows_goal: bool = True,
+        least: bool = False,
+        first: bool = False,
+        first_value: float = WORST,
+        learning_rate: float = LEARNING_RATE,
+        discount: float = DISCOUNT,
+    ) -> None:
+        """Know nothing."""
+        self._Q: defaultdict[tuple[Pattern, Pattern], Reals] = defaultdict(lambda: np.full(shape[1], first_value))
+        self._steps: list[tuple[Pattern, int, float, Pattern]] = []
+        self._goal, self._when, self._order, self._kept, self._empties = goal, when, order, kept, empties
+        self._reward, self._ends, self._own, self._knows_goal = reward, ends, own, knows_goal
+        self._sign = -1.0 if least else 1.0
+        self._handicaps = 1e-4 * np.arange(shape[1]) * first
+        self._state_has, self._next_state_has = state_has, next_state_has
+        self._learning_rate, self._discount = learning_rate, discount
+
+    def row(self, state: Pattern, goal: Pattern) -> Reals:
+        """The values of a state, for a goal."""
+        return self._Q[state, goal if self._knows_goal else ()]
+
+    def values(self, seen: Observation) -> Reals:
+        """The values after an observation."""
+        row = self.row(pattern(seen["achieved_goal"]), pattern(seen["desired_goal"]))
+        return np.array(self._sign * row - self._handicaps)
+
+    def learn(
+        self,
+        state: Observation,
+        action: int,
+        reward: float,
+        next_state: Observation,
+        terminated: bool,
+        truncated: bool,
+    ) -> None:
+        """Learn a step for its own goal; when the episode is over, learn all its steps for what it achieved."""
+        s, then, goal = (
+            pattern(part) for part in (state["achieved_goal"], next_state["achieved_goal"], state["desired_goal"])
+        )
+        if self._own:
+            self._update(self.row(s, goal), action, reward, self.row(then, goal), terminated)
+        self._steps.append((s, action, reward, then))
+        if terminated or truncated:
+            if {"all": True, "missed": not terminated, "reached": terminated}[self._when]:
+                self._learn_again(goal)
+            if self._empties:
+                self._steps.clear()
+
+    def _learn_again(self, old: Pattern) -> None:
+        steps = self._steps
+        new = {
+            "last": steps[-1][3],
+            "first": steps[0][3],
+            "before": steps[-1][0],
+            "start": steps[0][0],
+            "same": old,
+        }.get(self._goal)
+        chosen = {"all": steps, "not last": steps[:-1], "only last": steps[-1:]}[self._kept]
+        for s, action, paid, then in chosen[::-1] if self._order == "backwards" else chosen:
+            goal = then if self._goal == "own" else new
+            if goal is None:
+                return
+            goals, reached = {"new": goal, "old": old}, then == goal
+            reward = {"new": 0.0 if reached else -1.0, "old": paid, "always 0": 0.0}[self._reward]
+            after = self.row(then, goals[self._next_state_has])
+            self._update(self.row(s, goals[self._state_has]), action, reward, after, reached and self._ends)
+
+    def _update(self, row: Reals, action: int, reward: float, after: Reals, ends: bool) -> None:
+        target = reward if ends else reward + self._discount * after.max()
+        row[action] += self._learning_rate * (target - row[action])
+
+    def forget_episode(self) -> None:
+        """Forget the steps of an episode."""
+        self._steps.clear()
+
+    def act(self, seen: Observation, rng: Random) -> int:
+        """Choose an action by ε-greedy."""
+        values = self.values(seen)
+        return int(rng.random() * len(values)) if rng.random() < EPSILON else self.greedy(seen, rng)
+
+    def greedy(self, seen: Observation, rng: Random) -> int:
+        """The action with the highest value."""
+        return greedy_action(self.values(seen)[np.newaxis], 0, rng)
+
+
+def pattern(switches: Any) -> Pattern:
+    """A pattern as a key of a table."""
+    return tuple(np.asarray(switches).tolist())
+
+
+def panel(seed: int, truncates: bool = True, noisy: bool = True) -> Environment:
+    """A panel with four switches; nothing else of it can be varied, and it always truncates."""
+    made: Environment = gymnasium.make("edugym/Switches-v0", n_switches=4)
+    return made
+
+
+def mistake(**how: Any) -> Learner:
+    """Return an agent that makes a mistake."""
+    return Learner(partial(Hindsight, **how))
+
+
+RULE = Rule(
+    Learner(Hindsight),
+    mistakes_of_loops(Hindsight)
+    | {
+        LOW: mistake(least=True),
+        "where several actions look best the first is taken, so it flips switch 0 for ever; draw one of them": mistake(
+            first=True
+        ),
+        "there is no hindsight: nothing is learned again when an episode is over": mistake(goal="none"),
+        "the steps are learned again for the goal that the episode *had*; take what its last step achieved": mistake(
+            goal="same"
+        ),
+        "the new goal is what the *first* step achieved, and it should be the last one": mistake(goal="first"),
+        "the new goal is the pattern *before* the last step; take what this step achieved, its next state": mistake(
+            goal="before"
+        ),
+        "the new goal is the pattern at the start; take what the last step achieved": mistake(goal="start"),
+        "each step gets a goal of its own, what it achieves itself; 'final' has one for an episode": mistake(
+            goal="own"
+        ),
+        "only episodes that missed their goal are learned again; do so after all of them": mistake(when="missed"),
+        "only episodes that reached their goal are learned again, and they need it least": mistake(when="reached"),
+        "the steps are learned again in the order in which they were taken; begin with the last one, so that the first"
+        " hears of the goal in the same sweep": mistake(order="forwards"),
+        "the last step is not learned again, and it is the one that achieves the new goal": mistake(kept="not last"),
+        "only the last step is learned again; all of the episode should be": mistake(kept="only last"),
+        "the steps of earlier episodes are learned again too: empty the list at each reset": mistake(empties=False),
+        "rewards and ends are the old ones, of the goal that was missed; a step that achieves the new one brings 0 and"
+        " ends the episode": mistake(reward="old", ends=False),
+        "every step that is learned again is paid 0; only one that achieves the new goal is": mistake(
+            reward="always 0"
+        ),
+        "a step that achieves the new goal ends the episode: its target is the reward alone": mistake(ends=False),
+        "the new goal stands beside the state alone; the maximum is that of the next one *with it* too": mistake(
+            next_state_has="old"
+        ),
+        "the new goal stands beside the next state alone; the value of the state *with it* should move": mistake(
+            state_has="old"
+        ),
+        "the steps are learned in hindsight only; learn each at once for its own goal too": mistake(own=False),
+        "the goal has no part in the values: a row of the table is a pair of a pattern and a goal": mistake(
+            knows_goal=False
+        ),
+        "all values start at 0, so that what was never tried looks best; they should start at −10": mistake(
+            first_value=0.0
+        ),
+        "γ max_a Q(S', G, a) is missing in the target": mistake(discount=0.0),
+        "the discount is missing: γ is 0.9 in the text": mistake(discount=1.0),
+        "the old value is lost: α is 0.5 in the text, and Q moves by a half of the difference": mistake(
+            learning_rate=1.0
+        ),
+        "the learning rate is much too small: it is 0.5 in the text": mistake(learning_rate=0.05),
+    },
+    EPSILON,
+    otherwise="; S and S' are patterns, and the goal G belongs to both",
+    world=panel,
+)
+SIX = Race(
+    partial(gymnasium.make, "edugym/Switches-v0", n_switches=6),
+    N_STEPS,
+    program_of(Hindsight),
+    episodes=200,
+    judged=("played",),
+)
+
+
+def project_11(answer: Any, seed: int) -> str:
+    """Check a program with hindsight."""
+    RULE.check(answer, seed)
+    return f"Right: it learns from what it reached. {compare_with_ours(answer, SIX, seed)}"
