@@ -169,7 +169,7 @@ class Update:
             return counted
         student, expected = (outcomes[difference.case][difference.step] for outcomes in (found, right))
         is_wrong = [not all(map(_agree, *outcomes)) for outcomes in zip(right, found, strict=True)]
-        tried = {why: self._explained(cases, found, {**settings, **change}) for why, change in singles.items()}
+        tried = {why: [*self._explained(cases, found, {**settings, **change})] for why, change in singles.items()}
         if likely := what_it_looks_like(tried, is_wrong):
             return likely
         before = _before(cases, found, difference)
@@ -184,12 +184,14 @@ class Update:
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
         """Whether the rule with these settings does what the answer does, in every case."""
-        return all(self._explained(cases, found, settings))
+        return all(self._explains(case, tables, settings) for case, tables in zip(cases, found, strict=True))
 
-    def _explained(self, cases: list[Case], found: Outcomes, settings: Settings) -> Iterator[bool]:
-        """Yield for each case whether the rule with these settings does what the answer does."""
-        for case, tables in zip(cases, found, strict=True):
-            yield all(map(_agree, self._outcome(case, settings), tables))
+    def _explained(self, cases: list[Case], found: Outcomes, settings: Settings) -> list[bool]:
+        """Return for each case whether the rule with these settings does what the answer does."""
+        return [self._explains(case, tables, settings) for case, tables in zip(cases, found, strict=True)]
+
+    def _explains(self, case: Case, found: list[Tables], settings: Settings) -> bool:
+        return all(map(_agree, self._outcome(case, settings), found))
 
     def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> dict[str, float]:
         """Return the numbers that are wrong (a learning rate, a discount) if those explain it all; else none.
