@@ -4,6 +4,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
+import pandas
 import pytest
 from gymnasium import spaces
 from hypothesis import assume, given, settings
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from edugym import Ladder, QLearning, finite_model, make_mdp, mean_interval, policy_evaluation, profile, train
 from edugym.envs.trashbot.planning import ScriptedController
 from edugym.experiments.profiles.ladders import GOLF, LADDERS, TAMAGOTCHI, TRASHBOT, Bounds, exact_bounds
+from edugym.experiments.profiles.scores import Profile
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym_course.lessons.stochasticity.exact import optimum
 from tests.experiments.profiles.controls import best_play, random_play
@@ -305,3 +307,14 @@ def test_a_task_without_better_and_worse_play_has_no_score() -> None:
 def test_halfway_between_random_and_best_play_the_score_is_a_half() -> None:
     """Of an array as of a number."""
     assert Bounds(-1.0, 3.0).score(np.array([-1.0, 1.0, 3.0])).tolist() == [0.0, 0.5, 1.0]
+
+
+def test_scores_are_the_callers_own() -> None:
+    """They are remembered, so what somebody does with them must change no later answer."""
+    strengths, name = LADDERS[0].strengths, LADDERS[0].name
+    rows = [{"agent": "A", "challenge": name, "strength": s, "repetition": 0, "score": 0.5} for s in strengths]
+    found = Profile(pandas.DataFrame(rows), LADDERS[:1], ("A",))
+    found.scores("A", name)[:] = 9.0
+    assert found.score("A", name).estimate == 0.5
+    found.scores("A", name)[:] = 9.0
+    assert found.score("A", name).estimate == 0.5
