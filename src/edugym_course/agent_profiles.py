@@ -98,8 +98,8 @@ def _with_imports(*modules: str) -> list[str]:
 
 
 def library_versions() -> dict[str, str]:
-    """The versions of the libraries that are installed."""
-    return {name: version for name in DEEP if (version := version_of(name))}
+    """The versions of the libraries that are installed; builds of one version count as one."""
+    return {name: version.partition("+")[0] for name in DEEP if (version := version_of(name))}
 
 
 def stale() -> Parts:
