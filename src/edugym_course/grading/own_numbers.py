@@ -117,6 +117,11 @@ def passes(exercise: Exercise, answer: Any, seed: int, numbers: Mapping[str, Any
     return True
 
 
+def use_your_own(what: str) -> str:
+    """Say that something should have a student's own number; the sentence is not one of a mistake."""
+    return f"{what}: use your own number, which stands in the text of your exercise"
+
+
 _FOUND: dict[tuple[Any, str], Any] = {}
 
 

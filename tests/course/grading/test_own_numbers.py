@@ -19,6 +19,7 @@ from edugym_course.grading.own_numbers import (
     passes,
     told,
 )
+from edugym_course.lessons.stochasticity.exact import CROSSINGS, crossing
 from edugym_course.teaching.assignment import Task, tasks_of
 from edugym_course.teaching.marks import with_own_numbers
 from tests.course.lessons.answers import read_exercises
@@ -122,6 +123,13 @@ def test_an_exercise_that_declares_nothing() -> None:
     assert list(inspect.signature(an_exercise).parameters) == ["answer", "seed"]
     assert (draw_numbers(an_exercise, b"key"), told(an_exercise, {}), ordinary_numbers(an_exercise)) == ({}, "", {})
     assert numbers_of_others(an_exercise, 1, 0, {}) == {}
+
+
+def test_crossings_that_are_stored() -> None:
+    """They are what is computed; for the others the test above compares them with solutions."""
+    assert [*CROSSINGS] == [*next(iter(own_parameters(exercise_of("08_stochasticity", 1)[0]).values())).values]
+    low, high = CROSSINGS[0.5] - 0.001, CROSSINGS[0.5] + 0.001
+    assert crossing(low, high, max_hits=5, epsilon=0.5) == pytest.approx(CROSSINGS[0.5], abs=6e-6)
 
 
 def test_numbers_depend_on_the_key() -> None:

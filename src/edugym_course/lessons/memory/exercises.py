@@ -15,7 +15,7 @@ from edugym_course.grading.agents import require_class
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
-from edugym_course.grading.own_numbers import Own
+from edugym_course.grading.own_numbers import Own, use_your_own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given, number
 from edugym_course.lessons.memory.notes import MISTAKES, Notes, right, strided
@@ -233,10 +233,7 @@ def _check_rows(made: Any, k: int, n: int, m: int, shift: int | None) -> None:
             )
         expected = row if shift is None else (_in_digits(window, n, m) + shift) % size
         if row != expected:
-            raise WrongAnswer(
-                f"row({window.tolist()}) {what} should be {expected}, but is {row}: it is the number with these digits"
-                f" plus {shift}, and its remainder by the number of rows, {size}"
-            )
+            raise WrongAnswer(use_your_own(f"row({window.tolist()}) {what} should be {expected}, but is {row}"))
 
 
 def _row(made: Any, window: Any, what: str) -> int:

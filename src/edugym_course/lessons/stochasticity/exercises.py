@@ -18,7 +18,7 @@ from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, given, number
-from edugym_course.lessons.stochasticity.exact import crossing, from_the_tee
+from edugym_course.lessons.stochasticity.exact import CROSSINGS, crossing, from_the_tee
 from edugym_course.lessons.stochasticity.methods import LEVEL, methods_with
 
 HITS = 5
@@ -26,18 +26,10 @@ OPTIMUM = 0.868
 """The best expected return at the lesson's level, computed for a player who sees the ball."""
 
 
-CROSSINGS = """
-0.05 2356, 0.1 2395, 0.15 2438, 0.19 2475, 0.23 2514, 0.27 2558, 0.3 2592, 0.33 2629, 0.36 2669, 0.39 2710, 0.42
-2755, 0.45 2802, 0.48 2852, 0.5 2887, 0.52 2924, 0.54 2962, 0.56 3002, 0.58 3044, 0.6 3087, 0.62 3131, 0.64 3178,
-0.66 3227, 0.68 3277, 0.7 3330, 0.72 3385, 0.74 3442, 0.76 3501, 0.78 3563, 0.8 3628, 0.81 3661, 0.82 3695, 0.83
-3730, 0.84 3766, 0.85 3802, 0.86 3839, 0.87 3877, 0.88 3916, 0.89 3956, 0.9 3996, 0.91 4038, 0.92 4080, 0.93 4124
-"""
-"""For some ε the level, times 100 000, at which drive and chip are worth the same with 5 hits, by `crossing`."""
-LEVELS = {float(epsilon): int(level) / 100_000 for epsilon, level in map(str.split, CROSSINGS.split(","))}
 Careless = Annotated[
     float,
     Own(
-        tuple(LEVELS),
+        tuple(CROSSINGS),
         "Your player is careless: in your version each swing after the first is a random one with probability"
         " {careless}. That is the argument `epsilon={careless}` of `exact.from_the_tee`. The level is between 0.02 and"
         " 0.05.",
@@ -47,7 +39,7 @@ Careless = Annotated[
 
 def exercise_1(answer: Any, seed: int, careless: Careless = 0.0) -> str:
     """Check the level at which drive and chip are worth the same, with 5 hits and random swings now and then."""
-    expected = LEVELS[careless] if careless else crossing(0.02, 0.025, max_hits=HITS)
+    expected = CROSSINGS[careless] if careless else crossing(0.02, 0.025, max_hits=HITS)
 
     def says(level: float) -> str:
         told = f"level = {digits(level, expected)}"

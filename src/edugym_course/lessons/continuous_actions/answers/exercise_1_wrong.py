@@ -83,7 +83,7 @@ def preferences(joints, bins, cells):
 
 
 # %% three cells for holding
-# says: holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used
+# says: holding has 2 values; in the lesson's wrapper one of the 3 cells is never used
 def preferences(joints, bins, cells):
     return 3 * cells**joints * bins**joints
 

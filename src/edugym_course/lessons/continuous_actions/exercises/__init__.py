@@ -64,7 +64,7 @@ def exercise_1(answer: Any, seed: int, held: Held = 2) -> str:
 
 def _size_mistakes(m: int, n: int, c: int, h: int) -> dict[str, float]:
     """Return what the usual mistakes give."""
-    times, yes_and_no = ("doubles", ", yes and no") if h == 2 else (f"multiplies by {h}", "")
+    times = "doubles" if h == 2 else f"multiplies by {h}"
     return {
         f"whether the box is held {times} the number of rows": c**m * n**m,
         "that is the number of rows; each row has a column for every action": h * c**m,
@@ -93,9 +93,7 @@ def _size_mistakes(m: int, n: int, c: int, h: int) -> dict[str, float]:
         f"{CARET}, here as well": h * (c ^ m) * (n ^ m),
         f"the {h} multiplies the rows, it is not added to them": (h + c**m) * n**m,
         f"the box is a part of the state: multiply by {h}, do not square": (c**m) ** 2 * n**m,
-        f"holding has {h} values{yes_and_no}; in the lesson's wrapper one of the 3 cells is never used": (h + 1)
-        * c**m
-        * n**m,
+        f"holding has {h} values; in the lesson's wrapper one of the 3 cells is never used": (h + 1) * c**m * n**m,
     }
 
 

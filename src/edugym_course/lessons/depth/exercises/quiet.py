@@ -28,9 +28,8 @@ def check_depth(agent: Any, days: int, seed: int, learning_rate: float) -> None:
     right = _values(_agent(math.inf, learning_rate, DISCOUNT, days), episode)
     if np.allclose(found, right):
         return
-    if nobody_asks_why():
-        raise WrongAnswer("it has other numbers")
-    fits = [case for case, values in _cases(days, seed, learning_rate).items() if np.allclose(found, values)]
+    cases = {} if nobody_asks_why() else _cases(days, seed, learning_rate)
+    fits = [case for case, values in cases.items() if np.allclose(found, values)]
     if not fits:
         raise WrongAnswer(
             f"after two equal episodes with rewards {in_brackets(episode.rewards)}, the value of the first action"

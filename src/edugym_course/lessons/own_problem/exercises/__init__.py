@@ -9,7 +9,7 @@ from edugym.checks.mdps import CheckedMDP
 from edugym.exact.model import finite_model
 from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.own_numbers import Own
+from edugym_course.grading.own_numbers import Own, use_your_own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, digits, given, number
 from edugym_course.lessons.own_problem.bicycle import Bicycle, is_like
@@ -154,5 +154,5 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
         )
     possible = model.rewards[model.probabilities > 0]
     if price is not None and not np.isclose(abs(possible), price, rtol=0, atol=1e-9).any():
-        raise WrongAnswer(f"in no step of my_problem is the reward {price:g} or -{price:g}, which is your price")
+        raise WrongAnswer(use_your_own(f"no reward is {price:g} or -{price:g}"))
     return f"A problem: {len(model.states)} states, {policy.shape[1]} actions, optimum {values.start:.4g}."

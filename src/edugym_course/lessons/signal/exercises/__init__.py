@@ -29,14 +29,56 @@ from edugym_course.lessons.signal.words import bits, information
 
 ENOUGH = 0.4
 """The bits that a message should carry in exercise 1."""
-BETWEEN = """
-0.117 0.137 0.156 0.175 0.194 0.213 0.231 0.249 0.266 0.283 0.3 0.317 0.333 0.349 0.365 0.38 0.396 0.411 0.425 0.44
-0.454 0.468 0.482 0.495 0.509 0.522 0.535 0.548 0.56 0.573 0.585 0.597 0.609 0.62 0.632 0.643 0.654 0.665 0.676 0.687
-0.697 0.708
-"""
-"""Bits between those of two lengths: 5 words carry less than the first at τ = 0.1, 6 words more, and so on."""
 Enough = Annotated[
-    float, Own(tuple(map(float, BETWEEN.split())), "Your message should carry {enough} bit or more, not 0.4.")
+    float,
+    Own(
+        # Between the bits of two lengths: 5 words carry less than the first at τ = 0.1, 6 words more, and so on.
+        (
+            0.117,
+            0.137,
+            0.156,
+            0.175,
+            0.194,
+            0.213,
+            0.231,
+            0.249,
+            0.266,
+            0.283,
+            0.3,
+            0.317,
+            0.333,
+            0.349,
+            0.365,
+            0.38,
+            0.396,
+            0.411,
+            0.425,
+            0.44,
+            0.454,
+            0.468,
+            0.482,
+            0.495,
+            0.509,
+            0.522,
+            0.535,
+            0.548,
+            0.56,
+            0.573,
+            0.585,
+            0.597,
+            0.609,
+            0.62,
+            0.632,
+            0.643,
+            0.654,
+            0.665,
+            0.676,
+            0.687,
+            0.697,
+            0.708,
+        ),
+        "Your message should carry {enough} bit or more, not 0.4.",
+    ),
 ]
 Base = Annotated[
     int,
@@ -173,7 +215,7 @@ def _tables(rng: np.random.Generator) -> list[Reals]:
 def bits_mistakes(joint: Reals, base: int = 2) -> dict[str, float]:
     """Return what the usual mistakes give for a table, if the logarithm should have a base."""
     in_bits = _mistakes_in_bits(joint)
-    needed = "bits need the base 2, `math.log2` or `np.log2`" if base == 2 else f"it should be {base}"
+    needed = f"bits need the base {base}, `math.log2` or `np.log2`" if base == 2 else f"it should be {base}"
     return {
         **{why: value / math.log2(base) for why, value in in_bits.items()},
         f"the logarithm has the base e; {needed}": bits(joint) * math.log(2),
