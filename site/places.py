@@ -14,6 +14,7 @@ import edugym
 from edugym.envs.golf import Ball
 from edugym.envs.memory_corridor import Corridor
 from edugym.envs.roadrunner import Runner
+from edugym.envs.switches import Panel
 from edugym.envs.tamagotchi import Toy
 from edugym.envs.trashbot.geometry import BOX, BOX_SIZE, FOREARM, MAGNET, REACH, SHOULDER_Y, UPPER_ARM, Robot
 from edugym.envs.trashbot.picture import FRAME, TOP
@@ -215,6 +216,19 @@ def _in_the_aisles(mdp: Any, seen: tuple[int, ...]) -> Place:
     return Cell(float(state // 8 % 10), float(state // 80), 1.0, 1.0), state % 8
 
 
+def _by_what_is_wrong(mdp: Any, seen: tuple[int, ...]) -> Place:
+    """Below the switches, from the left by how many of them are wrong."""
+    n = mdp.n_switches
+    wrong = sum(switch != wanted for switch, wanted in zip(seen[:n], seen[n:], strict=True))
+    width = (max(n, 4) + 1.6) / (n + 1)
+    return Cell(0.2 + wrong * width, 4.25, width, 0.3), int("".join(map(str, seen)), 2)
+
+
+def _panels(mdp: Any) -> Iterator[Panel]:
+    patterns = range(2**mdp.n_switches)
+    return (Panel(switches, goal) for switches in patterns for goal in patterns)
+
+
 MAPS = {
     "Boulder": Map(_on_the_wall, ("",), _grips, lambda mdp: iter(range(mdp.height + 1)), _whole_wall),
     "Roadrunner": Map(_on_the_road, (".x", ".dx"), signs("−", "=", "+")),
@@ -230,6 +244,7 @@ MAPS = {
         moves=_arm,
     ),
     "Golf": Map(_on_the_course, (".x", ".y"), signs("p", "c", "d"), _balls, _without_text, _ball),
+    "Switches": Map(_by_what_is_wrong, (".switches", ".goal"), pictures=_panels),
     "Supermarket": Map(_in_the_aisles, ("",), signs("↑", "↓", "←", "→")),
 }
 """The map of each task, by the name of its environment."""

@@ -160,7 +160,7 @@ def own_settings(race: Race) -> dict[str, float]:
 def _as_code(value: Any) -> str:
     return (
         f"edugym.{value!r}"
-        if isinstance(value, edugym.EpsilonGreedy)
+        if isinstance(value, edugym.EpsilonGreedy | edugym.FinalGoal | edugym.FutureGoals)
         else "math.inf"
         if value == math.inf
         else repr(value)

@@ -15,6 +15,7 @@ from edugym_course.lessons.depth import methods as depth
 from edugym_course.lessons.depth import targets
 from edugym_course.lessons.dimensionality import methods as dimensionality
 from edugym_course.lessons.exploration import methods as exploration
+from edugym_course.lessons.goals import methods as goals
 from edugym_course.lessons.memory import players as memory
 from edugym_course.lessons.model_based import methods as model_based
 from edugym_course.lessons.on_off_policy import methods as on_off_policy
@@ -87,7 +88,7 @@ class Race(NamedTuple):
         agents: the first three race when the page opens.
         n_steps: the training steps of a race.
         strength: how hard it is.
-        numbers: what the numbers of an observation are.
+        numbers: what the numbers of an observation are; empty where they need no names.
         keys: the keys for the actions, besides 1, 2, ...
         parameters: the other parameters of the environment.
         is_finite: whether it has few states, so that its optimum can be computed exactly.
@@ -295,6 +296,30 @@ SUPERMARKET = Race(
     ("ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"),
 )
 
-RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET)
-"""One for each environment that has a lesson, in the order of the lessons; but none for Switches, whose patterns are
-drawn by `rng.integers`, which kernels do not have."""
+FLIPPING = {"learning_rate": goals.LEARNING_RATE, "discount": goals.DISCOUNT}
+SWITCHES = Race(
+    "Switches",
+    "Another goal in each episode. Who learns from what it has missed?",
+    "Flip the switches until they are as the cards say. Below, colours count: none wrong, one, two, ...",
+    (
+        Agent("no hindsight", "Q-learning: only the goal that was set", edugym.QLearning, FLIPPING),
+        Agent(
+            "final",
+            "also: as if where it ended had been the goal",
+            edugym.HindsightQLearning,
+            {**FLIPPING, "hindsight": edugym.FinalGoal()},
+        ),
+        Agent(
+            "future",
+            "the same for four later places of each step",
+            edugym.HindsightQLearning,
+            {**FLIPPING, "hindsight": edugym.FutureGoals(4)},
+        ),
+        *usual(FLIPPING, edugym.SARSA, edugym.DynaQ),
+    ),
+    goals.N_STEPS,
+    Strength("n_switches", (2, 3, 4, 5), 3),
+    (),
+)
+RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES)
+"""One for each environment that has a lesson, in the order of the lessons."""

@@ -73,7 +73,7 @@ export class Play {
     const parts = table.sizes.map((_, k) => k).reverse().map(k => {
       const part = row % table.sizes[k] + table.lows[k]
       row = Math.floor(row / table.sizes[k])
-      return `${race.numbers[k]} ${part}`
+      return `${race.numbers[k] ?? ''} ${part}`.trim()
     })
     this.seen.textContent = `The agent would see: ${parts.reverse().join(', ')}.`
     const end = this.result(5) ? 'The task has ended (terminated). Press R.' : this.over ? 'The step limit has cut it off (truncated). Press R.' : ''

@@ -22,9 +22,9 @@ each_race = pytest.mark.parametrize("race", RACES, ids=lambda race: race.environ
 
 
 def test_every_environment_of_a_lesson_has_a_race() -> None:
-    """In the order of the lessons; no kernel draws whole numbers as Switches does."""
+    """In the order of the lessons."""
     names = [entry.name for entry in in_course_order() if entry.lesson]
-    assert [*(race.environment for race in RACES), "Switches"] == names
+    assert [race.environment for race in RACES] == names
 
 
 @each_race

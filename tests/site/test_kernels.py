@@ -1,6 +1,9 @@
 """Kernels: in Node, with the page's own JavaScript, they do what Python does, bit for bit; a stale one is refused."""
 
+import json
 import math
+import subprocess
+from pathlib import Path
 from typing import Any
 
 import kernels
@@ -11,6 +14,7 @@ import pytest
 from races import BOULDER, RACES, Agent, Race
 
 import edugym
+from edugym.training.trainers import streams as fresh_streams
 from tests.site.node import KERNELS, NODE, arrays_of, in_node, in_python
 
 needs_node = pytest.mark.skipif(NODE is None, reason="needs Node.js: apt-get install nodejs")
@@ -49,6 +53,36 @@ def test_a_kernel_does_what_python_does() -> None:
 def test_every_kernel_does_what_python_does(race: Race, agent: Agent) -> None:
     """Also where exponentials, sines and logarithms are Node's: there in runs as short as these (the page says so)."""
     check_same(race, agent)
+
+
+def draw_whole_numbers(spans: Any, rng: Any, drawn: Any) -> int:
+    """Draw one number below each span, again and again."""
+    for k in range(len(drawn)):
+        drawn[k] = rng.integers(-3, spans[k % len(spans)] - 3)
+    return 0
+
+
+@pytest.mark.slow
+@needs_node
+def test_kernels_draw_whole_numbers_as_numpy_does() -> None:
+    """Of 1 to 2^62 values, with 32 and with 64 random bits: from the same stream come the same numbers."""
+    spans = np.array([1, 2, 3, 1_000, 2**32 - 1, 2**32, 2**32 + 1, 3 * 2**40, 2**62], np.int64)
+    streams = playground.random_streams()[SEED][:1]
+    call = kernels.Call(draw_whole_numbers, (spans, np.random.default_rng(0), np.zeros(900, np.int64)))
+    made = kernels.build([call], KERNELS)
+    asked = {
+        "page": str(playground.PAGE),
+        "file": str(KERNELS / f"{call.fingerprint}.wasm"),
+        "fingerprint": call.fingerprint,
+        "plan": playground.plan(call, made[call.fingerprint]),
+        "streams": streams,
+    }
+    script = Path(__file__).with_name("draw.mjs")
+    done = subprocess.run([str(NODE), script], input=json.dumps(asked), capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    expected = np.zeros(900, np.int64)
+    draw_whole_numbers(spans, fresh_streams(SEED)[0], expected)
+    assert list(map(int, json.loads(done.stdout))) == expected.tolist()
 
 
 @needs_node
