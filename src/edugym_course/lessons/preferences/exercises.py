@@ -10,7 +10,7 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import NumberCase, compare_all, explains_most, mistake_that_fits
+from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import all_same, given, in_brackets, number
 
@@ -290,9 +290,7 @@ def _compare_tables(
     def explained(change: Mapping[str, Any]) -> list[bool]:
         return [all_same(rule(case, **change), mine) for case, mine in zip(cases, found, strict=True)]
 
-    why = mistake_that_fits(
-        mistakes, lambda change: all(explained(change)), lambda change: explains_most(explained(change), wrong)
-    )
+    why = mistake_in_cases(mistakes, explained, wrong)
     first = wrong.index(True)
     told, came = (np.round(table[first], 4).tolist() for table in (right, found))
     raise WrongAnswer(f"{calls[first]} should give {told}, but gives {came}: {why}")
