@@ -10,7 +10,7 @@ import inspect
 import json
 import os
 from collections.abc import Iterable
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -90,11 +90,15 @@ def _with_imports(*modules: str) -> list[str]:
     """Modules of agents, and those of the rooms of agents that they import, directly or not."""
     found = [*modules]
     for name in found:  # grows on the way
-        for part in ast.walk(ast.parse(source(name).read_text(encoding="utf-8"))):
-            other = part.module if isinstance(part, ast.ImportFrom) else None
-            if other and other.startswith(("edugym.agents.", "edugym.deep.")) and other not in found:
-                found.append(other)
+        found += [other for other in _imported(source(name).read_text(encoding="utf-8")) if other not in found]
     return sorted(found)
+
+
+@lru_cache(256)
+def _imported(code: str) -> tuple[str, ...]:
+    """The modules of the rooms of agents from which code imports."""
+    modules = (part.module or "" for part in ast.walk(ast.parse(code)) if isinstance(part, ast.ImportFrom))
+    return tuple(dict.fromkeys(name for name in modules if name.startswith(("edugym.agents.", "edugym.deep."))))
 
 
 def library_versions() -> dict[str, str]:
