@@ -1,4 +1,4 @@
-"""Diver: several objectives, between which weights choose."""
+"""Diver: several objectives, between which weights choose (lesson 12)."""
 
 from typing import Any, NamedTuple
 

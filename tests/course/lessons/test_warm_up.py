@@ -13,7 +13,7 @@ from edugym_course.lessons import load_experiments
 TRAINED = {
     "loop": 2, "exploration": 0, "on_off_policy": 9, "depth": 1, "dimensionality": 11, "memory": 4, "signal": 4,
     "continuous_actions": 3, "stochasticity": 5, "model_based": 5, "own_problem": 8,
-    "goals": 6,
+    "goals": 6, "objectives": 0,
 }  # fmt: skip
 """By lesson, the number of different pairs of a task and an agent that is trained on it."""
 COMPILE_LONG = {"dimensionality", "memory", "signal", "continuous_actions", "model_based", "goals"}

@@ -1,0 +1,492 @@
+# %% [markdown]
+# # Several objectives: Diver
+#
+# **The challenge.** You want two things at once, and more of one means less of the other. The usual advice is to weigh them:
+# add up the two rewards, each times a weight, and try weights until you like what comes out. Does that find every
+# good compromise?
+#
+# **You will be able to** say which policies are good compromises, and which of them a weighted sum can find; learn the
+# others, by distances and by sets of vectors; turn an objective into a limit, and predict how often a learned price
+# breaks it, in the end and while it is learned.
+#
+# **Time.** {time} **Before you start.** You should know Q-learning (Sutton and Barto, 2nd edition, section 6.5). All
+# symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+import gymnasium as gym
+import numpy as np
+
+from edugym import make_mdp
+from edugym.objectives import ChebyshevQLearning, LagrangianQLearning, ParetoQLearning, exact_front
+from edugym_course.lessons.objectives import figures, methods
+from edugym_course.notebook import play, predict, sliders, source
+
+# %% [markdown]
+# ## Meet the environment: nine treasures
+#
+# A diver picks up one of nine treasures. The deeper ones are worth more, and take more time.
+
+# %%
+env = gym.make("edugym/Diver-v0", concavity=0.5).unwrapped
+env.reset(seed=0)
+env.scene()
+
+# %% [markdown]
+# | | | in words |
+# |---|---|---|
+# | states | $\mathcal{S}$: 54 cells | where the diver is |
+# | actions | $\mathcal{A}$: down, right | away from the shore, never back |
+# | dynamics | $p(s' \mid s, a)$ | nothing is random |
+# | rewards | $\mathbf{r}(s, a, s')$, a *vector* of two numbers | the value of a treasure that is picked up, else 0; and $-1$ for the step |
+# | discount | $\gamma = 1$ | in the whole lesson |
+#
+# An episode terminates at a treasure. So a policy has a *vector* of two returns, $\mathbf{v} = (v_1, v_2)$: the value that it brings
+# home, and minus the number of its steps.
+
+# %%
+source(type(env.mdp), "transition", "rewards", "reward")
+
+# %% [markdown]
+# Gymnasium wants one number as the reward. So `reward` adds the two up, with `weights` that are a parameter. The vector
+# is in `info["vector_reward"]`.
+#
+# **Play it yourself.** Which treasure would you take?
+
+# %%
+play("Diver")
+
+# %% [markdown]
+# ## The idea: weights are a direction
+#
+# ### Which policies are good compromises?
+# Nobody can tell you how many steps a treasure is worth. But some things are beyond dispute. A policy that brings 20 in five steps is
+# worse than one that brings 30 in four. We say that $\mathbf{v}$ *dominates* $\mathbf{v}'$ if it is better in one objective and at least as good in all
+# others. What nothing dominates is *Pareto-optimal*, and the vectors of all these policies are the *Pareto front*.
+#
+# Value iteration can compute it, if each state has a set of vectors and not one value: $\mathbf{V}(s)$ are the Pareto-optimal vectors among
+# $\mathbf{r}(s, a, s') + \mathbf{v}$, for all actions $a$ and all $\mathbf{v}$ in $\mathbf{V}(s')$.
+
+# %%
+front = exact_front(make_mdp("Diver", concavity=0.5)).returns
+for k, (value, time) in enumerate(front):
+    print(f"treasure {k}: value {value:7.4f}, {-time:2.0f} steps")
+
+# %% [markdown]
+# All nine treasures are on the front: a deeper one is worth more and takes longer. So there are nine good compromises.
+#
+# ### What a weighted sum prefers
+# Now choose weights, 1 for the value and $w$ for time. The best policy maximises
+#
+# $$
+# v_1 + w \, v_2 = \text{value} - w \cdot \text{steps}
+# $$
+#
+# So $w$ is a *price*: what a step costs. In a picture of value over steps all points that are equally good lie on a line with the slope $w$.
+# Move this line up until it touches the last point. That is the point which the weights prefer.
+
+# %%
+figures.front(1.0, weights=(1.0, 4.0))
+
+# %% [markdown]
+# This is concavity 1, and for $w = 4$ the line touches treasure 8. A steeper line will touch another point. Look at the hollow ones: they
+# lie in a *dent*, below the line from treasure 0 to treasure 8. However you turn the dashed line, will it ever touch one of them
+# last?
+#
+# The strength of the environment, `concavity`, makes the dent deeper and wider. At 0 there is none. At 0.5 it reaches from treasure 1 to
+# treasure 3, and is so shallow that you hardly see it.
+
+# %% [markdown]
+# ## The experiment: Q-learning with 53 prices
+#
+# | setting | value |
+# |---|---|
+# | agent | Q-learning on the weighted sum, $\alpha = 1$ (nothing is random), $\gamma = 1$ |
+# | behaviour | wholly random dives, so that no treasure is missed for want of exploration |
+# | weights | 1 for the value; for time 53 prices from 0.15 to 7.95, each with an agent of its own |
+# | training | 20 000 steps, some 2 700 dives; then one greedy dive |
+#
+# **Predict.** At concavity 0.5, how many *different* treasures will the 53 agents pick up?
+
+# %%
+how_many = predict("Of the nine treasures they pick up ...", unit="different ones")
+how_many
+
+# %%
+by_price = methods.found_by_weights(0.5)
+for treasure in sorted(set(by_price)):
+    prices = [price for price, found in zip(methods.PRICES, by_price, strict=True) if found == treasure]
+    print(f"treasure {treasure}: for prices from {min(prices)} to {max(prices)}")
+how_many.measured(len(set(by_price)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 6. With a price up to 5.4 the treasures 4 to 8 come out, and from 5.55 on always treasure 0. There is no price in
+# between at which treasure 1, 2 or 3 is the best: just where treasure 4 becomes too dear, treasure 0 is already better. This is no fault
+# of Q-learning, which found for each price what is best for it. Exact planning finds the same six.
+# </details>
+
+# %% [markdown]
+# The same at other strengths. A ring shows what some price found.
+
+# %%
+figures.by_weights()
+
+# %% [markdown]
+# So "a weighted sum finds every compromise, if you only try enough weights" is wrong. It finds the points of the *convex hull*: those that
+# a straight line can touch from above. At concavity 1 these are two of nine, all or nothing.
+
+# %% [markdown]
+# ## Your turn
+#
+# Turn the line. Can you find a price for treasure 3 at concavity 0.5? And at 0.25? What happens at concavity 1 and a price of 5?
+
+# %%
+sliders(figures.one_weight, concavity=(0.0, 1.0, 0.25), price=(0.5, 8.0, 0.25))
+
+# %% [markdown]
+# <details><summary>What came out</summary>
+#
+# At concavity 0.5 there is none. At 0.25 there is, between 5.5 and 6: the dent is so small that only treasure 1 lies in it. At
+# concavity 1 and a price of exactly 5 treasures 0 and 8 are worth the same, and the agent may pick up either.
+# </details>
+#
+# ### What else can be weighed: distances
+# Chebyshev distances (Van Moffaert et al., 2013) replace the line by the corner of a box. Take the *utopian point* $\mathbf{z}$, which is the best in
+# both objectives (here: 90 in one step, which nobody can have). What is closest to it, if the *largest* of the weighted distances counts?
+#
+# $$
+# d(\mathbf{v}) = \max_i w_i \, |z_i - v_i|
+# $$
+
+# %%
+figures.front(1.0, distance=(1.0, 12.0))
+
+# %% [markdown]
+# Here the corner touches treasure 2. A box reaches into a dent, where a line cannot. The agent is Q-learning with a vector for each action. Its best action is the closest.
+
+# %%
+source(ChebyshevQLearning, "look_at", "learn")
+
+# %% [markdown]
+# ## See inside: what a distance forgets
+#
+# Here are 18 weights of time. The dashed line is the treasure that is closest. "The rest of the dive" is the agent of the paper: it compares
+# $\mathbf{z}$ with its vectors $\mathbf{Q}(s, a)$. "The whole dive" adds to $\mathbf{Q}(s, a)$ what the dive has brought up to $s$ (in the code, `so_far`).
+#
+# **Predict.** For how many of the 18 weights does each pick up the closest treasure?
+
+# %%
+who = predict(
+    "The closest treasure is picked up by ...",
+    ["both, always", "only the whole dive, always", "only the rest of the dive, always", "none of them, always"],
+)
+who
+
+# %%
+found = {
+    "the rest of the dive": methods.found_by_distance(0.5, whole_returns=False),
+    "the whole dive": methods.found_by_distance(0.5, whole_returns=True),
+}
+display(figures.by_distance(0.5, found))
+closest = methods.closest(0.5)
+right = {rule: sum(a == b for a, b in zip(treasures, closest, strict=True)) for rule, treasures in found.items()}
+print(", ".join(f"{rule}: {n} of {len(closest)}" for rule, n in right.items()))
+rest, whole = (n == len(closest) for n in right.values())
+who.measured(who.options[0 if rest and whole else 1 if whole else 2 if rest else 3])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Only the whole dive, always: it picks up the closest one for 18 of 18 weights, all nine treasures. The rest of the dive does so for 5.
+# </details>
+#
+# Why? $\mathbf{Q}(s, a)$ are the returns from $s$ *on*, but $\mathbf{z}$ is what a whole dive could bring. After four steps these four are forgotten, and
+# two more steps look as cheap as the first two. So the agent goes on where its own weights, at the start, would have
+# stopped. That it most often dives too deep fits this. (At concavity 0 and 1 the same came out; with the steps so far added, the effect
+# was gone each time.)
+#
+# A weighted sum does not have this trouble: what was paid before is the same number for all actions, and drops out of the comparison.
+# That is why Bellman equations are made for sums. Whatever is no sum of rewards must know the past.
+#
+# ### All at once: sets of vectors
+# Or do not weigh at all. *Pareto Q-learning* (Van Moffaert and Nowé, 2014) learns what the exact front was computed from: a set of vectors
+# for each action. It keeps what nothing dominates.
+
+# %%
+source(ParetoQLearning, "learn", "vectors", "front")
+
+# %%
+figures.sets({steps: methods.pareto(0.5, n_steps=steps).front(0) for steps in (200, 500, 5_000)}, 0.5)
+
+# %% [markdown]
+# After 5 000 steps it knows the whole front, in one run and without a weight. Choose a point afterwards, and `follow` dives for it. The price is memory
+# and time: here a set has nine vectors at most, but a front may have thousands of points.
+
+# %% [markdown]
+# ## Predict, then check
+#
+# ### A limit instead of a weight
+# "The air lasts for seven steps" is no weight. It is a *constraint*: maximise the value, while the dive takes at most seven steps. The usual
+# method looks for a price once more, and this time it learns it. After each dive with $n$ steps and a limit $L$ the price changes:
+#
+# $$
+# \lambda \leftarrow \max(0, \; \lambda + \eta \, (n - L))
+# $$
+#
+# If a dive took too long, a step becomes dearer, else cheaper. $\lambda$ is a *Lagrange multiplier*, and this rule is *dual ascent*.
+# Beside it runs Q-learning, for the price of the moment. (It explores by first values that are too high, and then not at all.)
+
+# %%
+source(LagrangianQLearning, "end_episode", "look_at")
+
+# %% [markdown]
+# First concavity 0, where every treasure has its price. The best dive within seven steps is treasure 3.
+#
+# **Predict.** In the second half of the training, how many dives take more than seven steps?
+
+# %%
+no_dent = predict("At concavity 0, in the end ... of the dives take too long", ["none", "about a third", "about half"])
+no_dent
+
+# %%
+display(figures.under_a_limit(0.0))
+straight = methods.lagrangian(0.0)
+share = methods.too_long(methods.late(straight)).mean()
+print(f"{share:.1%} of the dives in the second half take too long")
+no_dent.measured("none" if share < 0.05 else "about a third" if share < 0.42 else "about half")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** None: 0.0 %. The price comes to rest where treasure 3 is the best, at about 6.3.
+# </details>
+#
+# Now concavity 1. The best dive within seven steps is still treasure 3. But it lies in the dent.
+#
+# **Predict.** And now?
+
+# %%
+dent = predict(
+    "At concavity 1, in the end ... of the dives take too long",
+    ["none: it learns treasure 3", "none: it learns treasure 0", "more than a third", "all"],
+)
+dent
+
+# %%
+display(figures.under_a_limit(1.0))
+bent = methods.late(methods.lagrangian(1.0))
+share = methods.too_long(bent).mean()
+print(
+    f"{share:.1%} of the dives take too long; on average {-bent[:, 1].mean():.2f} steps, value {bent[:, 0].mean():.2f}"
+)
+exact = methods.constrained(1.0)
+print("the exact best average:", {k: round(part, 3) for k, part in enumerate(exact.shares) if part}, exact.mean)
+dent.measured(dent.options[3 if share > 0.9 else 2 if share > 0.3 else 0 if bent[:, 0].mean() > 30 else 1])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** More than a third: 37.5 %. On average a dive takes 7.00 steps, so the limit is kept *on average*. But no single dive is a
+# good one. Five of eight pick up the first treasure at the shore, after one step; the other three go for the deepest, and take 17. Treasure 3, seven steps
+# and within the limit, is never picked up.
+# </details>
+#
+# Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. `constrained_optimum` computes it: if only the average must keep the
+# limit, the best is to take treasure 0 five times of eight and treasure 8 three times. That brings 40 on average, and treasure 3 only
+# 35.31. It is a failure of the question. A diver does not survive a dive of 17 steps because the one before took one. A limit on the average
+# is right for costs that add up over many episodes, such as a bill; for air it is wrong. If each dive must keep the limit, find treasure 3 by a set of
+# vectors, by a distance, or by what you will write below.
+#
+# ### What learning costs
+# Back to concavity 0, where in the end every dive is short enough. The price begins at 0, so the first dives are long.
+#
+# **Predict.** Until it has learned the price, how many dives take too long? And how many, if the price begins at 30, at which no treasure is worth its
+# steps?
+
+# %%
+costs = predict(
+    "With a first price of 30, the number of dives that take too long ...",
+    ["falls to nearly none", "falls to about half", "stays about the same"],
+)
+costs
+
+# %%
+dear = methods.lagrangian(0.0, first_price=30.0)
+first, total = {}, {}
+for label, run in {"first price 0": straight, "first price 30": dear}.items():
+    late = methods.too_long(run.training_returns)
+    first[label], total[label] = late[:100].sum(), late.sum()
+    print(f"{label}: {first[label]:.0f} of the first 100 dives take too long, {total[label]:.0f} of all {len(late)}")
+change = total["first price 30"] / total["first price 0"]
+costs.measured(costs.options[0 if change < 0.2 else 1 if change < 0.75 else 2])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30. The high price only delays them. A guess: an agent that is to know that
+# treasure 8 takes 17 steps must have been there. A constraint that is learned is broken while it is learned. Who may not break it even
+# once needs to know something beforehand: a model, a shield, or a teacher.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it: it says what was expected, what came, and
+# which mistake that looks like.
+
+# %%
+from edugym_course.grading import check
+from edugym_course.lessons.objectives.exercises import exercise_1, exercise_2, exercise_3
+
+# %% [markdown]
+# ### Exercise 1: the Pareto front
+# `points` is a list of pairs `(value, time)`, where time is minus the number of steps: more is better in both. Return a list of the
+# Pareto-optimal ones, in the same order. Points may be equal; neither of two equal ones dominates the other.
+#
+# <details><summary>Hint</summary>A point goes if <code>any</code> other is at least as good in both numbers, and better in one of
+# them.</details>
+
+
+# %%
+def pareto_optimal(points):
+    """Return the points that no other point dominates."""
+
+    ### BEGIN SOLUTION
+    def dominates(q, p):
+        return q[0] >= p[0] and q[1] >= p[1] and q != p
+
+    return [p for p in points if not any(dominates(q, p) for q in points)]
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_1, pareto_optimal)
+### BEGIN HIDDEN TESTS
+check(exercise_1, pareto_optimal, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 2: the closest action
+# `Q` is an array of vectors, `Q[state, action]` with two numbers each. `weights` and `utopian` are arrays of two numbers. Return the action with the
+# smallest Chebyshev distance $d$ from the utopian point. (A value may lie beyond that point, early in learning.)
+#
+# <details><summary>Hint</summary><code>Q[state]</code> has a row for each action. <code>.max(axis=1)</code> takes the largest number of each
+# row.</details>
+
+
+# %%
+def closest_action(Q, state, weights, utopian):
+    """Return the action whose vector is closest to the utopian point."""
+    ### BEGIN SOLUTION
+    distances = (weights * np.abs(utopian - Q[state])).max(axis=1)
+    return int(np.argmin(distances))
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, closest_action)
+### BEGIN HIDDEN TESTS
+check(exercise_2, closest_action, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 3: the price of a step
+# After a dive with so many `steps`, return the new price by the rule of dual ascent above. `rate` is $\eta$.
+#
+# <details><summary>Hint</summary>How many steps was the dive beyond the limit? This number may be below 0.</details>
+
+
+# %%
+def new_price(price, steps, limit, rate):
+    """Return the price of a step after a dive."""
+    ### BEGIN SOLUTION
+    return max(0.0, price + rate * (steps - limit))
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_3, new_price)
+### BEGIN HIDDEN TESTS
+check(exercise_3, new_price, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### From a blank file: seven steps, and not one more
+# Write a program that learns the most valuable dive of *at most seven steps*. No package of agents, only Gymnasium and NumPy.
+# `my_program(environment, n_steps, seed)` takes `n_steps` steps in all, episode after episode, and returns its policy: a function from a
+# state to an action.
+#
+# In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
+# other treasures for each of six seas. Deeper ones are always worth more, and a nearer one may be worth more than the fourth. In most seas no
+# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is: so it also says how
+# many steps the dive took so far.
+#
+# One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? The check sees only the steps that your program takes and
+# the dive of its policy, and no line of it. So when it names a mistake, this is the likely cause.
+
+# %% tags=["project"]
+my_program = ...  # your program
+### BEGIN PROGRAM
+
+
+def my_program(environment, n_steps, seed):
+    """Learn the most valuable dive of at most seven steps, and return the policy."""
+    limit, alpha, epsilon = 7, 1.0, 0.5
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    state, _ = environment.reset(seed=seed)
+    steps = 0
+    for _ in range(n_steps):
+        best = np.flatnonzero(Q[state] == Q[state].max())
+        action = rng.integers(len(Q[state])) if rng.random() < epsilon else rng.choice(best)
+        next_state, value, terminated, truncated, _ = environment.step(action)
+        steps += 1
+        reward = value if steps <= limit else 0.0  # a dive that takes too long is worth nothing
+        target = reward if terminated else reward + Q[next_state].max()
+        Q[state, action] += alpha * (target - Q[state, action])
+        state = next_state
+        if terminated or truncated:
+            state, _ = environment.reset()
+            steps = 0
+    return lambda state: int(Q[state].argmax())
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.objectives.project import project_12
+
+check(project_12, my_program)
+
+# %% [markdown]
+# ## What you saw
+#
+# - All nine treasures were good compromises. With 53 prices Q-learning found six of them at concavity 0.5, two at 1, and all nine at 0; exact
+#   planning found no more.
+# - Chebyshev distances found every treasure for the weights that ask for it, if they were those of the whole dive. Without the steps so far they
+#   missed it for most weights.
+# - Pareto Q-learning found all nine in one run, without weights.
+# - A learned price kept its limit on average. Where the best dive lay in a dent, more than a third of the dives broke it in the end, and this was the exact
+#   optimum of what was asked.
+# - While the price was learned some 70 dives took too long. A high first price delayed them, and saved hardly any.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* With several objectives a policy is Pareto-optimal if no other is better in one and at least
+# as good in all others. A weighted sum picks the point that a line touches last, so it finds the points of the convex hull and never one in a dent,
+# however fine you choose the weights. Distances and sets find them; but what is no sum must know what was earned before. A Lagrange multiplier is a
+# weight that is learned. It keeps a limit on average, by changing between policies if it must, and breaks it while it learns.
+#
+# ### Limits
+# Nothing was random here. With chance a policy has a *mean* vector, and it makes a difference whether you weigh means or what single episodes bring.
+# Pareto Q-learning as written here is for next states without chance. With many objectives a front has very many points. And there are other answers to
+# a limit, for each single episode or with a known model; none was tried here.
+#
+# ### Further reading
+# - Roijers, Vamplew, Whiteson and Dazeley (2013), *A survey of multi-objective sequential decision-making*; Hayes et al. (2022), *A practical guide to
+#   multi-objective reinforcement learning and planning*.
+# - Vamplew, Dazeley, Berry, Issabekov and Dekker (2011), *Empirical evaluation methods for multiobjective reinforcement learning algorithms*: the
+#   treasures.
+# - Van Moffaert, Drugan and Nowé (2013), *Scalarized multi-objective reinforcement learning: novel design techniques*; Van Moffaert and Nowé (2014),
+#   *Multi-objective reinforcement learning using sets of Pareto dominating policies*.
+# - Altman (1999), *Constrained Markov decision processes*; Tessler, Mankowitz and Mannor (2019), *Reward constrained policy optimization*.

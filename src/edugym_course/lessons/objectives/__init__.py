@@ -1,0 +1,1 @@
+"""Several objectives (lesson 12)."""

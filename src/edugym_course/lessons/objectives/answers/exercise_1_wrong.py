@@ -1,0 +1,158 @@
+# %% better in both
+# says: a point goes only if another one is better in *both*; it must go also if one is equal and the other better
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] > p[0] and q[1] > p[1] for q in points):
+
+
+# %% no equal ones
+# says: of two equal points one has gone: neither is better than the other, so both stay
+# in: every pair
+# - kept.append(p)
+# + if p not in kept:
+# +     kept.append(p)
+
+
+# %% itself
+# says: a point is compared with itself, and throws itself out
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] >= p[1] for q in points):
+
+
+# %% others, by their place
+# says: two equal points have thrown each other out: one of the two numbers must be *better*
+def pareto_optimal(points):
+    kept = []
+    for i, p in enumerate(points):
+        others = points[:i] + points[i + 1 :]
+        if not any(q[0] >= p[0] and q[1] >= p[1] for q in others):
+            kept.append(p)
+    return kept
+
+
+# %% better in one
+# says: a point goes as soon as another is better in *one* number; it must be at least as good in the other, too
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] > p[0] or q[1] > p[1] for q in points):
+
+
+# %% time as a cost
+# says: the steps are taken for a cost that should be low, but the second number is the time, minus the steps: more is
+#   better
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] <= p[1] and (q[0] > p[0] or q[1] < p[1]) for q in points):
+
+
+# %% the worst
+# says: low values are kept, and high ones should be
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] <= p[0] and q[1] <= p[1] and (q[0] < p[0] or q[1] < p[1]) for q in points):
+
+
+# %% the others
+# says: these are the points that go: keep the others
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+
+
+# %% the sum
+# says: only the points with the highest sum are kept; that is one choice of weights
+def pareto_optimal(points):
+    best = max(value + time for value, time in points)
+    return [p for p in points if sum(p) == best]
+
+
+# %% the value
+# says: only the points with the highest value are kept; others take less time
+def pareto_optimal(points):
+    best = max(value for value, time in points)
+    return [p for p in points if p[0] == best]
+
+
+# %% the hull
+# says: only points that some *weights* prefer are kept; one in a dent is Pareto-optimal, too
+def pareto_optimal(points):
+    kept = set()
+    for weight in np.linspace(0.0001, 0.9999, 20001):
+        sums = [(1 - weight) * value + weight * time for value, time in points]
+        kept |= {p for p, one in zip(points, sums) if one >= max(sums) - 1e-12}
+    return [p for p in points if p in kept]
+
+
+# %% neighbours
+# says: points are compared with their neighbours only; compare each with all others
+def pareto_optimal(points):
+    kept = []
+    for i, p in enumerate(points):
+        near = points[max(i - 1, 0) : i] + points[i + 1 : i + 2]
+        if not any(q[0] >= p[0] and q[1] >= p[1] and q != p for q in near):
+            kept.append(p)
+    return kept
+
+
+# %% sorted
+# says: the points are right, and their order is not: keep that of the list
+# in: every pair
+# - return kept
+# + return sorted(kept)
+
+
+# %% truth values
+# says: gives a list of True and False; return the points themselves
+# in: arrays
+# - return p[~better.any(axis=0)]
+# + return (~better.any(axis=0)).tolist()
+
+
+# %% places
+# says: gives whole numbers, the places of points; return the points themselves
+# in: arrays
+# - return p[~better.any(axis=0)]
+# + return np.flatnonzero(~better.any(axis=0))
+
+
+# %% the values alone
+# says: should be a list of points (value, time), but one of them is
+# in: arrays
+# - return p[~better.any(axis=0)]
+# + return p[~better.any(axis=0)][:, 0]
+
+
+# %% removes from its list
+# says: changes its list `points`; make a new list
+def pareto_optimal(points):
+    for p in list(points):
+        if any(q[0] >= p[0] and q[1] >= p[1] and q != p for q in points):
+            points.remove(p)
+    return points
+
+
+# %% a number
+# says: should be a list of points, but is
+def pareto_optimal(points):
+    return 3
+
+
+# %% every second one
+# says: that is none of the usual mistakes, so compare two points by hand
+def pareto_optimal(points):
+    return points[::2]
+
+
+# %% nothing
+# says: is a `return` missing?
+# in: every pair
+# - return kept
+# + kept
+
+
+# %% only the first
+# says: that is none of the usual mistakes, so compare two points by hand
+# in: every pair
+# - return kept
+# + return kept[:1]

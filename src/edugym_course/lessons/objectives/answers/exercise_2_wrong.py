@@ -1,0 +1,136 @@
+# %% farthest
+# says: should give action
+# says: the action that is *farthest* is taken
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmax(distances.max(axis=1))
+
+
+# %% the sum
+# says: the distances of the objectives are added up; only the largest counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.sum(axis=1))
+
+
+# %% the mean
+# says: the distances of the objectives are added up; only the largest counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.mean(axis=1))
+
+
+# %% the smallest
+# says: the *smallest* distance of an action counts; it should be the largest of its objectives
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.min(axis=1))
+
+
+# %% no weights
+# says: the weights are left out
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = np.abs(utopian - Q[state])
+
+
+# %% divided
+# says: the distances are divided by the weights, and not multiplied
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = np.abs(utopian - Q[state]) / weights
+
+
+# %% no size
+# says: the size is left out: a value beyond the utopian point is also at a distance
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * (utopian - Q[state])
+
+
+# %% the other sign
+# says: the sign is wrong, and the size is left out: that is Q − z
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * (Q[state] - utopian)
+
+
+# %% weighted values
+# says: the values are weighted before they are taken from z; weigh the distances
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = np.abs(utopian - weights * Q[state])
+
+
+# %% Euclid
+# says: the squares of the distances are added up, as in the Euclidean distance; only the largest counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(np.linalg.norm(distances, axis=1))
+
+
+# %% a weighted sum
+# says: that is the highest weighted sum, in which z plays no part
+def closest_action(Q, state, weights, utopian):
+    return np.argmax(Q[state] @ weights)
+
+
+# %% the value alone
+# says: only the first objective counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances[:, 0])
+
+
+# %% the time alone
+# says: only the second objective counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances[:, 1])
+
+
+# %% no utopian point
+# says: the utopian point is left out: the values themselves are compared
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.abs(Q[state])
+
+
+# %% the first state
+# says: the state is left out: it looks up Q[0]
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.abs(utopian - Q[0])
+
+
+# %% the distance
+# says: , the smallest distance; its action is wanted, so the place
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return distances.max(axis=1).min()
+
+
+# %% the wrong axis
+# says: that is none of the usual mistakes, so work out d(s, a) of two actions by hand
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.max(axis=0))
+
+
+# %% of all
+# says: an action is the *index* of a value
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return distances.max(axis=1)
+
+
+# %% nothing
+# says: is a `return` missing?
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + np.argmin(distances.max(axis=1))
+
+
+# %% a number
+# says: Q, state, weights and utopian
+closest_action = 3

@@ -1,0 +1,108 @@
+# %% the sign
+# says: the sign is wrong: a dive that takes too long makes time dearer
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (limit - steps))
+
+
+# %% below 0
+# says: the price may not fall below 0: then time would be worth something
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return price + rate * (steps - limit)
+
+
+# %% no rate
+# says: the rate is missing
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + (steps - limit))
+
+
+# %% no old price
+# says: the old price is missing: the step is added to it
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, rate * (steps - limit))
+
+
+# %% no limit
+# says: the limit is missing: what counts is how far the dive is above it
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * steps)
+
+
+# %% only up
+# says: the price only rises; after a short dive it should fall
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return price + rate * max(0.0, steps - limit)
+
+
+# %% one step
+# says: the price rises by the same step for each long dive, however long: multiply by the steps beyond the limit
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * np.sign(steps - limit))
+
+
+# %% multiplied
+# says: the price is multiplied; the step is added
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price * (1 + rate * (steps - limit)))
+
+
+# %% a mean
+# says: a weighted mean of the old price and the excess: the old price counts in full
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps - limit - price))
+
+
+# %% min
+# says: that is the smaller one of 0 and the new price: write max
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return min(0.0, price + rate * (steps - limit))
+
+
+# %% a share
+# says: the excess is a share of the limit; it should be a number of steps
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps - limit) / limit)
+
+
+# %% the size
+# says: the size of the difference is taken; below the limit the price falls
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return price + rate * abs(steps - limit)
+
+
+# %% a list
+# says: should be one number, but is a list
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return [max(0.0, price + rate * (steps - limit))]
+
+
+# %% squared
+# says: that is none of the usual mistakes
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps - limit) ** 2)
+
+
+# %% nothing
+# says: is a `return` missing?
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + max(0.0, price + rate * (steps - limit))
+
+
+# %% a number
+# says: price, steps, limit and rate
+new_price = 3.0

@@ -1,0 +1,116 @@
+# %% no limit
+# says: that is the most valuable treasure of all, however long it takes: does a dive that takes more than seven steps
+#   count for nothing in what your program learns?
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value
+
+
+# %% fewer than seven
+# says: that is the best one of those nearer than seven steps, and exactly seven are allowed
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps < 7 else 0.0
+
+
+# %% counted from the second step
+# says: that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps - 1 <= 8 else 0.0
+
+
+# %% a price
+# says: in nearly all seas that is what a price of about
+# says: for each step prefers; a price cannot find every compromise, so let the limit itself say what a dive is worth
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value - 6.0
+
+
+# %% the shore
+# says: that is always the treasure at the shore: does your program learn anything?
+# in: late dives count for nothing
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: 0
+
+
+# %% the deepest
+# says: that is always the deepest treasure within seven steps; a nearer one may be worth more
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = steps * (value > 0) if steps <= 7 else 0.0
+
+
+# %% the poorest
+# says: that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = (100.0 - value) * terminated if steps <= 7 else 0.0
+
+
+# %% never down
+# says: with the treasures
+# says: comes to no treasure, and
+# says: it should pick up the
+# says: : does it look up the state that it is given, and take the best action?
+# in: late dives count for nothing
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: 1
+
+
+# %% never counted anew
+# says: each dive is short enough, but not the best: does your program try all of them often enough?
+# in: late dives count for nothing
+# - state, _ = environment.reset()
+# - steps = 0
+# + state, _ = environment.reset()
+
+
+# %% the same numbers in every run
+# says: takes the same actions with seed
+# in: late dives count for nothing
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng(1)
+
+
+# %% no policy
+# says: return the policy, a function from a state to an action
+# in: late dives count for nothing
+# - return lambda state: int(Q[state].argmax())
+# + Q
+
+
+# %% a table
+# says: should return a function from a state to an action
+# in: late dives count for nothing
+# - return lambda state: int(Q[state].argmax())
+# + return Q
+
+
+# %% steps too few
+# says: of its 10000 steps: go on, episode after episode, until all are taken
+# in: late dives count for nothing
+# - for _ in range(n_steps):
+# + for _ in range(200):
+
+
+# %% goes on after the end
+# says: takes a step after the end of an episode
+# in: late dives count for nothing
+# - state, _ = environment.reset()
+# + steps = 0
+
+
+# %% an action that there is not
+# says: the policy that my_program returns
+# in: late dives count for nothing
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: 2
+
+
+# %% limits that change
+# says: seas the dive takes too long; what is a dive worth that does?
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= (7 if seed % 2 else 13) else 0.0

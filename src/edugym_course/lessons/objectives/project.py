@@ -1,0 +1,135 @@
+"""The project of lesson 12: the best dive within a limit, from a blank file.
+
+The program is put to the test in seas with drawn treasures. In each the best treasure within the limit is another one,
+deeper ones are worth more, and mostly no price of time prefers the best one. So which treasures it picks up tells what
+it has learned.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.envs.diver import N_COLUMNS, Diver
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
+from edugym_course.grading.programs import NAME, Environment, Recorder, require_reproducible, run_program
+from edugym_course.grading.student_code import student_code
+from edugym_course.lessons.objectives.methods import LIMIT, PRICES
+
+N_STEPS = 10_000
+BEST = (3, 1, 2, 0, 3, 2)
+"""Which treasure is the best within the limit, in each sea."""
+MOST_MISSED = 1
+"""In so many seas a program may have bad luck."""
+POLICY = f"the policy that {NAME} returns"
+NONE = -1
+"""Stands for a treasure where a dive does not end."""
+STEPS_TO = 2 * np.arange(N_COLUMNS) + 1.0
+
+
+def sea(best: int, rng: np.random.Generator) -> Reals:
+    """Draw treasures, of which `best` is worth most within the limit."""
+    values = np.zeros(N_COLUMNS)
+    values[:4] = rng.uniform(5.0, 15.0, 4)
+    values[best] = rng.uniform(20.0, 25.0)
+    values[4:] = np.sort(rng.uniform(60.0, 95.0, 5))
+    return values.round(1)
+
+
+def environment_of(values: Reals) -> Environment:
+    """Make the environment of a sea: its reward is the value of a treasure, and steps cost nothing."""
+    mdp = Diver.create(weights=(1.0, 0.0))._replace(treasures=values)
+    environment: Environment = MDPEnv(mdp)
+    return environment
+
+
+def _best_of(values: Reals, most_steps: float) -> int:
+    within = most_steps >= STEPS_TO
+    return int(np.where(within, values, -np.inf).argmax())
+
+
+MISTAKES: Mapping[str, Callable[[Reals], int]] = {
+    "that is the most valuable treasure of all, however long it takes: does a dive that takes more than seven steps"
+    " count for nothing in what your program learns?": lambda values: int(values.argmax()),
+    "that is the best one of those nearer than seven steps, and exactly seven are allowed": lambda values: _best_of(
+        values, LIMIT - 1
+    ),
+    "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?": (
+        lambda values: _best_of(values, LIMIT + 2)
+    ),
+    "that is always the treasure at the shore: does your program learn anything?": lambda values: 0,
+    "that is always the deepest treasure within seven steps; a nearer one may be worth more": lambda values: 3,
+    "that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?": (
+        lambda values: int(np.where(STEPS_TO <= LIMIT, values, np.inf).argmin())
+    ),
+}
+"""Which treasure is picked up by mistake."""
+
+
+def picked_up(policy: Any, values: Reals, seed: int) -> int:
+    """Return the treasure that a policy picks up; `NONE` if its dive does not end."""
+    recorder = Recorder(environment_of(values), np.inf, seed, POLICY)
+    state, _ = recorder.reset()
+    while True:
+        with student_code(POLICY):
+            action = policy(state)
+        state, _, terminated, truncated, _ = recorder.step(action)
+        if terminated:
+            return int(state) % N_COLUMNS
+        if truncated:
+            return NONE
+
+
+def project_12(answer: Any, seed: int) -> str:
+    """Check a program that learns the best dive within a limit."""
+    rng = np.random.default_rng([seed, 12])
+    seas = [sea(best, rng) for best in BEST]
+    require_reproducible(answer, lambda: environment_of(seas[0]), 200, seed)
+    found = []
+    for number, values in enumerate(seas):
+        run = run_program(answer, environment_of(values), N_STEPS, len(BEST) * seed + number)
+        found.append(picked_up(run.policy, values, seed))
+    missed = [i for i, best in enumerate(BEST) if found[i] != best]
+    if len(missed) <= MOST_MISSED:
+        return (
+            f"Right: in {len(BEST) - len(missed)} of {len(BEST)} seas it brings home the best treasure within"
+            f" {LIMIT} steps, and most of these lie where no price finds them."
+        )
+    values, mine, best = seas[missed[0]], found[missed[0]], BEST[missed[0]]
+    told = f"with the treasures {', '.join(f'{value:g}' for value in values)} the policy"
+    should = f"it should pick up the {_ordinal(best)} one, worth {values[best]:g}"
+    if mine == NONE:
+        raise WrongAnswer(
+            f"{told} comes to no treasure, and {should}: does it look up the state that it is given, and take the best"
+            " action?"
+        )
+    takes = f"picks up the {_ordinal(mine)} one, worth {values[mine]:g}, after {STEPS_TO[mine]:g} steps"
+    why = "" if nobody_asks_why() else _why(seas, found)
+    raise WrongAnswer(f"{told} {takes}, and {should}: {why}")
+
+
+def _ordinal(treasure: int) -> str:
+    return ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")[treasure]
+
+
+def _why(seas: list[Reals], found: list[int]) -> str:
+    """Return what explains the treasures in all seas but one, or what to look at."""
+
+    def fits(rule: Callable[[Reals], int]) -> bool:
+        return sum(rule(values) != mine for values, mine in zip(seas, found, strict=True)) <= MOST_MISSED
+
+    for sentence, rule in MISTAKES.items():
+        if fits(rule):
+            return sentence
+    for price in PRICES:
+        if fits(lambda values, price=price: int((values - price * STEPS_TO).argmax())):
+            return (
+                f"in nearly all seas that is what a price of about {price:g} for each step prefers; a price cannot find"
+                " every compromise, so let the limit itself say what a dive is worth"
+            )
+    late = sum(mine > max(BEST) for mine in found)
+    if late:
+        return f"in {late} of {len(found)} seas the dive takes too long; what is a dive worth that does?"
+    return "each dive is short enough, but not the best: does your program try all of them often enough?"
