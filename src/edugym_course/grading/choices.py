@@ -106,7 +106,10 @@ def _why(call: str, cases: Sequence[ChoiceCase], shares: Sequence[Any]) -> str:
     if likely:
         return f": {likely}"
     if max(told.expected) == 1 and 0.0 < _distance(shares[-1], told.expected) < CERTAINLY_ANOTHER:
-        return f", by chance where one {told.noun} is right: does it still explore, or draw in proportion to something?"
+        return (
+            f", by chance where one {told.noun} is right: it sees a tie where there is none, or it explores, or it"
+            " draws in proportion to something"
+        )
     return ", which is none of the usual mistakes"
 
 

@@ -38,7 +38,7 @@ def optimist(wall):
 
 # %% softmax
 # says: act(state, rng), where state = 1
-# says: , by chance where one action is right: does it still explore, or draw in proportion to something?
+# says: , by chance where one action is right: it sees a tie where there is none, or it explores, or it draws in proportion to something
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=Softmax(0.5), initial_value=1.0)
 

@@ -77,7 +77,7 @@ def act(self, state, rng):
 
 
 # %% act slips
-# says: it still explores, with ε = 0.1
+# says: it still explores, with an ε near 0.1
 def act(self, state, rng):
     if rng.random() < 0.1:
         return int(rng.random() * self.Q.shape[1])
@@ -382,3 +382,23 @@ def act(self, state, rng):
 def act(self, state, rng):
     untried = self.tries[state] == 0
     return rng.choice(untried) if untried.any() else self.greedy(state, rng)
+
+
+# %% a softmax once all were tried
+# says: , by chance where one action is right: it sees a tie where there is none, or it explores, or it draws in proportion to something
+def act(self, state, rng):
+    new = np.flatnonzero(self.tries[state] == 0)
+    if len(new):
+        return int(rng.choice(new))
+    p = np.exp(self.Q[state])
+    return int(rng.choice(len(p), p=p / p.sum()))
+
+
+# %% tried once is not tried
+# says: , by chance where one action is right
+def act(self, state, rng):
+    new = np.flatnonzero(self.tries[state] < 2)
+    if len(new):
+        return int(rng.choice(new))
+    q = self.Q[state]
+    return int(rng.choice(np.flatnonzero(q == q.max())))

@@ -393,3 +393,29 @@ def act(self, observation, rng):
 # in: the solution of act
 # - if self.last[0] >= 0:
 # + if self.last[0] >= 0 and observation[0] < 100:
+
+
+# %% every second word
+# says: , by chance where one action is right: it sees a tie where there is none
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for word in observation[1::2]:
+        votes[word % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% two votes less
+# says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for word in observation[1:]:
+        votes[word % 4] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] -= 2
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
