@@ -12,7 +12,7 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import NumberCase, compare_all, explains_most, mistake_that_fits
+from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given, in_brackets, number
 
@@ -111,12 +111,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         if all(sorted(_right_points(points)) == sorted(one) for points, one in zip(cases, found, strict=True)):
             why = "the points are right, and their order is not: keep that of the list"
         else:
-            why = mistake_that_fits(
-                POINT_MISTAKES,
-                lambda rule: all(explained(rule)),
-                lambda rule: explains_most(explained(rule), wrong),
-                NO_USUAL_POINTS,
-            )
+            why = mistake_in_cases(POINT_MISTAKES, explained, wrong, NO_USUAL_POINTS)
         raise WrongAnswer(f"pareto_optimal({cases[i]}) should be {right}, but is {mine}: {why}")
     return "Right: no other point is better than these. Weights play no part in it."
 
@@ -124,7 +119,8 @@ def exercise_1(answer: Any, seed: int) -> str:
 def _numbers_of(rule: Callable[[Points], list[Point]], points: Points) -> Reals:
     """Return which points a rule keeps, as numbers that tell two rules apart."""
     kept = rule(points)
-    return np.array([len(kept), *(float(points.index(p) + 1) * 2.0**i for i, p in enumerate(kept))]).sum(keepdims=True)
+    numbers: Reals = np.array([len(kept), *((points.index(p) + 1) * 2.0**i for i, p in enumerate(kept))], float)
+    return np.array([numbers.sum()])
 
 
 def _point_rules() -> list[Callable[[Points], Reals]]:
@@ -242,7 +238,7 @@ def exercise_2(answer: Any, seed: int) -> str:
             return [_chosen(rule, case) == action for case, action in zip(cases, found, strict=True)]
 
         i = wrong.index(True)
-        why = mistake_that_fits(CLOSEST_MISTAKES, lambda rule: all(explained(rule)), otherwise=NO_USUAL_CHOICE)
+        why = mistake_in_cases(CLOSEST_MISTAKES, explained, wrong, NO_USUAL_CHOICE)
         raise WrongAnswer(f"{calls[i]} should give action {expected[i]}, but gives {found[i]}: {why}")
     return "Right: the objective in which an action is worst decides. So no amount of time makes up for a poor value."
 

@@ -34,6 +34,7 @@ from edugym_course.lessons.objectives.methods import (
     too_long,
     weighted,
 )
+from edugym_course.lessons.objectives.panels import Front
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
 
@@ -77,23 +78,18 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     first = 1_000 * how.shared["seed"]
 
-    def over_seeds(function: Callable[[int], Found]) -> list[Found]:
-        return [function(seed) for seed in range(first, first + how.repetitions) if not how.shared["stop"].is_set()]
+    def over_seeds(function: Callable[..., Found], *settings: Any, **more: Any) -> list[Found]:
+        seeds = range(first, first + how.repetitions)
+        return [function(*settings, seed=seed, **more) for seed in seeds if not how.shared["stop"].is_set()]
 
     return (
         Measured(
-            {c: over_seeds(lambda seed, c=c: found_by_weights(c, seed)) for c in CONCAVITIES},
-            {c: over_seeds(lambda seed, c=c: found_by_distance(c, whole_returns=True, seed=seed)) for c in CONCAVITIES},
-            {
-                c: over_seeds(lambda seed, c=c: found_by_distance(c, whole_returns=False, seed=seed))
-                for c in CONCAVITIES
-            },
-            {c: over_seeds(lambda seed, c=c: sorted(found_by_sets(c, seed))) for c in CONCAVITIES},
-            {
-                task: over_seeds(lambda seed, task=task: lagrangian(*task, seed=seed))
-                for task in (*IN_A_DENT, *ON_THE_HULL)
-            },
-            over_seeds(lambda seed: lagrangian(0.0, LIMIT, seed=seed, first_price=HIGH)),
+            {c: over_seeds(found_by_weights, c) for c in CONCAVITIES},
+            {c: over_seeds(found_by_distance, c, whole_returns=True) for c in CONCAVITIES},
+            {c: over_seeds(found_by_distance, c, whole_returns=False) for c in CONCAVITIES},
+            {c: [sorted(found) for found in over_seeds(found_by_sets, c)] for c in CONCAVITIES},
+            {task: over_seeds(lagrangian, *task) for task in (*IN_A_DENT, *ON_THE_HULL)},
+            over_seeds(lagrangian, 0.0, LIMIT, first_price=HIGH),
         ),
     )
 
@@ -290,7 +286,7 @@ def sheets(measured: Measured) -> list[Sheet]:
     }
     runs = {f"concavity {c:g}": measured.limits[c, LIMIT][seed] for c in CONCAVITIES}
     return [
-        Sheet("fronts", [[figures.Front(front_of(c), f"concavity {c:g}", found) for c, found in fronts.items()]]),
+        Sheet("fronts", [[Front(front_of(c), f"concavity {c:g}", found) for c, found in fronts.items()]]),
         figures.by_distance(c, rules),
         Sheet("limits", [[figures.shares_too_long(runs)]]),
     ]

@@ -48,8 +48,8 @@ class Front(NamedTuple):
             ax.scatter(steps[which], values[which], 26, facecolors=fill, edgecolors=INK, zorder=3, label=label)
         for i, (label, treasures) in enumerate(self.found.items()):
             places = [k for k in sorted(set(treasures)) if k < len(steps)]
-            look = {"facecolors": "none", "edgecolors": stroke(i).color, "linewidths": 2.0}
-            ax.scatter(steps[places], values[places], SIZES[i % len(SIZES)], label=label, **look)
+            at, size, colour = (steps[places], values[places]), SIZES[i % len(SIZES)], stroke(i).color
+            ax.scatter(*at, size, facecolors="none", edgecolors=colour, linewidths=2.0, label=label)
         x = np.array([0.0, steps.max() + 1.0])
         if self.weights is not None:
             best = float((self.returns @ self.weights).max())

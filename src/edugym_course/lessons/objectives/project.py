@@ -6,6 +6,7 @@ it has learned.
 """
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -114,6 +115,11 @@ def _ordinal(treasure: int) -> str:
     return ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")[treasure]
 
 
+def _for_a_price(price: float, values: Reals) -> int:
+    """Return the treasure that is best if each step costs a price."""
+    return int((values - price * STEPS_TO).argmax())
+
+
 def _why(seas: list[Reals], found: list[int]) -> str:
     """Return what explains the treasures in all seas but one, or what to look at."""
 
@@ -124,7 +130,7 @@ def _why(seas: list[Reals], found: list[int]) -> str:
         if fits(rule):
             return sentence
     for price in PRICES:
-        if fits(lambda values, price=price: int((values - price * STEPS_TO).argmax())):
+        if fits(partial(_for_a_price, price)):
             return (
                 f"in nearly all seas that is what a price of about {price:g} for each step prefers; a price cannot find"
                 " every compromise, so let the limit itself say what a dive is worth"
