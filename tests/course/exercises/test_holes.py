@@ -135,7 +135,7 @@ COMPARED = [
     ("00_loop", 1, "exercises"),
     ("03_depth", 2, "exercises.ratio"),
     ("04_dimensionality", 2, "exercises.linear"),
-    ("05_memory", 1, "exercises"),
+    ("05_memory", 1, "exercises.rows"),
     ("07_continuous_actions", 1, "exercises"),
     ("09_model_based", 1, "exercises"),
     ("10_own_problem", 2, "exercises.shaping"),

@@ -18,9 +18,9 @@ from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.own_numbers import Own, use_your_own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given, number
+from edugym_course.lessons.memory.exercises.rows import exercise_1 as exercise_1
 from edugym_course.lessons.memory.notes import MISTAKES, Notes, right, strided
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
-from edugym_course.lessons.memory.rows import exercise_1 as exercise_1
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
 
 Shift = Annotated[
