@@ -75,12 +75,10 @@ class Table(NamedTuple):
     Attributes:
         axes: the length of each axis: a number, or a name ("states", "actions", ...) whose length `new` is passed.
         fill: the first value of every entry: a number, or the name of a setting.
-        default: of that setting.
     """
 
     axes: tuple[int | str, ...]
     fill: float | str = 0.0
-    default: float = 0.0
 
 
 class Part(NamedTuple):
@@ -174,7 +172,7 @@ def settings_of(kind: type) -> dict[str, Any]:
     for name, hint in _hints(kind).items():
         table = _mark(hint, Table)
         if table is not None and isinstance(table.fill, str):
-            settings[table.fill] = table.default
+            settings[table.fill] = 0.0
         elif table is None and not hasattr(hint, "_fields") and _mark(hint, Part) is None:
             settings[name] = defaults.get(name, inspect.Parameter.empty)
     initial_value = {name: settings.pop(name) for name in ("initial_value",) if name in settings}

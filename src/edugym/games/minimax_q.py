@@ -46,8 +46,8 @@ class MinimaxQ(NamedTuple):
     6.2.
     """
 
-    Q: Annotated[Reals, Table(("states", "actions", "others"), fill="initial_value", default=1.0)]
-    V: Annotated[Reals, Table(("states",), fill="initial_value", default=1.0)]
+    Q: Annotated[Reals, Table(("states", "actions", "others"), fill="initial_value")]
+    V: Annotated[Reals, Table(("states",), fill="initial_value")]
     policy: Annotated[Reals, Part()]
     worst: Annotated[Reals, Part()]
     tableau: Annotated[Reals, Part()]
@@ -79,7 +79,7 @@ class MinimaxQ(NamedTuple):
         return draw_from(self.policy, state, rng)
 
     @classmethod
-    def create(cls, game: Any, player: int, **settings: Any) -> "MinimaxQ":
+    def create(cls, game: Any, player: int, *, initial_value: float = 1.0, **settings: Any) -> "MinimaxQ":
         """Create player 0 or 1 of a game, with new tables and a uniformly random policy.
 
         The settings are `initial_value` and the fields that have a default. Pass them by name. Every entry of Q and V
@@ -93,4 +93,5 @@ class MinimaxQ(NamedTuple):
         worst = np.full((states, others), 1.0 / others)
         tableau, labels = workspace(actions, others)
         parts = {"policy": uniform_policy(game, player), "worst": worst, "tableau": tableau, "labels": labels}
+        settings["initial_value"] = initial_value
         return new(cls, None, settings, parts, states=states, actions=actions, others=others)
