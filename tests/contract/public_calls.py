@@ -160,6 +160,24 @@ ANY = "None text nan inf -1 0 2.5 1e30 1e400 [] object array agent_class task_cl
 CALLS: dict[str, Callable[[], Case]] = {
     "Above": lambda: Case(lambda threshold: claimed(edugym.Above(threshold)), {"threshold": 1}, {"threshold": NUMBER}),
     "Below": lambda: Case(lambda threshold: claimed(edugym.Below(threshold)), {"threshold": 1}, {"threshold": NUMBER}),
+    "divergence": lambda: Case(
+        edugym.divergence, {"model": known().model, "policy": [1] * 4, "reference": [[0.5, 0.5]] * 4},
+        named={"policy": "reference"}),
+    "fit_rewards": lambda: Case(
+        edugym.fit_rewards, {"first": [[[1, 0]]], "second": [[[0, 1]]], "prefers_first": [True]},
+        {"prior": "2.5"}, {"first": "second", "prefers_first": "comparisons"}),
+    "preference": lambda: Case(
+        edugym.preference, {"first_return": 1.0, "second_return": 0.0},
+        {"noise": POSITIVE, "first_return": f"{NUMBER} array", "second_return": f"{NUMBER} array"},
+        {"first_return": "second_return"}),
+    "regularised_iteration": lambda: Case(
+        edugym.regularised_iteration, {"model": known().model, "reference": [[0.5, 0.5]] * 4, "penalty": 1.0},
+        {"penalty": "2.5"}),
+    "regularised_policy": lambda: Case(
+        edugym.regularised_policy,
+        {"values": edugym.value_iteration(known().model), "reference": [[0.5, 0.5]] * 4, "penalty": 1.0},
+        {"penalty": "2.5"}),
+    "with_rewards": lambda: Case(edugym.with_rewards, {"model": known().model, "rewards": np.zeros((4, 2))}),
     "Within": lambda: Case(
         lambda low, high: claimed(edugym.Within(low, high)), {"low": 0, "high": 2}, {"low": NUMBER, "high": NUMBER}),
     "Claim": lambda: Case(

@@ -81,10 +81,10 @@ def test_by_hand() -> None:
     [
         (lambda model, pi: regularised_iteration(model, pi, 0.0), ("penalty", 1e-06, 1000000.0, 0.0)),
         (lambda model, pi: regularised_iteration(model, pi, 2e6), ("penalty", 1e-06, 1000000.0, 2000000.0)),
-        (lambda model, pi: regularised_iteration(model, pi[1:], 1.0), ("policy",)),
+        (lambda model, pi: regularised_iteration(model, pi[1:], 1.0), ("reference",)),
         (lambda model, pi: regularised_iteration(pi, pi, 1.0), ("model", "FiniteModel")),
         (lambda model, pi: regularised_policy(pi, pi, 1.0), ("values", "regularised_iteration", "ndarray")),
-        (lambda model, pi: divergence(model, pi, [0.5]), ("policy",)),
+        (lambda model, pi: divergence(model, pi, [0.5]), ("reference",)),
         (lambda model, pi: with_rewards(model, [1.0]), ("rewards", (4, 2), [1.0])),
         (lambda model, pi: with_rewards(pi, [1.0]), ("model", "FiniteModel")),
     ],

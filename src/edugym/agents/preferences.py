@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks.parameters import above, an_array, in_short
+from edugym.checks.parameters import a_number, above, an_array, in_short
 from edugym.mdp.protocol import Reals
 
 SETTLED = 1e-9
@@ -27,12 +27,9 @@ def preference(first_return: Any, second_return: Any, noise: float = 1.0) -> Any
     Raises:
         ValueError: the noise is not as above, or the returns are no numbers.
     """
-    first, second = (
-        an_array(name, np.atleast_1d(given))
-        for name, given in (("first_return", first_return), ("second_return", second_return))
-    )
-    probability = _logistic((first - second) / above("noise", noise, 0))
-    return float(probability[0]) if np.ndim(first_return) == np.ndim(second_return) == 0 else probability
+    first, second = _returns("first_return", first_return), _returns("second_return", second_return)
+    probability = _logistic((first - second) / above("noise", noise, 0, 1e300))
+    return float(probability) if probability.ndim == 0 else probability
 
 
 def fit_rewards(first: Any, second: Any, prefers_first: Any, *, prior: float = 0.1) -> Reals:
@@ -104,6 +101,20 @@ def most_likely(differences: Reals, prior: float) -> Reals:
                 return rewards
         rewards, likelihood = rewards + step, then
     return rewards
+
+
+def _returns(name: str, given: Any) -> Reals:
+    """A return as an array without axes, or several.
+
+    Raises:
+        ValueError: they are no finite numbers.
+    """
+    if not isinstance(given, list | tuple | np.ndarray) or np.ndim(given) == 0:
+        return np.asarray(a_number(name, given), float)
+    returns = an_array(name, given)
+    if not returns.size or not np.isfinite(returns).all():
+        raise ValueError(f"{name} must be a finite number, or an array of them, but is {in_short(given)}")
+    return returns
 
 
 def _flags(values: Any, n: int) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:

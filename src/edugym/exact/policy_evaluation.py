@@ -52,8 +52,8 @@ def policy_evaluation(
     return sweep_until_settled(model, expected, discount, horizon, tolerance, max_sweeps)
 
 
-def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
-    """A policy as the probability of every action in every state, shape (S, A).
+def as_probabilities(policy: Any, model: FiniteModel, name: str = "policy") -> Reals:
+    """A policy as the probability of every action in every state, shape (S, A); messages call it by a name.
 
     Raises:
         ValueError: it has another shape, actions that are not there, or probabilities that are none.
@@ -61,7 +61,7 @@ def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
     n_states, n_actions, _ = model.successors.shape
     if hasattr(policy, "act"):
         kind = policy.__name__ if isinstance(policy, type) else type(policy).__name__
-        raise ValueError(f"policy must be an array, but is the agent {kind}: policy_of(agent, model) gives its policy")
+        raise ValueError(f"{name} must be an array, but is the agent {kind}: policy_of(agent, model) gives its policy")
     try:
         given = np.asarray(policy)
     except ValueError:  # rows of different lengths
@@ -69,13 +69,13 @@ def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
     if given.shape == (n_states,) and np.issubdtype(given.dtype, np.integer):
         wrong = given[(given < 0) | (given >= n_actions)]
         if len(wrong):
-            raise ValueError(f"policy must hold actions from 0 to {n_actions - 1}, but holds {wrong[0]}")
+            raise ValueError(f"{name} must hold actions from 0 to {n_actions - 1}, but holds {wrong[0]}")
         actions: Reals = np.eye(n_actions)[given]
         return actions
     if given.shape != (n_states, n_actions) or not np.issubdtype(given.dtype, np.number):
         shape = f", of shape {given.shape}" if given.shape else ""
         raise ValueError(
-            f"policy must be a whole number for each of the {n_states} rows of the model (`model.states`, not "
+            f"{name} must be a whole number for each of the {n_states} rows of the model (`model.states`, not "
             f"observations) or an array of probabilities of shape {(n_states, n_actions)}, but is {in_short(policy)}"
             f"{shape}: policy_of(agent, model) gives that of an agent"
         )
@@ -83,5 +83,5 @@ def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
     bad = ~(probabilities >= 0).all(axis=1) | ~(np.abs(probabilities.sum(axis=1) - 1) < 1e-6)
     if bad.any():
         s = int(bad.argmax())
-        raise ValueError(f"policy must hold probabilities that sum to 1 in every row, but row {s} is {given[s]}")
+        raise ValueError(f"{name} must hold probabilities that sum to 1 in every row, but row {s} is {given[s]}")
     return probabilities

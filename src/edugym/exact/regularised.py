@@ -54,7 +54,7 @@ def regularised_iteration(
     """
     check_model(model, discount)
     between("penalty", penalty, LEAST_PENALTY, MOST_PENALTY)
-    probabilities = as_probabilities(reference, model)
+    probabilities = as_probabilities(reference, model, "reference")
 
     def soft_maximum(Q: Reals) -> Reals:
         highest, below = _from_highest(Q, probabilities)
@@ -79,7 +79,7 @@ def regularised_policy(values: Values, reference: Any, penalty: float) -> Reals:
     if not isinstance(values, Values):
         raise ValueError(f"values must be those of regularised_iteration, but is of type {type(values).__name__}")
     between("penalty", penalty, LEAST_PENALTY, MOST_PENALTY)
-    probabilities = as_probabilities(reference, values.model)
+    probabilities = as_probabilities(reference, values.model, "reference")
     _, below = _from_highest(values.Q, probabilities)
     weights = probabilities * np.exp(below / penalty)
     policy: Reals = weights / weights.sum(axis=1, keepdims=True)
@@ -104,7 +104,7 @@ def divergence(
         ValueError: a parameter is not as above, or episodes may never end at discount 1.
     """
     require_model(model)
-    taken, expected = as_probabilities(policy, model), as_probabilities(reference, model)
+    taken, expected = as_probabilities(policy, model), as_probabilities(reference, model, "reference")
     ratio = np.divide(taken, expected, out=np.ones_like(taken), where=(taken > 0) & (expected > 0))
     in_state = (taken * np.log(ratio)).sum(axis=1)
     impossible = ((taken > 0) & (expected == 0)).any(axis=1) & ~model.terminal

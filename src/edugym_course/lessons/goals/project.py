@@ -213,7 +213,6 @@ RULE = Rule(
         "the learning rate is much too small: it is 0.5 in the text": mistake(learning_rate=0.05),
     },
     EPSILON,
-    otherwise="; S and S' are patterns, and the goal G belongs to both",
     world=panel,
 )
 SIX = Race(

@@ -33,6 +33,7 @@ def quiet(study):
 
 
 # %% softmax
+# says: act(state, rng)
 # says: act(state, rng), where state = 1
 # says: , by chance where one action is right
 def quiet(study):
@@ -109,3 +110,16 @@ def quiet(study):
 # says: name 'inf' is not defined (infinity is math.inf)
 def quiet(study):
     return NStepSARSA.create(study, n=inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% at random
+# says: it acts at random
+class AtRandom(NStepSARSA):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        return int(rng.integers(self.Q.shape[1]))
+
+
+def quiet(study):
+    return AtRandom.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))

@@ -332,7 +332,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% two thirds of the values
-# says: cases, and in the others it looks like this: the target misses the value of the next state
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
 def learn(self, state, action, reward, next_state, terminated):
     following = max([self.value(next_state, a) for a in range(3)])
     target = reward + (0.0 if terminated or self.features(state)[0] > 0 else self.discount * following)

@@ -300,8 +300,7 @@ def target_of(self, row):
 
 
 # %% no value after a good step
-# says: it is right in
-# says: cases, and in the others it looks like this: the value of the next state is missing
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
 def target_of(self, row):
     memory = self.memory
     dqn.forward(self.target, memory.next_states[row], self.h, self.Q)

@@ -181,6 +181,7 @@ def act(self, state, rng):
 
 
 # %% only where one grip is left
+# says: , rng), where tries[
 # says: should choose a grip that was never tried, but chooses 0
 def act(self, state, rng):
     if sum(self.tries[state] == 0) == 1:

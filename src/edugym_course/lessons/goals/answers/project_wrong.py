@@ -171,3 +171,16 @@
 # in: numbers for patterns
 # - a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].max())))
 # + a = int(Q[s, g].argmax())
+
+# %% patterns without goals
+# says: the goal has no part in the values: a row of the table is a pair of a pattern and a goal
+# in: numbers for patterns
+# - if rng.random() < 0.1:
+# + g = 0
+# + if rng.random() < 0.1:
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + 0.9 * Q[s2, 0].max()
+# - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + Q[s, 0, a] += 0.5 * (target - Q[s, 0, a])
+# - return lambda o: int(Q[o["achieved_goal"] @ powers, o["desired_goal"] @ powers].argmax())
+# + return lambda o: int(Q[o["achieved_goal"] @ powers, 0].argmax())

@@ -91,7 +91,7 @@ def table_rows(num_doors, length):
 
 
 # %% two for the unmarked
-# says: an unmarked place counts once, not twice: there are N + 1 observations
+# says: an unmarked place counts once too often: there are N + 1 observations
 def table_rows(num_doors, length):
     return (num_doors + 2) ** (length * (length - 1) // 2 + 1)
 

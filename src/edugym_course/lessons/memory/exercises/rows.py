@@ -66,9 +66,7 @@ def _row_mistakes(doors: int, length: int, looks: int) -> dict[str, float]:
         f"each observation in the window multiplies the number of rows by N + {looks}: take the power, not the"
         " product": base * window,
         "base and exponent have changed places": window**base,
-        f"an unmarked place counts once too often: there are N + {looks} observations"
-        if looks > 1
-        else "an unmarked place counts once, not twice: there are N + 1 observations": (base + 1) ** window,
+        f"an unmarked place counts once too often: there are N + {looks} observations": (base + 1) ** window,
         "L^2 / 2 + 1 is not L(L-1)/2 + 1": base ** (length**2 // 2 + 1),
         "L(L-1) should be divided by 2": base ** (length * (length - 1) + 1),
         "set brackets: L * L - 1 // 2 multiplies and divides before it subtracts": base

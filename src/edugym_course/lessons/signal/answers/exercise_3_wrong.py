@@ -1,4 +1,6 @@
 # %% the last action from the message
+# says: act(observation, rng)
+# says: where observation =
 # says: of calls, but that is the one that was taken last: it should not be taken again, however many words name it
 # says: and self.last[0] =
 # in: the solution of act
