@@ -103,7 +103,7 @@ figures.front(1.0, weights=(1.0, 4.0))
 # | agent | Q-learning on the weighted sum, $\alpha = 1$ (nothing is random), $\gamma = 1$ |
 # | behaviour | wholly random dives, so that no treasure is missed for want of exploration |
 # | weights | 1 for the value; for time 53 prices from 0.15 to 7.95, each with an agent of its own |
-# | training | 20 000 steps, some 2 700 dives; then one greedy dive |
+# | training | 20 000 steps, some 3 000 dives; then one greedy dive |
 #
 # **Predict.** At concavity 0.5, how many *different* treasures will the 53 agents pick up?
 
@@ -147,7 +147,7 @@ sliders(figures.one_weight, concavity=(0.0, 1.0, 0.25), price=(0.5, 8.0, 0.25))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# At concavity 0.5 there is none. At 0.25 there is, between 5.5 and 6: the dent is so small that only treasure 1 lies in it. At
+# At concavity 0.5 there is none. At 0.25 there is, at 5.75 and at 6: the dent is so small that only treasure 1 lies in it. At
 # concavity 1 and a price of exactly 5 treasures 0 and 8 are worth the same, and the agent may pick up either.
 # </details>
 #
@@ -163,7 +163,7 @@ sliders(figures.one_weight, concavity=(0.0, 1.0, 0.25), price=(0.5, 8.0, 0.25))
 figures.front(1.0, distance=(1.0, 12.0))
 
 # %% [markdown]
-# Here the corner touches treasure 2. A box reaches into a dent, where a line cannot. The agent is Q-learning with a vector for each action. Its best action is the closest.
+# Here the lower edge of the box touches treasure 2. A box reaches into a dent, where a line cannot. The agent is Q-learning with a vector for each action. Its best action is the closest.
 
 # %%
 source(ChebyshevQLearning, "look_at", "learn")
@@ -207,7 +207,7 @@ who.measured(who.options[0 if rest and whole else 1 if whole else 2 if rest else
 # was gone each time.)
 #
 # A weighted sum does not have this trouble: what was paid before is the same number for all actions, and drops out of the comparison.
-# That is why Bellman equations are made for sums. Whatever is no sum of rewards must know the past.
+# That is why Bellman equations are made for sums. A distance is no sum of rewards, so it must know the past.
 #
 # ### All at once: sets of vectors
 # Or do not weigh at all. *Pareto Q-learning* (Van Moffaert and Nowé, 2014) learns what the exact front was computed from: a set of vectors
@@ -324,9 +324,10 @@ costs.measured(costs.options[0 if change < 0.2 else 1 if change < 0.75 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30. The high price only delays them. A guess: an agent that is to know that
-# treasure 8 takes 17 steps must have been there. A constraint that is learned is broken while it is learned. Who may not break it even
-# once needs to know something beforehand: a model, a shield, or a teacher.
+# **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30. A guess:
+# with a low price it must dive too deep some sixty times until the price has risen by small steps ($\eta = 0.01$), and with a high one its optimistic
+# first values lead it everywhere first. Here a constraint that was learned was broken while it was learned. Who may not break it even
+# once needs to know something beforehand: a model, or a teacher.
 # </details>
 
 # %% [markdown]
@@ -418,7 +419,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # state to an action.
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
-# other treasures for each of six seas. Deeper ones are always worth more, and a nearer one may be worth more than the fourth. In most seas no
+# other treasures for each of six seas. The last five are always worth most; among the first four any may be the best. In most seas no
 # price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is: so it also says how
 # many steps the dive took so far.
 #
@@ -474,7 +475,7 @@ check(project_12, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With several objectives a policy is Pareto-optimal if no other is better in one and at least
 # as good in all others. A weighted sum picks the point that a line touches last, so it finds the points of the convex hull and never one in a dent,
-# however fine you choose the weights. Distances and sets find them; but what is no sum must know what was earned before. A Lagrange multiplier is a
+# however fine you choose the weights. Distances and sets find them; but a distance must know what was earned before. A Lagrange multiplier is a
 # weight that is learned. It keeps a limit on average, by changing between policies if it must, and breaks it while it learns.
 #
 # ### Limits

@@ -1,10 +1,10 @@
 # %% [markdown]
 # # Preferences: a teacher compares
 #
-# **The challenge.** Nobody can write down the reward, but somebody can say which of two nights was better. So a reward is learned
-# of such comparisons, and an agent follows it. How far may it follow a reward that was learned?
+# **The challenge.** Nobody can write down the reward, but somebody can say which of two nights was better. So a reward is learned from such
+# comparisons, and an agent follows it. How far may it follow a reward that was learned?
 #
-# **You will be able to** write the probability of a preference, and learn rewards of comparisons by gradient steps;
+# **You will be able to** write the probability of a preference, and learn rewards from comparisons by gradient steps;
 # tune a policy to a learned reward with a penalty for leaving a reference policy; measure over-optimisation; and say
 # what helps against it and what does not.
 #
@@ -33,8 +33,8 @@ from edugym_course.notebook import play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: the morning again, without its reward
 #
-# An alarm clock may stay quiet, chime or ring, every ten minutes from 7:10 on. At 8:30 the episode ends. The sleeper should
-# sleep as long as possible, and be awake in the end.
+# An alarm clock may stay quiet, chime or ring, every ten minutes from 7:10 on. At 8:30 the episode ends;
+# here an episode is called a night. The sleeper should sleep as long as possible, and be awake in the end.
 #
 # | | | in words |
 # |---|---|---|
@@ -45,7 +45,8 @@ from edugym_course.notebook import play, predict, sliders, source
 # | discount | $\gamma = 1$ | a night has eight steps |
 #
 # In lesson 10 we chose the numbers of the reward by feeling: 4 for a ring, 10 for oversleeping. Here we keep that
-# reward as what is *meant*, so that we can measure how good a clock really is. But the clock never sees it.
+# reward as what is *meant*, so that we can measure how good a clock really is. But the clock
+# never sees it.
 
 # %%
 source(Morning, "transition", "reward")
@@ -59,7 +60,8 @@ play(Morning())
 # %% [markdown]
 # The clock comes from a factory. Half of the time it does what is best, half of the time it presses a button at random. This is
 # the *reference policy* $\pi_{\text{ref}}$. A language model that imitates texts is such a policy: not good enough, but
-# far better than chance.
+# far better than chance. (We make it from the optimum, so it knows a part of what is meant. A penalty for leaving a
+# bad reference would help less.)
 
 # %%
 model = finite_model(Morning())
@@ -96,10 +98,11 @@ for noise in (0.1, 1.0, 10.0):
 # \hat r(s, a) \leftarrow \hat r(s, a) + \alpha\, (y - p)\, \bigl[ n_1(s, a) - n_2(s, a) \bigr]
 # $$
 #
-# where $y$ is 1 if she preferred the first night and else 0, $p$ is what the table says about that, and $n_1$, $n_2$ count how often
+# where $y$ is 1 if she preferred the first night and else 0, $p$ is what the table says about that (with $\tau = 1$: rewards are
+# learned in units of the noise), and $n_1$, $n_2$ count how often
 # each night took action $a$ in state $s$. It reads like the updates that you know: a rate, an error, and where to put it.
-# What surprises most is learned most. The package does the same for all comparisons at once, by Newton's method, with a *prior* that
-# keeps rewards near 0 where nothing is known. These are the lines that do it:
+# What surprises most is learned most. The package does the same for all comparisons at once, by Newton's method. A *prior* $\lambda$ takes
+# $\frac{\lambda}{2} \sum \hat r^2$ off the likelihood, so that all rewards shrink a little, and those that nothing is known of stay 0. These are the lines that do it:
 
 # %%
 source(most_likely)
@@ -115,7 +118,8 @@ source(most_likely)
 # $$
 #
 # $D$ is the Kullback-Leibler divergence, in *nats*: 0 if the policy does in $s$ what the reference does, and the larger
-# the further it goes. The best policy is known in closed form. The maximum of value iteration becomes a soft one,
+# the further it goes. The best policy is known in closed form. With $Q(s, a) = \hat r(s, a) + \sum_{s'} p(s' \mid s, a)\, V(s')$, as in value
+# iteration, the maximum becomes a soft one,
 #
 # $$
 # V(s) = \beta \ln \sum_a \pi_{\text{ref}}(a \mid s)\, e^{Q(s, a) / \beta}, \qquad
@@ -130,7 +134,7 @@ source(regularised_policy)
 # %% [markdown]
 # ## The experiment: a hundred comparisons
 #
-# The factory sells a hundred pairs of nights to a teacher ($\tau = 1$). This is the whole experiment, once:
+# The factory shows a teacher a hundred pairs of nights ($\tau = 1$). This is the whole experiment, once:
 
 # %%
 rng = np.random.default_rng(1)
@@ -154,9 +158,10 @@ for penalty in (30.0, 3.0, 1.0, 0.5, 0.2, 0.05):
 # | comparisons | 100 pairs of nights of the reference policy, $\tau = 1$ |
 # | learned reward | a table, prior 0.1 |
 # | policies | the best ones for $\beta$ from 30 to 0.1, and for $\beta = 0$; all returns are exact |
-# | repetitions | 100, each with other nights and other preferences; bands are 95 % intervals |
+# | repetitions | 100, each with other nights and other preferences (20 with 3 000 comparisons); bands are 95 % intervals |
 #
-# The dashed line is the best gain over the reference that there is, 10.1.
+# The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The dashed line is
+# the best gain over the reference that there is, 10.1.
 #
 # **Predict.** We lower the penalty, so that the policy follows the learned reward more and more. What does the *meant* return do?
 
@@ -177,7 +182,8 @@ further.measured("rises, and then falls" if meant.max() - meant[-1] > 0.3 else "
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It rises, and then falls. Up to some three nats from the reference both returns rise together. Then the learned one
+# **Measured.** It rises, and then falls. Up to some three nats from the reference, as far as the
+# best clock would go, both returns rise together. Then the learned one
 # still rises, and the meant one falls by about 1. This is called *over-optimisation* (Gao, Schulman and Hilton, 2023, measured it
 # with language models). What the clock gets better at, from there on, is no longer what she wants. The clock itself cannot see it:
 # by its own reward all goes well.
@@ -186,7 +192,7 @@ further.measured("rises, and then falls" if meant.max() - meant[-1] > 0.3 else "
 # %% [markdown]
 # ## Your turn
 #
-# How many comparisons does it take until nothing falls? Is a weaker prior (rewards may be large) better or worse? (30 runs.)
+# Does the fall go away with more comparisons? Is a weaker prior (rewards may be large) better or worse? (30 runs.)
 
 
 # %%
@@ -200,8 +206,8 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[0.0, 0.3, 1.
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# With 10, 30, 100 and 300 comparisons it fell by 0.6 to 1.1 from its highest point, with 1 000 by 0.2. A weak prior, 0.01, made the fall
-# larger (1.2), a strong one, 1, smaller (0.5). Less noise than $\tau = 1$ changed hardly anything. With $\tau = 3$ it fell by 2.1, and with
+# From its highest point the meant return fell by 0.6 to 1.1 with 10, 30, 100 and 300 comparisons, and by 0.2 with 1 000. (Below
+# there are 3 000.) With 100 comparisons it was 0.9; a weak prior, 0.01, made it larger (1.2), a strong one, 1, smaller (0.5). Less noise than $\tau = 1$ changed hardly anything. With $\tau = 3$ it fell by 2.1, and with
 # $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever.
 # </details>
 
@@ -216,11 +222,12 @@ thousands = methods.followed(n_comparisons=3000, repetitions=20)
 figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, second=True)
 
 # %% [markdown]
-# On the left the two disagree from early on. The second reward was learned in the same way, so it is as good as the first, and
-# yet it promises only half as much for these policies, and it *falls* at the end, as the meant reward does. So the first reward
-# is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high and some
-# too low, and whoever looks for the highest return goes where they are too high. (It is the maximisation bias of double
-# Q-learning, Sutton and Barto, section 6.7, and the reason why nobody judges a model by the data that it was fitted to.)
+# Learned returns are on a smaller scale than the meant one, as the right panel shows. So compare the first learned reward with the
+# *second* one: both were learned in the same way, and each is as good as the other. On the left they disagree more and more. In
+# the end the second promises half as much for these policies, and it *falls*, as the meant reward does. So the first reward
+# is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high
+# and some too low, and whoever looks for the highest return goes where they are too high. (So does Q-learning with its
+# maximum: the maximisation bias of Sutton and Barto, section 6.7. There, too, a second table is the cure.)
 #
 # On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises to the end. (Both
 # promise only half of what is meant. A guess: the table sees actions only, and the luck of a night looks like noise to it.)
@@ -249,16 +256,17 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About as large. A hundred answers, all of them right, still say little about a table of some 60 numbers. What a
+# **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers. What a
 # comparison says is which night was better *as a whole*, and not which of its steps made it so. Errors of the teacher make
 # it worse, if there are many (the sliders show $\tau = 10$); but without any it is still there. On a longer morning and with other costs the
 # same came out.
 # </details>
 
 # %% [markdown]
-# ### Is it what the teacher never saw?
-# The reference policy hardly ever rings at 7:10. Perhaps the learned reward is wrong only where no night went? Then compare nights
-# of *random* buttons, in which every action comes as often as any other.
+# ### Is it what was hardly ever tried?
+# The reference policy rings at 7:10 in one night of six, and so in some 33 of the 200 nights that were compared. Perhaps the learned
+# reward is wrong only about such rare actions? Then compare nights of *random* buttons, in which every action comes as often as
+# any other.
 #
 # **Predict.** The rewards are learned of a hundred pairs of random nights, and followed with the same penalties.
 
@@ -283,8 +291,9 @@ everywhere.measured(everywhere.options[2 if random.fall().mean() > 0.3 else 1 if
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It falls, and the clock is worse. So rare actions are not the reason either. Random nights say something
-# about everything, and less about the nights that matter: those of a good clock.
+# **Measured.** It falls, and the clock is worse. So rare *actions* are not the reason. Rare *states* may be a part of it: in random
+# nights she is seldom fast asleep at eight, and in the nights of a good clock she is. Such nights say something about
+# everything, and little about the nights that matter.
 # </details>
 
 # %% [markdown]
@@ -307,9 +316,9 @@ in_rounds.measured(rounds.at(methods.MODEST).mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth nearly one more point. The fall is
-# smaller and not gone. So there are four ways to lose less, and all were measured here: more comparisons, comparisons of what the
-# policy does now, a penalty for leaving the reference, and a second reward that says when to stop.
+# **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth 0.8 more. The fall is
+# smaller and not gone. So four things helped here: more comparisons, comparisons of what the policy does now, a penalty for
+# leaving the reference, and a stronger prior. And a second reward, for which other answers must be paid, shows the fall.
 # </details>
 
 # %% [markdown]
@@ -386,15 +395,17 @@ check(exercise_2, learn, seed=1, quiet=True)
 # `values` holds $Q(s, a)$ for one state, and `reference` the probabilities $\pi_{\text{ref}}(a \mid s)$. Return the probabilities of the
 # best policy there, for a penalty $\beta$ (`penalty`) that may also be very small.
 #
-# <details><summary>Hint</summary>V(s) only makes the probabilities sum to 1. And you may subtract the largest value from all of them first: that
-# changes nothing, and no exponential overflows.</details>
+# <details><summary>Hint</summary>V(s) only makes the probabilities sum to 1. And you may subtract the same number from all values
+# first, which changes nothing: the largest value among the actions that the reference takes. Then no exponential overflows, and one of them is 1.</details>
 
 
 # %%
 def with_penalty(values, reference, penalty):
     """Return the probability of each action."""
     ### BEGIN SOLUTION
-    weights = reference * np.exp((values - values.max()) / penalty)
+    taken = reference > 0
+    weights = np.zeros(len(values))
+    weights[taken] = reference[taken] * np.exp((values[taken] - values[taken].max()) / penalty)
     return weights / weights.sum()
     ### END SOLUTION
 
@@ -411,7 +422,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # Gymnasium alone: some 45 lines.
 #
 # **What it must do.** `my_program(environment, compare, n_comparisons, seed)` returns a policy, a function from an observation to
-# an action.
+# an action, always the same one for an observation.
 #
 # - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth). Its rewards are always 0. It is
 #   longer than the one above, and its costs are others: only the teacher knows them.
@@ -419,7 +430,8 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 #   next_observation)`, one for each step from `reset` to the end. She may be asked `n_comparisons` times (the check allows 300).
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
 #
-# The check works out exactly what your policy is worth to the teacher, for five seeds.
+# The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (We
+# plan with rewards from random nights; you may do better by asking in rounds.)
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
 
@@ -487,9 +499,9 @@ check(project_14, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - Rewards can be learned of comparisons alone: a hundred of them took a clock from a return of 0.2 to more than 8.
+# - Rewards can be learned from comparisons alone: a hundred of them took a clock from a return of 0.2 to more than 8.
 # - Followed too far, the learned return still rises and the meant one falls.
-# - A teacher who is never wrong did not cure it, nor did nights in which everything is tried. Thirty times as many comparisons did.
+# - A teacher who is never wrong did not cure it, nor did nights in which every action is tried as often. Thirty times as many comparisons did.
 # - A second reward, learned of other comparisons, saw the fall. The first one could not.
 # - The same number of comparisons, asked in rounds about what the policy does now, made a better clock.
 #
@@ -504,7 +516,7 @@ check(project_14, my_program)
 # Here the model is known, all returns are exact, and the teacher is a formula. People are tired, disagree with each other, and may like
 # what looks good. A table cannot generalise from one state to another, and a network can, for better or worse. All nights have
 # eight steps: where episodes end early, even a number that is added to all rewards changes what is best, and no comparison of nights of
-# equal length can tell it. And methods that skip the reward and change the policy at once (direct preference optimisation)
+# equal length can tell it. And methods that skip the reward and change the policy directly (direct preference optimisation)
 # are not in this lesson.
 #
 # ### Further reading

@@ -60,7 +60,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         with student_code(call), np.errstate(over="ignore", invalid="ignore"):
             found = answer(first, second, 1.0)
         given(call, found)
-        if not isinstance(found, int | float | np.number) or not abs(found - expected) < 1e-12:
+        if not isinstance(found, int | float | np.number) or not abs(found - expected) < 1e-6:
             raise WrongAnswer(
                 f"{call} should be {expected:g}, but is {found}: an exponential overflows, so write σ(x) for x below 0"
                 " as e^x / (1 + e^x), and else as 1 / (1 + e^(−x))"
@@ -186,7 +186,7 @@ def weighed(
     if kind == "reference":
         return np.asarray(base)
     exponents = sign * values / scale
-    weights = base * np.exp(exponents - exponents[base > 0].max())
+    weights = base * np.exp(np.where(base > 0, exponents - exponents[base > 0].max(), -np.inf))
     if kind == "added":
         weights = base + np.exp(exponents - exponents.max())
     policy: Reals = weights / (1.0 if kind == "not normalised" else weights.sum())
@@ -223,14 +223,17 @@ def _choices(rng: np.random.Generator) -> list[Choice]:
     return made
 
 
-EXTREME: Choice = (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 0.25]), 0.01)
+EXTREMES: tuple[Choice, ...] = (
+    (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 0.25]), 0.01),
+    (np.array([3_000.0, 1.0, 0.0]), np.array([0.0, 0.5, 0.5]), 0.01),  # the best action is never taken
+)
 
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the policy with a penalty, also with large values and a small penalty."""
     require_function("with_penalty", answer, "values, reference and penalty")
     rules: list[Callable[[Any], Any]] = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
-    cases = [*_choices(telling_draw(seed, _choices, rules)), EXTREME]
+    cases = [*_choices(telling_draw(seed, _choices, rules)), *EXTREMES]
     found, calls = [], []
     for values, reference, penalty in cases:
         call = f"with_penalty({in_brackets(values)}, {in_brackets(reference)}, {penalty:g})"
@@ -239,11 +242,12 @@ def exercise_3(answer: Any, seed: int) -> str:
             policy = answer(*mine, penalty)
         if not (np.array_equal(mine[0], values) and np.array_equal(mine[1], reference)):
             raise WrongAnswer(f"{call} changes one of the arrays that it is given: make a new one")
-        table = _table(call, policy, values.shape, finite=values is not EXTREME[0])
+        table = _table(call, policy, values.shape, finite=penalty != EXTREMES[0][2])
         if not np.isfinite(table).all():
             raise WrongAnswer(
-                f"{call} should give {in_brackets(weighed(EXTREME))}, but gives {in_brackets(table)}: an exponential"
-                " overflows; subtract the largest value from all values first"
+                f"{call} should give {in_brackets(weighed((values, reference, penalty)))}, but gives"
+                f" {in_brackets(table)}: an exponential overflows, or all of them are 0; first subtract the largest"
+                " value *among the actions that the reference takes* from all values"
             )
         found.append(table)
         calls.append(call)

@@ -23,6 +23,7 @@ from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewa
 TASK = Morning(length=10, ring=6.0, late=30.0)
 """Longer and dearer than that of the lesson: here a clock that does nothing is worth no more than random buttons."""
 N_COMPARISONS = 300
+FEWEST = 20
 SEEDS = 5
 OUR_SEEDS = range(100, 140)
 LOW, SLACK = 0.1, 0.5
@@ -78,12 +79,17 @@ class Teacher:
         ):
             self._refuse(f"compare takes two nights, each {NIGHT}, but one of them is {in_short(night)}")
         steps = [self._step(one) for one in night]
+        rows, ways = model_of(self._mdp).rows, model_of(self._mdp).p
         state, total = self._mdp.initial(self._rng), 0.0
         for before, action, after in steps:
             if before != state:
                 self._refuse(
                     f"a night has a step from {before} where the one before it ended in {state}: give all the steps of"
                     " one episode, in their order, with `next_observation` last"
+                )
+            if after not in rows or not ways[rows[before], action, rows[after]]:
+                self._refuse(
+                    f"no night has a step from {before} to {after} after action {action}: give steps that were taken"
                 )
             total += self._mdp.reward(before, action, after, self._rng)
             state = after
@@ -169,8 +175,8 @@ def project_14(answer: Any, seed: int) -> str:
     """Check a program that learns from comparisons: what its policy is worth, as it is meant."""
     require_function(NAME, answer, "environment, compare, n_comparisons and seed")
     found = [judged(answer, SEEDS * seed + number) for number in range(SEEDS)]
-    if not any(one.asked for one in found):
-        raise WrongAnswer(f"{NAME} never calls compare(first, second), and nothing else says what is wanted")
+    if (asked := min(one.asked for one in found)) < FEWEST:
+        raise WrongAnswer(f"{NAME} calls compare(first, second) {asked} times, and nothing else says what is wanted")
     ours, middle = our_returns(), sorted(found, key=lambda one: one.meant)[SEEDS // 2]
     told = f"the middle one of {SEEDS} runs makes a clock worth {middle.meant:.1f}"
     lowest = float(np.quantile(ours, LOW)) - SLACK

@@ -49,13 +49,13 @@ soccer.scene(soccer.initial(np.random.default_rng(1)))
 # A goal terminates the episode; after 100 steps it is truncated. Player 0 is blue and plays to the right, player 1 is red and plays
 # to the left. Both see everything.
 #
-# Two players choose instead of one: that is all that makes a *Markov game* of an MDP. Where one gets what the other loses, a game is called *zero-sum*.
+# Two players choose instead of one, and each has a reward of its own: that makes a *Markov game* of an MDP. Where one gets what the other loses, a game is called *zero-sum*.
 
 # %%
 source(games.Soccer, "moved", "rewards")
 
 # %% [markdown]
-# **Play it yourself.** You are blue. Your opponent never learns, and it cannot be beaten on average: below you will see how that is known.
+# **Play it yourself.** You are blue. Your opponent never learns, and it cannot be beaten on average: it comes from the exact solution of the game.
 # How do you get past it?
 
 # %%
@@ -87,7 +87,8 @@ for action, worth in zip(rock_paper_scissors.action_names, answers.Q[0], strict=
 #
 # ### How much can be won from you?
 # So we can ask for any pair of policies: what would each player gain if it knew the other's policy, and answered as well
-# as possible? The mean of the two gains is the *exploitability* of the pair:
+# as possible? The mean of the two gains is the *exploitability* of the pair (in
+# soccer below these are discounted returns: a goal after ten steps counts 0.35):
 #
 # $$
 # \tfrac{1}{2} \left[ \max_{\pi'} v_0(\pi', \rho) - v_0(\pi, \rho) \;+\; \max_{\rho'} v_1(\pi, \rho') - v_1(\pi, \rho) \right]
@@ -106,7 +107,7 @@ for name, pair in {
     print(f"{name:29} {games.exploitability(model, pair):.3f}")
 
 # %% [markdown]
-# Always rock can be beaten in every game. And so can any policy *without chance*, one that takes a single action in each state: who knows it takes what beats it.
+# Always rock can be beaten in every game. And so, in this game, can any policy *without chance*, one that takes a single action in each state: who knows it takes what beats it.
 #
 # ### What Q-learning takes for granted
 # Q-learning learns $Q(s, a)$, the return of an action in a world with *one* $p(s' \mid s, a)$. But this $p$ contains $\rho$. When the
@@ -135,7 +136,7 @@ for name, pair in {
 #
 # Each row by itself guarantees only $-1$. Now take row 0 with probability $p$. Column 0 then pays $2p - (1 - p) = 3p - 1$, and
 # column 1 pays $-p + (1 - p) = 1 - 2p$. The other takes the column that pays less. The lower of the two is highest where they are equal: $3p - 1 = 1 - 2p$, so $p = 0.4$. Then both columns pay 0.2, and it
-# does not help the other to know the policy. With more actions a linear programme finds this (von Neumann, 1928):
+# does not help the other to know the policy. That there is such a value is von Neumann's theorem (1928); with more actions a linear programme finds it:
 
 # %%
 value, own, other = games.solve_zero_sum([[2, -1], [-1, 1]])
@@ -218,7 +219,7 @@ who.measured(who.options[options.get(close, 3)])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Minimax Q-learning only. The Q-learners differ widely from run to run, and the average of fictitious play
-# comes down slowly. (In games of one move it is known to reach the equilibrium; in games of many steps nothing
+# comes down slowly. (In zero-sum games of one move it is known to reach the equilibrium; in games of many steps nothing
 # is guaranteed.)
 #
 # Look at the returns, too: about 0 for all of them. Both learn, both get better, and what one wins the other
@@ -247,7 +248,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: both end up talking, and the
 # exploitability is 0 (close above 3 it takes them longer). Learning alone is harmless there. But it is not good: both get 1, and could
-# have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two of them, both silent and both talking, and it depends on
+# have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two of them without chance, both silent and both talking, and it depends on
 # the first games which of them a pair finds: eight of ten ended up talking.
 # </details>
 
@@ -351,8 +352,8 @@ without.measured(without.options[0 if end < 0.05 else 1 if end < 0.2 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0. Both still learn, and the world still changes for each of them. But the best action is the same whatever the other does, as in the
-# prisoner's dilemma. So learning as if alone is not wrong in itself: it fails where the best answer depends on the other.
+# **Measured.** 0. Both still learn, and the world still changes for each of them; but nothing that the other does can stop the one with the ball. But the best action is the same whatever the other does, as in the
+# prisoner's dilemma. So learning as if alone is not wrong in itself: here it fails where only a choice by chance is safe.
 # </details>
 
 # %% [markdown]
@@ -376,9 +377,9 @@ perfect.measured(perfect.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than 0.3, almost as much as from random play. Against a perfect opponent many actions are equally good: it has left nothing to
-# win, whatever you do. So the Q-learner has no reason to prefer the safe ones, and takes any of them, without chance. It has
-# solved *its* MDP, and in this MDP nobody punishes a weak point. A perfect teacher does not make a safe pupil.
+# **Measured.** More than 0.3: three quarters of what it wins from random play. Against a perfect opponent many actions are equally good: it has left nothing to
+# win, whatever you do. So, we guess, the Q-learner has no reason to prefer the safe ones, and takes any of them,
+# without chance. In its MDP nobody punishes a weak point. A perfect teacher does not make a safe pupil.
 # </details>
 
 # %% [markdown]
@@ -538,14 +539,13 @@ check(project_13, my_program)
 # - A perfect opponent did not make the Q-learner safe: it learned any best answer, without chance.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* To an agent the others are a part of the world, and if they learn, this world moves. The best answer to
-# what they do now is no safe policy: it is without chance, and who knows it can beat it. Minimax Q-learning learns the values of pairs of actions, solves a matrix game in each
-# state, and so finds a policy that loses nothing to anybody. What a policy loses to its best opponent, its exploitability, tells them apart; the returns against the partner in training do not.
+# *Learn it by heart, or better, say it in your own words.* To an agent the others are a part of the world, and if they learn, this world moves. The best answer to what they do now is often no safe policy: it is without chance, and who knows it may beat it. Minimax Q-learning learns the values of pairs of actions, solves a matrix game in each
+# state, and so comes close to a policy that loses nothing to anybody. What a policy loses to its best opponent, its exploitability, tells them apart; the returns against the partner in training do not.
 #
 # ### Limits
 # Minimax Q-learning is for two players of whom one gets what the other loses. It needs to see the other's actions, and it solves a linear programme at every step. It is safe, and no more:
 # against a weak opponent it does not try to win as much as it could. In games that are not zero-sum there may be many equilibria, and to find a good one
-# together is another problem. Exploitability is exact here since the games are small. (None of this was measured here.)
+# together is another problem. Exploitability is exact here since the games are small.
 #
 # ### Further reading
 # - Littman (1994), *Markov games as a framework for multi-agent reinforcement learning*: minimax Q-learning, and this game. He let Q-learning train a challenger for each of

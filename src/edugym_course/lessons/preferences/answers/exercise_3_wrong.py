@@ -15,11 +15,12 @@ def with_penalty(values, reference, penalty):
 # %% not normalised
 # says: they do not sum to 1: divide by their sum
 def with_penalty(values, reference, penalty):
-    return reference * np.exp((values - values[reference > 0].max()) / penalty)
+    below = np.where(reference > 0, values - values[reference > 0].max(), -np.inf)
+    return reference * np.exp(below / penalty)
 
 
 # %% it overflows
-# says: : an exponential overflows; subtract the largest value from all values first
+# says: : an exponential overflows, or all of them are 0; first subtract the largest value *among the actions that the reference takes* from all values
 def with_penalty(values, reference, penalty):
     weights = reference * np.exp(values / penalty)
     return weights / weights.sum()
@@ -56,45 +57,45 @@ def with_penalty(values, reference, penalty):
 # %% no penalty
 # says: the penalty is left out: divide the values by it
 # in: from the largest
-# - weights = reference * np.exp((values - values.max()) / penalty)
-# + weights = reference * np.exp(values - values.max())
+# - weights = reference * np.exp(below / penalty)
+# + weights = reference * np.exp(below)
 
 
 # %% the reference
 # says: that is the reference: the values play no part
 # in: from the largest
-# - weights = reference * np.exp((values - values.max()) / penalty)
+# - weights = reference * np.exp(below / penalty)
 # + weights = reference * 1.0
 
 
 # %% squared
 # says: the reference is multiplied in twice
 # in: from the largest
-# - weights = reference * np.exp((values - values.max()) / penalty)
-# + weights = reference * reference * np.exp((values - values.max()) / penalty)
+# - weights = reference * np.exp(below / penalty)
+# + weights = reference * reference * np.exp(below / penalty)
 
 
 # %% where it acts
 # says: it matters only whether the reference takes an action, and it should matter how often
 # in: from the largest
-# - weights = reference * np.exp((values - values.max()) / penalty)
-# + weights = (reference > 0) * np.exp((values - values.max()) / penalty)
+# - weights = reference * np.exp(below / penalty)
+# + weights = (reference > 0) * np.exp(below / penalty)
 
 
 # %% in place
 # says: changes one of the arrays that it is given: make a new one
 # in: from the largest
-# - weights = reference * np.exp((values - values.max()) / penalty)
+# - weights = reference * np.exp(below / penalty)
 # + values -= values.max()
-# + weights = reference * np.exp(values / penalty)
+# + weights = reference * np.exp(below / penalty)
 
 
 # %% negative zero by zero
 # says: should give finite numbers, but gives
 # says: : is something divided by 0?
 # in: from the largest
-# - weights = reference * np.exp((values - values.max()) / penalty)
-# + weights = reference * np.exp(values - values.max()) / (penalty - penalty)
+# - weights = reference * np.exp(below / penalty)
+# + weights = reference * np.exp(below) / (penalty - penalty)
 
 
 # %% words
@@ -107,3 +108,10 @@ def with_penalty(values, reference, penalty):
 # %% an array
 # says: values, reference and penalty
 with_penalty = np.ones(3)
+
+
+# %% from the largest of all
+# says: an exponential overflows, or all of them are 0
+# in: from the largest
+# - below = np.where(reference > 0, values - values[reference > 0].max(), -np.inf)
+# + below = values - values.max()

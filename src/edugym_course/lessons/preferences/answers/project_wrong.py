@@ -63,7 +63,8 @@
 # + preferred.append(float(compare(visits(first), visits(second))))
 
 # %% never asked
-# says: never calls compare(first, second), and nothing else says what is wanted
+# says: calls compare(first, second)
+# says: times, and nothing else says what is wanted
 def my_program(environment, compare, n_comparisons, seed):
     return lambda observation: 1
 
@@ -71,14 +72,15 @@ def my_program(environment, compare, n_comparisons, seed):
 # %% the table
 # says: should return a function from an observation to an action, but returns
 def my_program(environment, compare, n_comparisons, seed):
-    night = []
-    observation, _ = environment.reset()
-    for _ in range(10):
-        then, _, _, _, _ = environment.step(0)
-        night.append((observation, 0, then))
-        observation = then
-    compare(night, night)
     return np.zeros((11, 3, 3))
+
+
+# %% a night that was made up
+# says: no night has a step from
+# says: : give steps that were taken
+def my_program(environment, compare, n_comparisons, seed):
+    night = [((t, 2 if t == 0 else 0), 0, (t + 1, 0)) for t in range(10)]
+    compare(night, night)
 
 
 # %% steps that do not fit
