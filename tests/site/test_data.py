@@ -22,8 +22,8 @@ each_race = pytest.mark.parametrize("race", RACES, ids=lambda race: race.environ
 
 
 def test_every_environment_of_a_lesson_has_a_race() -> None:
-    """In the order of the lessons."""
-    names = [entry.name for entry in in_course_order() if entry.lesson]
+    """In the order of the lessons. In Diver rewards are vectors, and a race shows one number."""
+    names = [entry.name for entry in in_course_order() if entry.lesson and entry.name != "Diver"]
     assert [race.environment for race in RACES] == names
 
 

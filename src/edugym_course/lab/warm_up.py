@@ -38,8 +38,8 @@ def main(lessons: Sequence[str]) -> None:
     It is the function `warm_up()` of the lesson's experiments; without one, all of them run with two repetitions.
     A lesson that fails here says so when the student runs it.
     """
-    if hasattr(os, "nice"):
-        os.nice(19)
+    if hasattr(os, "setpriority"):
+        os.setpriority(os.PRIO_PROCESS, 0, 19)  # whatever the priority of the process that started this one
     threading.Thread(target=_end_with_standard_input, daemon=True).start()
     warnings.simplefilter("ignore")
     for lesson in lessons:
