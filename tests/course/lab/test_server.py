@@ -127,7 +127,7 @@ def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> 
     modules = {name: SimpleNamespace(**kind) for name, kind in zip(names, kinds, strict=True)}
     monkeypatch.setattr(warnings, "simplefilter", done.append)
     monkeypatch.setattr(importlib, "import_module", modules.__getitem__)
-    monkeypatch.setattr(os, "nice", lambda by: done.append(by))
+    monkeypatch.setattr(os, "setpriority", lambda kind, process, priority: done.append(priority))
     monkeypatch.setattr(threading.Thread, "start", lambda self: done.append((self.daemon, self._target)))
     warm_up.main("abxc")
     assert done == [19, (True, warm_up._end_with_standard_input), "ignore", "b", {"repetitions": 2, "jobs": 1}]

@@ -267,11 +267,11 @@ def learning_claims(limits: ByTask, dear: list[VectorRun]) -> list[Claim]:
             Below(0.0),
         ),
         Claim(
-            "But in all no fewer than 45 of them do: they only come later",
+            f"With a first price of {HIGH:g} more than 45 dives take too long in all",
             quantity,
             mean_interval([float(dives.sum()) for dives in dear_dives]),
             Above(45.0),
-            "an agent that is to know what the deep brings has to have been there",
+            "its optimistic first values lead the agent everywhere once",
         ),
     ]
 
