@@ -268,7 +268,7 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 # reward is wrong only about such rare actions? Then compare nights of *random* buttons, in which every action comes as often as
 # any other.
 #
-# **Predict.** The rewards are learned of a hundred pairs of random nights, and followed with the same penalties.
+# **Predict.** The rewards are learned from a hundred pairs of random nights, and followed with the same penalties.
 
 # %%
 everywhere = predict(
@@ -441,7 +441,7 @@ my_program = ...  # your program
 
 ### BEGIN PROGRAM
 def my_program(environment, compare, n_comparisons, seed):
-    """Learn rewards of comparisons of random nights, then Q-learning with these rewards."""
+    """Learn rewards from comparisons of random nights, then Q-learning with these rewards."""
     rng = np.random.default_rng(seed)
     shape = (*environment.observation_space.nvec, 3)
 
@@ -502,7 +502,7 @@ check(project_14, my_program)
 # - Rewards can be learned from comparisons alone: a hundred of them took a clock from a return of 0.2 to more than 8.
 # - Followed too far, the learned return still rises and the meant one falls.
 # - A teacher who is never wrong did not cure it, nor did nights in which every action is tried as often. Thirty times as many comparisons did.
-# - A second reward, learned of other comparisons, saw the fall. The first one could not.
+# - A second reward, learned from other comparisons, saw the fall. The first one could not.
 # - The same number of comparisons, asked in rounds about what the policy does now, made a better clock.
 #
 # ### In one paragraph

@@ -1,4 +1,4 @@
-"""Preferences (lesson 14): rewards that are learned of comparisons, and what comes of following them too far.
+"""Preferences (lesson 14): rewards that are learned from comparisons, and what comes of following them too far.
 
 A teacher compares pairs of nights on the morning of lesson 10, and prefers the better one with the probability of
 Bradley and Terry, noise 1. They are nights of the reference policy: half of the time the best action, half of the time
@@ -126,7 +126,7 @@ def enough(name: str) -> str:
 
 def overrated(name: str) -> str:
     """Return the claim that the reward that was followed promises more than one of other comparisons."""
-    return f"On {name}, the reward that was followed promises more than one that was learned of other comparisons"
+    return f"On {name}, the reward that was followed promises more than one that was learned from other comparisons"
 
 
 def claims_on(name: str, by_change: Mapping[str, Followed]) -> list[Claim]:

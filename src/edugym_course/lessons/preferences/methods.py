@@ -1,4 +1,4 @@
-"""What lesson 14 does: nights are compared, rewards are learned of the comparisons, and followed more or less far."""
+"""What lesson 14 does: nights are compared, rewards are learned from the comparisons, and followed more or less far."""
 
 import threading
 from collections.abc import Sequence
@@ -108,7 +108,7 @@ class Followed(NamedTuple):
 
     Attributes:
         learned: by the rewards that were followed.
-        second: by rewards that were learned of other comparisons, as many and of the same kind.
+        second: by rewards that were learned from other comparisons, as many and of the same kind.
         meant: by the rewards that were meant.
         nats: how far the policy goes from the reference.
         penalties: the penalties.
@@ -142,7 +142,7 @@ def learned_rewards(
     rounds: int = 1,
     at_random: bool = False,
 ) -> Reals:
-    """Return rewards that were learned of comparisons.
+    """Return rewards that were learned from comparisons.
 
     Args:
         mdp: the morning, with the rewards that are meant.
@@ -176,7 +176,7 @@ def followed(
     stop: threading.Event | None = None,
     **how: Any,
 ) -> Followed:
-    """Learn rewards of comparisons, and follow them, over repetitions; other arguments as in `learned_rewards`."""
+    """Learn rewards from comparisons, and follow them, over repetitions; other arguments as in `learned_rewards`."""
     model, reference = model_of(mdp), half_right(mdp)
     before = policy_evaluation(model, reference).start
     rows = []

@@ -160,7 +160,7 @@ def judged(program: Any, seed: int) -> Judged:
 
 @cache
 def our_returns() -> tuple[float, ...]:
-    """Return the meant returns of our policies: planning on rewards that were learned of random nights."""
+    """Return the meant returns of our policies: planning on rewards that were learned from random nights."""
     mdp, model = TASK, model_of(TASK)
     returns = []
     for seed in OUR_SEEDS:
