@@ -1,6 +1,7 @@
 """Random generators taken by their address draw what they draw elsewhere, and are kept by nobody."""
 
 import copy
+import pickle
 import sys
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,12 @@ from edugym.mdp.protocol import Random
 from tests.compiled.cells import cell
 
 KINDS = [np.random.PCG64, np.random.PCG64DXSM, np.random.MT19937, np.random.Philox, np.random.SFC64]
+
+
+def test_type_is_found_by_its_name() -> None:
+    """The disk cache knows builds by their pickled types: one that is not found by its name makes every build new."""
+    kind = random_generators.LocatedGeneratorType
+    assert pickle.loads(pickle.dumps(kind)) is kind
 
 
 def draw(n: int, rng: Random, out: Any) -> None:

@@ -25,8 +25,11 @@ WORDS = ("state_address", "state", "fnptr_next_uint64", "fnptr_next_uint32", "fn
 """The fields of Numba's bit generator, in the order of `LocatedGenerator.words`."""
 
 
-LocatedGeneratorType: Any = type("LocatedGeneratorType", (types.NumPyRandomGeneratorType,), {})
-"""Numba's type of a generator that is passed by its address: like its own but for how it is passed."""
+LocatedGeneratorType: Any = type("LocatedGeneratorType", (types.NumPyRandomGeneratorType,), {"__module__": __name__})
+"""Numba's type of a generator that is passed by its address: like its own but for how it is passed.
+
+Its module is named because the disk cache finds a type by module and name; without it no build would be found again.
+"""
 
 
 class LocatedGenerator:

@@ -290,8 +290,9 @@ def one_wall(height=20, n_grips=2, epsilon=0.1, beta=1.0, gamma=0.9):
     """Draw the learning curves and the progress of the three methods on walls of one kind."""
     methods = paper_methods(epsilon, beta, gamma)
     results = compare(height, methods=methods, n_grips=n_grips, repetitions=10)
-    [[curves, progress]] = figures.learning_curves({height: results}, n_grips, epsilon).rows
-    return Sheet("one wall", [[curves, progress._replace(title=f"ε = {epsilon:g}, β = {beta:g}, γ = {gamma:g}")]])
+    curves = figures.curves(results, height, n_grips, epsilon)
+    progress = figures.progress(results, height, title=f"ε = {epsilon:g}, β = {beta:g}, γ = {gamma:g}")
+    return Sheet("one wall", [[curves, progress]])
 
 
 sliders(

@@ -72,14 +72,14 @@ def curves(results: Results, height: int, n_grips: int = 2, epsilon: float = EPS
     )
 
 
-def progress(results: Results, height: int) -> With:
+def progress(results: Results, height: int, title: str = "") -> With:
     """Return the highest position that was visited so far, in the course of training: a mean over the runs."""
     runs = {method: visits_of(results, method) for method in results.methods}
     last = float(results.table["step"].max())
     lines = Lines(
         np.linspace(0.0, last, 101),
         {method: np.mean([highest_so_far(run) for run in visits], axis=0) for method, visits in runs.items() if visits},
-        f"how far, on height {height}",
+        title or f"how far, on height {height}",
         "training steps",
         "highest position so far",
     )
