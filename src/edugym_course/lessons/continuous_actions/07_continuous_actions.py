@@ -106,25 +106,12 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 #
 # **Measured.** Four bins, by a little. On the left every dot is a place where the box can be let go, and the ring is
 # the one nearest to the middle. (The green lines are where the box only just fits.) By and large more bins mean more
-# places. But 4 bins have more than 5: five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart.
-# Four turn it by 4 or 12, so they are 4 degrees apart. (Both joints turn at every step, so only every second pair can be
-# reached; that still leaves more.)
+# places. But five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart. Four turn it by 4 or 12, so
+# they are 4 degrees apart. (Only every second pair of angles can be reached; that still leaves more.)
 #
 # With two bins the box can be let go at four places, all more than half of the way from the middle to the edge. No
 # learning can mend that: an agent with bins is at best as good as its bins.
 # </details>
-#
-# A narrower container asks for more. Move the slider until three bins cannot deliver the box at all. (The best return
-# is then 0, for holding the box until time is up.)
-
-
-# %%
-def container(width=0.45):
-    """Draw where the box can be let go in a container of this width."""
-    return figures.exact_figure(width, bins=(2, 3, 4, 5))
-
-
-sliders(container, width=(0.28, 0.6, 0.02))
 
 # %% [markdown]
 # ## The idea: learn the policy itself
@@ -132,9 +119,7 @@ sliders(container, width=(0.28, 0.6, 0.02))
 # Q-learning chooses the action with the largest value. With real actions that is a search at every step, for the
 # largest of infinitely many values. **Bins** make the actions few. Or the agent learns the policy itself: it draws its actions from a
 # **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, and learns which of them did well. It needs
-# no $Q$. All agents of this lesson do that; bins only change what they choose from. (There are more ways out: search
-# among drawn actions, as in QT-Opt; give $Q$ a form whose largest value is known, as in NAF; follow the slope of
-# $Q(s, a)$ with a deterministic policy, as in DDPG and TD3.)
+# no $Q$. All agents of this lesson do that; bins only change what they choose from.
 #
 # ### The policy gradient, in three lines
 # Take one decision first: the agent draws an action $A$ from $\pi(a \mid \theta)$ and gets the reward $R$, whose mean
@@ -199,9 +184,12 @@ source(follow_log_gradient)
 
 # %% [markdown]
 # The table needs *states* cut up as well: both coordinates of the wrist into 30 cells, and whether the box is held.
-# (Two bends of the elbow can give the same wrist; the table cannot tell them apart.) The last line below says into how
-# many cells each of the seven numbers of the observation is cut; 1 cell leaves a number out. (The last number is 0 or
-# 1, but its range goes from −1 to 1. Of two cells the upper one would hold both, so it has three.)
+
+# %% [markdown] tags=["aside"]
+# ### Aside: cutting the observation into cells
+# The last line below says into how many cells each of the seven numbers of the observation is cut; 1 cell leaves a number
+# out. (The last number is 0 or 1, but its range goes from −1 to 1. Of two cells the upper one would hold both, so it has
+# three.) Two bends of the elbow can give the same wrist; the table cannot tell them apart.
 
 # %%
 source(methods.in_a_table)
@@ -242,12 +230,11 @@ source(release.estimates)
 # %% [markdown]
 # Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
 # $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum over
-# a fine grid of actions, and take
-# *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is the
-# 95 % interval.)
+# a fine grid of actions, and take *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same
+# with $\ln \sigma$. (± is the 95 % interval.)
 #
-# The figure does the same for the slope in $\mu$ with 1 000 actions and $b = 0$. Those are few, so you see how far off
-# such a mean can be. The line in its left panel is the reward. The filled curve is the density of the policy; its height has no scale here.
+# The figure has 1 000 actions and $b = 0$, and shows how far off such a mean can be. The line in its left panel is the
+# reward, the filled curve the density of the policy.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
@@ -259,7 +246,9 @@ for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
 display(figures.gradient_figure())
 
 # %% [markdown]
-# They agree. Move the sliders: when is the estimate good, and when is it wild?
+# They agree. Move the sliders: when is the estimate good, and when is it wild? (Above all when $\sigma$ is small and $b$ is
+# far from $J$: with $\mu = \sigma = 0.1$ the baseline $b = J$ takes away more than nine tenths of the noise, as the next
+# aside measures.)
 
 
 # %%
@@ -270,8 +259,8 @@ def gradient(mu=0.6, sigma=0.5, actions=1_000, b=0.0):
 
 sliders(gradient, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 1.5, 0.1), actions=[10, 100, 1_000, 10_000], b=(-2.0, 6.0, 0.5))
 
-# %% [markdown]
-# ### What a baseline does
+# %% [markdown] tags=["aside"]
+# ### Aside: what a baseline does to a gradient
 # **Predict.** A policy has nearly learned it: $\mu = 0.1$, $\sigma = 0.1$. Nearly all of its rewards lie between 3.4
 # and 4. How noisy is one estimate of the slope in $\mu$ with the baseline $b = J$, compared with $b = 0$?
 
@@ -465,9 +454,8 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 #
 # <details><summary>What we found</summary>
 #
-# With all else as it is, $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four
-# end at 0. Even $\sigma = 1$ is not too large: three of four deliver the box. But with $\sigma = 1$ and `actor_rate`
-# 0.002 all four stay at −1.
+# $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. Even
+# $\sigma = 1$ is not too large: three of four deliver the box. But with `actor_rate` 0.002 as well all four stay at −1.
 # </details>
 
 
@@ -621,6 +609,18 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 #
 # Three bins lose little more than what is no longer possible for them.
 # </details>
+#
+# Move the slider until three bins cannot deliver the box at all. (The best return is then 0, for holding the box until time
+# is up.)
+
+
+# %%
+def container(width=0.45):
+    """Draw where the box can be let go in a container of this width."""
+    return figures.exact_figure(width, bins=(2, 3, 4, 5))
+
+
+sliders(container, width=(0.28, 0.6, 0.02))
 
 # %% [markdown]
 # ### "Continuous is always better"
@@ -977,16 +977,6 @@ check(project_7, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - Bins limit what is possible: with 3 bins the best return is 4.31, and no learning can mend that. More bins are
-#   mostly better at their best, but not always (4 and 5).
-# - On the same table, with the same agent, fewer bins were learned sooner. With PPO (in an aside) only 3 bins were clearly
-#   sooner, and only than 5 and 9.
-# - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. A
-#   baseline does not change that mean. With small steps it kept narrow policies in the container; with $\alpha = 0.1$ it
-#   did not (in an aside).
-# - A Gaussian has one peak. Where a better action lies behind worse ones, bins can find it, and a narrow Gaussian
-#   does not.
-#
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With continuous actions no agent can try them all. We can
 # choose a few: then the best of these few is the most that we can get, and with $m$ joints there are $n^m$ of them. Or we
@@ -996,7 +986,8 @@ check(project_7, my_program)
 # is near it.
 #
 # ### Limits
-# The search for the largest $Q$ and the deterministic policy were named and not tried. Trashbot has two joints; the growth
+# There are more ways out, which we did not try: search among drawn actions for the largest $Q$ (QT-Opt), give $Q$ a form
+# whose largest value is known (NAF), follow its slope with a deterministic policy (DDPG, TD3). Trashbot has two joints; the growth
 # of $n^m$ was computed and not felt. (Bins need not be crossed: PPO has a softmax for each joint, $nm$ outputs instead of
 # $n^m$.) The agents were tuned by trials of a few settings, so the fast experiment ranks these agents and not all. And
 # the clock is not in the observation, and the wrist does not tell the bend of the elbow, so the task is not quite Markov.

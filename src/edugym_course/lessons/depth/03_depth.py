@@ -203,8 +203,8 @@ half_way.measured(figures.episodes_until(credit.handed_back(1)))
 
 # %% [markdown]
 # ### Watch them
-# A real agent does not repeat one episode. It explores, and what it has learned decides where it goes. Here are two
-# agents after 60 episodes on the layout above. First one-step SARSA, then Monte Carlo. Both play without exploring.
+# A real agent explores, and what it has learned decides where it goes. Here are one-step SARSA and Monte Carlo after 60
+# episodes on the layout above. Both play without exploring.
 
 
 # %%
@@ -219,7 +219,7 @@ watch(1, episodes=60)
 watch(math.inf, episodes=60)
 
 # %% [markdown]
-# Monte Carlo passes, and one-step SARSA does not yet. Both once more, after 4 000 episodes. Look at the free days.
+# Monte Carlo passes, and one-step SARSA does not yet. Both after 4 000 episodes: look at the free days.
 
 # %%
 watch(1, episodes=4_000)
@@ -234,9 +234,8 @@ for n in (1, math.inf):
 print(f"optimum      {study.reward_threshold:.2f}")
 
 # %% [markdown]
-# Both pass now. On this layout, going out and sleeping are cheap, and studying and the other things are expensive.
-# One-step SARSA has found that out and is near the optimum. Monte Carlo still spends free days on expensive things. Is
-# that so in general?
+# Both pass now. Here going out and sleeping are cheap, and all else is expensive. One-step SARSA has found that out.
+# Monte Carlo still spends free days on expensive things. Is that so in general?
 
 # %% [markdown]
 # ## The experiment: early and late
@@ -455,8 +454,7 @@ noise.measured(100 * targets.noise_share(0.2))
 # This figure explains the puzzle. Where rewards are not very noisy, *the agent makes most of the noise itself:* a deep
 # target hands back the agent's own random actions. A target with $n$ rewards contains $n + 1$ actions: the last one,
 # $A_n$, is in the value $Q(S_n, A_n)$. So only the last two targets contain the action on the day of the exam, where a
-# random one costs 10, and their bars are so high. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures,
-# which are on the days 2, 4 and 5 of this layout: a random action may miss one.)
+# random one costs 10, and their bars are so high.
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
 # aside), while on a free day two actions differ by a few hundredths. So Monte Carlo passes the exam and wastes its free
@@ -464,6 +462,9 @@ noise.measured(100 * targets.noise_share(0.2))
 
 # %% [markdown] tags=["aside"]
 # ### Aside: how much a value scatters
+# (In the figure above, the smaller rises at $n = 2$, 4 and 5 come from the lectures, which are on the days 2, 4 and 5 of
+# this layout: a random action may miss one.)
+#
 # With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
 # targets, and $x$ the variance of the value itself after many updates. One more update,
 # $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If the policy stays and each target is independent
@@ -511,8 +512,8 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # must be averaged. One-step targets vary little, and they need a large rate to get down the staircase in time. With a
 # rate of 1 a value keeps only its last target, and no method does well.
 #
-# Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo
-# with a tiny rate does at least as well. *Never compare two values of $n$ at one learning rate only.*
+# In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. *Never compare two values of $n$ at one
+# learning rate only.*
 # </details>
 
 # %% [markdown]
@@ -601,13 +602,18 @@ suffers.measured(max(loss, key=loss.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
-# suffer.
+# suffer. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*, and where it had passed
+# once, it passes in the end. So this is a problem of exploration, not of credit.
 # </details>
+#
+# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
+# runs apart. (The first aside below does so.)
 
-# %% [markdown]
-# Is that the variance again? Let us check before we believe it. If variance were the reason, Monte Carlo would pass the
-# exam now and then in training, and lose it again. So we ask two questions. In which share of the runs did the agent
-# pass *at least once* in training? And how many of those runs pass in the end?
+# %% [markdown] tags=["aside"]
+# ### Aside: is that the variance again?
+# If variance were the reason, Monte Carlo would pass the exam now and then in training, and lose it again. So we ask two
+# questions. In which share of the runs did the agent pass *at least once* in training? And how many of those runs pass in
+# the end?
 #
 # **Predict.** Of the runs of Monte Carlo that passed at least once, how many pass in the end?
 
@@ -628,22 +634,18 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never passed the
-# exam at all*. So this is a problem of exploration, not of credit. The others keep less of what they met: such a run has
+# **Measured.** All of them. Monte Carlo does not lose what it found. The others keep less of what they met: such a run has
 # typically passed once or twice (in brackets), and one pass moves the values of $n$ days only.
 #
 # Why does one-step SARSA meet the exam in more runs? All values start at 0, and every action has a price, so what was
 # not tried looks better. One-step SARSA hands this back too: it goes where untried actions are (optimistic values, Sutton and
-# Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (An aside below tests
-# this.)
+# Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (The next aside tests this.)
 # </details>
-#
-# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
-# runs apart.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: the explanation, put to a test
-# If this explanation is right, then one-step SARSA depends on untried actions that look good. So we take that away. In
+# All values start at 0, and every action has a price, so what was not tried looks better. Is that why one-step SARSA meets
+# the exam in more runs? Then it depends on untried actions that look good. So we take that away. In
 # the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
 # *bad*.
 #
@@ -1005,15 +1007,6 @@ check(project_3, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about
-#   $\lceil H/n \rceil / \alpha$ equal episodes. So deep targets are ahead early.
-# - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards.
-# - More noise did not make Monte Carlo end worse (in an aside; a guess: noise also explores). More actions without effect
-#   did, but not by variance: Monte Carlo met the exam less often.
-# - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
-# - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at
-#   exploring actions is fast early and precise late.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* The number $n$ says how many real rewards a target contains

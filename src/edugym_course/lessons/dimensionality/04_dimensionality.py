@@ -470,9 +470,7 @@ unseen.measured(len(generalises))
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
 # no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run of
-# ten; with $\alpha = 0.02$ or 0.01 nearly half of the runs do. Its sum has no term for ball and paddle together, so it
-# cannot represent the true values. Weights exist that catch every ball: try to find them. In 60 runs with each of four
-# learning rates Q-learning found none.)
+# ten: see the aside.)
 # </details>
 #
 # ### The picture that explains it
@@ -510,7 +508,8 @@ for row in touched:
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
 # network on pixels shares much between boards that have most pixels in common, as with noise. But a ball in column 1 and
 # a ball in column 2 light different pixels, so no weight that reads the ball is shared. Ball minus paddle shares all that
-# matters, and there a person has done the work.
+# matters, and there a person has done the work. So has whoever chose the network of the next aside, a CNN in which no
+# weight belongs to a column: it catches the withheld balls.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the paddle goes instead
@@ -532,9 +531,13 @@ for column in tasks.WITHHELD:
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle ends in the middle.
+#
+# Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 nearly half of its runs learn
+# the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values. Weights
+# exist that catch every ball: try to find them. In 60 runs with each of four learning rates Q-learning found none.
 
-# %% [markdown]
-# ### Can a network share more?
+# %% [markdown] tags=["aside"]
+# ### Aside: can a network share more?
 # A *convolutional* network (CNN) uses the same weights at every place: a *filter*, a small array of weights, slides
 # over the image. Two of them were trained for 30 000 steps on images of balls from columns 0, 2 and 4, by PPO of
 # Stable-Baselines3 (a policy gradient method, chapter 13). We stored the results of ten seeds each.
@@ -1072,14 +1075,6 @@ check(project_4, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - A hashed table of boards learns exactly as a table of positions. It fails when every observation is new, even if it
-#   differs from another one only by a little noise. The network did learn then.
-# - Linear features share weights between states. The update is the semi-gradient step: the error times the features.
-#   DQN is that step through two layers, with a memory and an old copy of the weights for the target.
-# - A network on pixels knew nothing about balls in columns that it had never seen: weights from pixels that were always
-#   0 do not move. A network in which no weight belongs to a column did know.
-# - Function approximation, bootstrapping and off-policy learning together can make values grow for ever (in an aside).
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, so it needs to meet

@@ -62,9 +62,7 @@ env.scene()
 # `vocab_size`.
 #
 # After each step a tenth of the reward is added to the hit points; the sum is rounded down, and kept between 0 and 100.
-# They start at 100. (By hand: at the start all $v_i$ are 100. If the toy wants to sleep and is put to bed, they become
-# 95, 100, 95 and 95, since 130 is cut off at 100. If it is fed instead, they become 85, 85, 100 and 85, since 120 is
-# cut off as well.) An episode has 100 steps. It *terminates* earlier if the hit points fall to 0. The *return* is the
+# They start at 100. An episode has 100 steps. It *terminates* earlier if the hit points fall to 0. The *return* is the
 # sum of all rewards of an episode. The best possible return is 6 707 on average, and random actions return −676.
 #
 # These are the methods that run. (`rng` draws random numbers.)
@@ -74,6 +72,11 @@ source(type(env.mdp), "changed", "reward")
 
 # %%
 source(happiness)
+
+# %% [markdown] tags=["aside"]
+# ### Aside: one step by hand
+# At the start all $v_i$ are 100. If the toy wants to sleep and is put to bed, they become 95, 100, 95 and 95, since 130 is
+# cut off at 100. If it is fed instead, they become 85, 85, 100 and 85, since 120 is cut off as well.
 
 # %% [markdown]
 # ### What a word says
@@ -172,13 +175,11 @@ frames(
 # information. To tell which of four equally likely needs it is takes $\log_2 4 = 2$ bits.
 #
 # To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur. We take a toy *in perfect
-# care*, which always gets what it wants. (A neglected toy has needs that differ more, so its words tell more.) The code
-# below makes the table for messages of one word: `states_met` plays some episodes and counts the states, and the last
-# line of the loop adds up the needs that share a word.
+# care*, which always gets what it wants. The code below makes the table for messages of one word: `states_met` plays some
+# episodes and counts the states, and the last line of the loop adds up the needs that share a word.
 #
-# For longer messages $y$ is how often each word occurs: given the state the words are drawn independently, so their
-# order tells nothing. But they come from the same state, and the second word tells in part what the first one told. Two
-# words carry less than twice the bits of one.
+# For longer messages $y$ is how often each word occurs. (Given the state the words are drawn independently, so their order
+# tells nothing.) The second word tells in part what the first one told: two words carry less than twice the bits of one.
 
 # %%
 source(joint_table)
@@ -498,6 +499,8 @@ in_turn.measured(100 * blind / methods.OPTIMUM)
 #
 # "Without a signal nothing can be learned" is wrong. An agent can *remember* instead, and its own actions are part of
 # what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
+# But memory can stand in for a signal only as far as the world is predictable: on a toy with *moods*, in an aside below,
+# the same player gets a tenth of the optimum.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -536,8 +539,8 @@ remembers.measured(counts["with its last action"])
 # median of each run.)
 # </details>
 
-# %% [markdown]
-# ### How far does memory carry?
+# %% [markdown] tags=["aside"]
+# ### Aside: how far does memory carry?
 # A toy that always gets hungry on schedule is easy to remember. Let us give it *moods*. With probability 0.1 in each
 # step, one of its four variables falls by 20, all of a sudden. What this class does not define stays as it was.
 
@@ -569,8 +572,7 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 #
 # **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood
 # changes the order of the needs, the player does not notice, and each wrong action costs all four. Obeying falls too,
-# from about 3 290 to 2 040. Memory can stand in for a signal as far as the world is predictable, and no further. Who
-# should win here is a player that uses both: that is exercise 3, and the challenge.
+# from about 3 290 to 2 040. Who should win here is a player that uses both: that is exercise 3, and the challenge.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -888,13 +890,6 @@ check(project_6, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - With growing noise the return of Q-learning fell from the optimum to that of random actions. Half a bit, on a toy in
-#   perfect care, brought nine tenths of it.
-# - Longer messages carry more. A vote used that; a table needed far more steps to use a part of it.
-# - Synonyms made learning slow (in an aside). Ambiguous words made it fail, although they carried a whole bit.
-# - Taking turns got 99 % without any message, and a tenth on a moody toy. A memory of one action helped the vote at every
-#   length.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An agent that does not see the state acts on a signal. How
