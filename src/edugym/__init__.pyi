@@ -11,11 +11,17 @@ from edugym.adapters.sharing import share as share
 from edugym.adapters.vector_env import MDPVectorEnv as MDPVectorEnv
 from edugym.agents.actor_critic import ActorCritic as ActorCritic
 from edugym.agents.count_based import CountBased as CountBased
+from edugym.agents.dataset import Dataset as Dataset
+from edugym.agents.dataset import collect as collect
 from edugym.agents.double_q_learning import DoubleQLearning as DoubleQLearning
 from edugym.agents.dqn import DQN as DQN
 from edugym.agents.dyna_q import DynaQ as DynaQ
 from edugym.agents.expected_sarsa import ExpectedSARSA as ExpectedSARSA
 from edugym.agents.features import Identity as Identity
+from edugym.agents.fitted_q import FittedValues as FittedValues
+from edugym.agents.fitted_q import fitted_q_evaluation as fitted_q_evaluation
+from edugym.agents.fitted_q import fitted_q_iteration as fitted_q_iteration
+from edugym.agents.fitted_q import pessimistic_q_iteration as pessimistic_q_iteration
 from edugym.agents.gaussian_actor_critic import GaussianActorCritic as GaussianActorCritic
 from edugym.agents.go_explore import GoExplore as GoExplore
 from edugym.agents.hindsight import FinalGoal as FinalGoal
@@ -25,6 +31,9 @@ from edugym.agents.hindsight_dqn import HindsightDQN as HindsightDQN
 from edugym.agents.hindsight_q_learning import HindsightQLearning as HindsightQLearning
 from edugym.agents.linear_q_learning import LinearQLearning as LinearQLearning
 from edugym.agents.n_step_sarsa import NStepSARSA as NStepSARSA
+from edugym.agents.off_policy_evaluation import Estimate as Estimate
+from edugym.agents.off_policy_evaluation import doubly_robust as doubly_robust
+from edugym.agents.off_policy_evaluation import importance_sampling as importance_sampling
 from edugym.agents.preferences import fit_rewards as fit_rewards
 from edugym.agents.preferences import preference as preference
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping as PrioritisedSweeping

@@ -109,6 +109,11 @@ def envs() -> Any:
     return played
 
 
+def data() -> Any:
+    """Three episodes of a walk."""
+    return edugym.collect(known().model, [1] * 4, 3, max_steps=9, seed=0)
+
+
 def agent_with(**strategy: Any) -> Any:
     """An agent, whose `create` checks its strategy."""
     return edugym.QLearning.create((4, 2), **strategy)
@@ -160,6 +165,23 @@ ANY = "None text nan inf -1 0 2.5 1e30 1e400 [] object array agent_class task_cl
 CALLS: dict[str, Callable[[], Case]] = {
     "Above": lambda: Case(lambda threshold: claimed(edugym.Above(threshold)), {"threshold": 1}, {"threshold": NUMBER}),
     "Below": lambda: Case(lambda threshold: claimed(edugym.Below(threshold)), {"threshold": 1}, {"threshold": NUMBER}),
+    "Dataset.create": lambda: Case(
+        edugym.Dataset.create,
+        {"states": [0], "actions": [1], "rewards": [1.0], "next_states": [1], "terminated": [True],
+         "truncated": [False], "probabilities": [0.5], "n_states": 4, "n_actions": 2},
+        named={"n_states": "states next_states", "n_actions": "actions"}),
+    "collect": lambda: Case(
+        edugym.collect, {"model": known().model, "policy": [1] * 4, "n_episodes": 3, "max_steps": 9},
+        {"max_steps": "None"}),
+    "doubly_robust": lambda: Case(
+        edugym.doubly_robust, {"dataset": data(), "policy": [1] * 4, "Q": np.zeros((4, 2))}),
+    "fitted_q_evaluation": lambda: Case(
+        edugym.fitted_q_evaluation, {"dataset": data(), "policy": [1] * 4}, {"unseen": NUMBER}),
+    "fitted_q_iteration": lambda: Case(edugym.fitted_q_iteration, {"dataset": data()}, {"unseen": NUMBER}),
+    "importance_sampling": lambda: Case(edugym.importance_sampling, {"dataset": data(), "policy": [1] * 4}),
+    "pessimistic_q_iteration": lambda: Case(
+        edugym.pessimistic_q_iteration, {"dataset": data(), "penalty": 1.0, "lowest": -9.0},
+        {"penalty": NOT_NEGATIVE, "lowest": NUMBER}),
     "divergence": lambda: Case(
         edugym.divergence, {"model": known().model, "policy": [1] * 4, "reference": [[0.5, 0.5]] * 4},
         named={"policy": "reference"}),

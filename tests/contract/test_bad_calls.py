@@ -48,7 +48,9 @@ CALLED_BY_LOOPS = (
 what the gates have looked at."""
 MADE_BY_LIBRARY = {
     "ConstrainedOptimum",
+    "Estimate",
     "FiniteModel",
+    "FittedValues",
     "Front",
     "GameRun",
     "Interval",

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks.parameters import a_number, above, an_array, in_short
+from edugym.checks.parameters import a_number, above, an_array, flags, in_short
 from edugym.mdp.protocol import Reals
 
 SETTLED = 1e-9
@@ -64,7 +64,7 @@ def fit_rewards(first: Any, second: Any, prefers_first: Any, *, prior: float = 0
     above("prior", prior, 0, 1e6)
     visits = an_array("first", first, ("n", "n_states", "n_actions"))
     others = an_array("second", second, visits.shape)
-    preferred = _flags(prefers_first, len(visits))
+    preferred = flags("prefers_first", prefers_first, len(visits), "comparisons")
     if not np.isfinite(visits).all() or not np.isfinite(others).all():
         raise ValueError("first and second must hold finite numbers of visits, but one of them does not")
     n_states, n_actions = visits.shape[1:]
@@ -115,18 +115,6 @@ def _returns(name: str, given: Any) -> Reals:
     if not returns.size or not np.isfinite(returns).all():
         raise ValueError(f"{name} must be a finite number, or an array of them, but is {in_short(given)}")
     return returns
-
-
-def _flags(values: Any, n: int) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-    """Which of n comparisons the first piece won.
-
-    Raises:
-        ValueError: these are not as many truth values.
-    """
-    flags = np.asarray(values) if isinstance(values, list | tuple | np.ndarray) else np.asarray(None)
-    if flags.shape != (n,) or not np.isin(flags, (0, 1)).all():
-        raise ValueError(f"prefers_first must be True or False for each of {n} comparisons, but is {in_short(values)}")
-    return flags.astype(bool)
 
 
 def _logistic(x: Reals) -> Reals:

@@ -90,6 +90,14 @@ def true_or_false(name: str, value: Any) -> bool:
     return bool(value)
 
 
+def flags(name: str, values: Any, n: int, of_what: str) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+    """Refuse `values` that are not True or False for each of n things, whose name is `of_what`."""
+    given = np.asarray(values) if isinstance(values, list | tuple | np.ndarray) else np.asarray(None)
+    if given.shape != (n,) or given.dtype.kind not in "biufO" or not np.isin(given, (0, 1)).all():
+        raise ValueError(f"{name} must be True or False for each of {n} {of_what}, but is {in_short(values)}")
+    return given.astype(bool)
+
+
 def a_text(name: str, value: Any) -> str:
     """Refuse a `value` that is not a text."""
     if not isinstance(value, str):

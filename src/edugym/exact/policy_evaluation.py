@@ -52,13 +52,18 @@ def policy_evaluation(
     return sweep_until_settled(model, expected, discount, horizon, tolerance, max_sweeps)
 
 
-def as_probabilities(policy: Any, model: FiniteModel, name: str = "policy") -> Reals:
+def as_probabilities(policy: Any, model: FiniteModel | tuple[int, int], name: str = "policy") -> Reals:
     """A policy as the probability of every action in every state, shape (S, A); messages call it by a name.
+
+    Args:
+        policy: what was given.
+        model: the model by whose rows it goes, or (S, A).
+        name: of the parameter.
 
     Raises:
         ValueError: it has another shape, actions that are not there, or probabilities that are none.
     """
-    n_states, n_actions, _ = model.successors.shape
+    n_states, n_actions = model if not isinstance(model, FiniteModel) else model.successors.shape[:2]
     if hasattr(policy, "act"):
         kind = policy.__name__ if isinstance(policy, type) else type(policy).__name__
         raise ValueError(f"{name} must be an array, but is the agent {kind}: policy_of(agent, model) gives its policy")

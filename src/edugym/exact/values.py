@@ -61,10 +61,15 @@ class Values(NamedTuple):
 
     def greedy_policy(self) -> Reals:
         """The policy that takes the best action, shape (S, A): the best ones share the probability equally."""
-        best = self.Q.max(axis=1, keepdims=True)
-        is_best = best - CLOSE * np.maximum(1.0, np.abs(best)) <= self.Q
-        policy: Reals = is_best / is_best.sum(axis=1, keepdims=True)
-        return policy
+        return greedy_actions(self.Q)
+
+
+def greedy_actions(Q: Reals) -> Reals:
+    """The policy that takes the best action, shape (S, A): the best ones share the probability equally."""
+    best = Q.max(axis=1, keepdims=True)
+    is_best = best - CLOSE * np.maximum(1.0, np.abs(best)) <= Q
+    policy: Reals = is_best / is_best.sum(axis=1, keepdims=True)
+    return policy
 
 
 def largest(Q: Reals) -> Reals:

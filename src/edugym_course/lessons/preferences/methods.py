@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.agents.dataset import drawn
 from edugym.agents.preferences import fit_rewards, preference
 from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
@@ -69,19 +70,13 @@ def nights(model: FiniteModel, policy: Reals, n: int, rng: Random) -> tuple[Real
     states = rng.choice(len(model.states), n, p=model.initial)
     visits, returns = np.zeros((n, *policy.shape)), np.zeros(n)
     while not model.terminal[states].all():
-        actions = _drawn(policy[states], rng)
-        ways = _drawn(model.probabilities[states, actions], rng)
+        actions = drawn(policy[states], rng)
+        ways = drawn(model.probabilities[states, actions], rng)
         going_on = ~model.terminal[states]
         visits[every, states, actions] += going_on
         returns += model.rewards[states, actions, ways]  # it is 0 after the end
         states = model.successors[states, actions, ways]
     return visits, returns
-
-
-def _drawn(probabilities: Reals, rng: Random) -> Any:
-    """Return a number drawn for each row, by the probabilities in it."""
-    up_to = probabilities.cumsum(axis=1)
-    return (rng.random((len(up_to), 1)) * up_to[:, -1:] >= up_to).sum(axis=1)
 
 
 def compared(model: FiniteModel, policy: Reals, n: int, noise: float, rng: Random) -> Comparisons:
