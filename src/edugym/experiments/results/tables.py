@@ -67,7 +67,7 @@ class Results:
     @property
     def methods(self) -> list[str]:
         """The labels of the methods, in the order in which they were given."""
-        return list(dict.fromkeys([*self.agents, *map(str, self._rows["method"])]))
+        return list(dict.fromkeys([*self.agents, *map(str, np.asarray(self._rows["method"]).tolist())]))
 
     @property
     def complete(self) -> bool:
