@@ -62,6 +62,18 @@ def test_claims() -> None:
     dives = run((10, -1), (10, -1), (90, -17), (10, -1), (10, -1), (90, -17))
     claims = experiments.limit_claims({(1.0, 7): [dives, dives], (0.0, 7): [dives, dives]})
     value, steps = 110 / 3 - 40, 19 / 3 - 7
-    assert measured(claims) == pytest.approx([1 / 3, value, steps, 1 / 3], abs=1e-6)
-    free, dear = run(*[(90, -17)] * 200), run(*[(10, -1)] * 100, *[(90, -17)] * 50)
-    assert measured(experiments.learning_claims({(0.0, 7): [free, free]}, [dear, dear])) == [200.0, -50.0, 50.0]
+    assert measured(claims) == pytest.approx([1 / 3, value, steps, 0.0], abs=1e-6)
+    short = [(10, -1)] * 200
+    free, dear, never = run(*[(90, -17)] * 100, *short), run(*[(10, -1)] * 80, *[(90, -17)] * 20, *short), run(*short)
+    stuck = run(*[(90, -17)] * 300)
+    runs = {name: [never, stuck, never] for name in experiments.BEGINNINGS}
+    runs |= {experiments.FREE: [free, stuck, free], experiments.DEAR: [dear, dear, stuck]}
+    found = measured(experiments.learning_claims((0.0, 7), runs))
+    assert found == [100.0, 20.0, 0.0, 0.0, 0.0, 0.0, 20.0 - 0.5 * 100.0]  # what does not settle does not count
+
+
+def test_known_values() -> None:
+    """Only the price begins anew: with a high one, no dive goes where the values of before do not lead."""
+    known, new = (methods.lagrangian(0.0, first_price=30.0, n_steps=9_000, known=known) for known in (True, False))
+    assert methods.too_long(known.training_returns).sum() == 0
+    assert methods.too_long(new.training_returns).sum() > 40

@@ -4,7 +4,8 @@ Weighted sums are learned by Q-learning, for 53 weights of time from 0.15 to 7.9
 distances have 18 weights of time from 0.15 to 60. Both learn for 20 000 steps from random dives, with learning rate 1
 and discount 1: nothing depends on chance here but what is tried, so none fails for want of exploration. Pareto
 Q-learning learns for 5 000 steps from random dives. The agent with a limit has the learning rate 0.01 for its price,
-and learns for 50 000 steps; it explores by first values of 100 for the value and 0 for time. 10 repetitions.
+and learns for 50 000 steps; it explores by first values of 100 for the value and 0 for time. 10 repetitions, and five
+times as many with a limit.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,7 +15,7 @@ import numpy as np
 
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.results.claims import Above, Below, Claim, Within
-from edugym.experiments.results.statistics import exactly, mean_interval
+from edugym.experiments.results.statistics import exactly, mean_interval, share_interval
 from edugym.objectives.points import supported
 from edugym.objectives.train_vectors import VectorRun
 from edugym_course.lessons.objectives import figures
@@ -31,6 +32,7 @@ from edugym_course.lessons.objectives.methods import (
     lagrangian,
     late,
     planned_by_weights,
+    settles,
     too_long,
     weighted,
 )
@@ -46,12 +48,20 @@ ON_THE_HULL = ((0.0, LIMIT), (0.5, 9), (1.0, 17))
 """The same, but some weights prefer it."""
 HIGH = 30.0
 """A first price at which no dive is worth its steps."""
+FAST = 0.05
+"""A rate of the price, five times that of the lesson."""
+LEARNED = ((0.0, LIMIT), (0.25, LIMIT), (0.0, 5))
+"""Concavity and limit, where it is measured what learning costs."""
+MORE = 5
+"""So many times as many runs with a limit: some of them do not settle."""
 FIRST = 100
 """So many dives are the first ones."""
 
 Found = TypeVar("Found")
 ByConcavity = Mapping[float, list[list[int]]]
-ByTask = Mapping[tuple[float, int], list[VectorRun]]
+Task = tuple[float, int]
+"""Concavity and limit."""
+ByTask = Mapping[Task, list[VectorRun]]
 
 
 class Measured(NamedTuple):
@@ -63,7 +73,7 @@ class Measured(NamedTuple):
         rest: the same with the rule of the paper, by the rest of the dive.
         sets: those found by Pareto Q-learning.
         limits: the runs with a limit.
-        dear: the same at concavity 0 with a high first price.
+        costs: by task, those with other first prices and rates, with known values and without, by their names.
     """
 
     weights: ByConcavity
@@ -71,15 +81,15 @@ class Measured(NamedTuple):
     rest: ByConcavity
     sets: ByConcavity
     limits: ByTask
-    dear: list[VectorRun]
+    costs: Mapping[Task, Mapping[str, list[VectorRun]]]
 
 
 def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     first = 1_000 * how.shared["seed"]
 
-    def over_seeds(function: Callable[..., Found], *settings: Any, **more: Any) -> list[Found]:
-        seeds = range(first, first + how.repetitions)
+    def over_seeds(function: Callable[..., Found], *settings: Any, times: int = 1, **more: Any) -> list[Found]:
+        seeds = range(first, first + times * how.repetitions)
         return [function(*settings, seed=seed, **more) for seed in seeds if not how.shared["stop"].is_set()]
 
     return (
@@ -88,8 +98,11 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
             {c: over_seeds(found_by_distance, c, whole_returns=True) for c in CONCAVITIES},
             {c: over_seeds(found_by_distance, c, whole_returns=False) for c in CONCAVITIES},
             {c: [sorted(found) for found in over_seeds(found_by_sets, c)] for c in CONCAVITIES},
-            {task: over_seeds(lagrangian, *task) for task in (*IN_A_DENT, *ON_THE_HULL)},
-            over_seeds(lagrangian, 0.0, LIMIT, first_price=HIGH),
+            {task: over_seeds(lagrangian, *task, times=MORE) for task in (*IN_A_DENT, *ON_THE_HULL)},
+            {
+                task: {name: over_seeds(lagrangian, *task, **settings) for name, settings in BEGINNINGS.items()}
+                for task in LEARNED
+            },
         ),
     )
 
@@ -101,7 +114,7 @@ def judge(measured: Measured) -> Report:
         *set_claims(measured.sets),
         *distance_claims(measured.whole, measured.rest),
         *limit_claims(measured.limits),
-        *learning_claims(measured.limits, measured.dear),
+        *(claim for task, runs in measured.costs.items() for claim in learning_claims(task, runs)),
     ]
     return Report(claims, sheets(measured))
 
@@ -137,9 +150,28 @@ def near(concavity: float) -> str:
     return f"At concavity {concavity:g} distances of whole dives find the closest treasure for all 18 weights, all nine"
 
 
-def kept(task: tuple[float, int]) -> str:
+def kept(task: Task) -> str:
     """Return the claim where the best dive is on the hull."""
-    return f"At concavity {task[0]:g} and a limit of {task[1]} steps no dive takes too long in the end"
+    return f"At concavity {task[0]:g} and a limit of {task[1]} steps, in most runs no dive takes too long in the end"
+
+
+BEGINNINGS: Mapping[str, Mapping[str, Any]] = {
+    "with a first price of 0": {},
+    f"with a first price of {HIGH:g}": {"first_price": HIGH},
+    f"with a first price of 0 and a rate of {FAST:g}": {"rate": FAST},
+    f"with known values and a first price of {HIGH:g}": {"first_price": HIGH, "known": True},
+    "with known values and a first price of 0": {"known": True},
+    f"with known values, a first price of 0 and a rate of {FAST:g}": {"rate": FAST, "known": True},
+}
+"""How a training begins, by name. The rate of the price is 0.01 where none is said."""
+FREE, DEAR, _, KNOWN_DEAR, KNOWN, KNOWN_FAST = BEGINNINGS
+
+
+def counted(task: Task, name: str, condition: Above | Below) -> str:
+    """Return the claim on how many dives take too long after such a beginning."""
+    amount = "more" if isinstance(condition, Above) else "fewer"
+    where = f"At concavity {task[0]:g} and a limit of {task[1]} steps"
+    return f"{where}, {name}, {amount} than {condition.threshold:g} dives take too long"
 
 
 def weight_claims(weights: ByConcavity) -> list[Claim]:
@@ -213,10 +245,11 @@ def limit_claims(limits: ByTask) -> list[Claim]:
     for (c, limit), runs in limits.items():
         exact = constrained(c, limit)
         overruns = float(exact.shares[too_long(front_of(c), limit) > 0].sum())
-        found = mean_interval([float(too_long(late(run), limit).mean()) for run in runs])
         if (c, limit) in ON_THE_HULL:
-            claims.append(Claim(kept((c, limit)), "share of the dives, second half", found, Below(0.01)))
+            shares = share_interval([settles(run, limit) for run in runs])
+            claims.append(Claim(kept((c, limit)), "share of the runs", shares, Above(0.6)))
             continue
+        found = mean_interval([float(too_long(late(run), limit).mean()) for run in runs])
         claims += [
             Claim(
                 f"At concavity {c:g} and a limit of {limit} steps {overruns:.3g} of the dives take too long in the end,"
@@ -243,37 +276,41 @@ def limit_claims(limits: ByTask) -> list[Claim]:
     return claims
 
 
-def learning_claims(limits: ByTask, dear: list[VectorRun]) -> list[Claim]:
-    """Return the claims on what it costs to learn the price, where in the end no dive takes too long."""
-    cheap = limits[0.0, LIMIT]
-    cheap_dives, dear_dives = ([too_long(run.training_returns) for run in runs] for runs in (cheap, dear))
-    quantity = "dives that take too long"
-    return [
+def learning_claims(task: Task, by_beginning: Mapping[str, list[VectorRun]]) -> list[Claim]:
+    """Return the claims on what it costs to learn the price, in runs that settle.
+
+    Either of two causes is enough: first values that are too high, or a low price that rises by small steps.
+    """
+    limit = task[1]
+    dives = {
+        name: [too_long(run.training_returns, limit) for run in runs if settles(run, limit)]
+        for name, runs in by_beginning.items()
+    }
+    expected: dict[str, Above | Below] = dict.fromkeys(by_beginning, Above(40.0))
+    expected |= {KNOWN_DEAR: Below(5.0), KNOWN_FAST: Below(20.0)}
+    reasons = {
+        DEAR: ("its first values, which are too high, lead the agent everywhere once", KNOWN_DEAR),
+        KNOWN: ("the price rises by small steps", KNOWN_FAST),
+    }
+    claims = []
+    for name, runs in dives.items():
+        why, test = reasons.get(name, ("", ""))
+        tested_by = (counted(task, test, expected[test]),) if test else ()
+        mean = mean_interval([float(run.sum()) for run in runs])
+        claims.append(
+            Claim(counted(task, name, expected[name]), "dives that take too long", mean, expected[name], why, tested_by)
+        )
+    both = zip(dives[DEAR], dives[FREE], strict=False)
+    claims.append(
         Claim(
-            "While it learns at concavity 0, more than 50 dives take too long",
-            quantity,
-            mean_interval([float(dives.sum()) for dives in cheap_dives]),
-            Above(50.0),
-        ),
-        Claim(
-            f"With a first price of {HIGH:g} fewer than half as many of the first {FIRST} dives take too long",
-            f"{quantity}, of the first {FIRST}: less half of those with a first price of 0",
-            mean_interval(
-                [
-                    float(expensive[:FIRST].sum() - 0.5 * free[:FIRST].sum())
-                    for expensive, free in zip(dear_dives, cheap_dives, strict=True)
-                ]
-            ),
+            f"At concavity {task[0]:g} and a limit of {limit} steps, {DEAR} fewer than half as many of the first"
+            f" {FIRST} dives take too long",
+            f"dives that take too long, of the first {FIRST}: less half of those with a first price of 0",
+            mean_interval([float(dear[:FIRST].sum() - 0.5 * free[:FIRST].sum()) for dear, free in both]),
             Below(0.0),
-        ),
-        Claim(
-            f"With a first price of {HIGH:g} more than 45 dives take too long in all",
-            quantity,
-            mean_interval([float(dives.sum()) for dives in dear_dives]),
-            Above(45.0),
-            "its optimistic first values lead the agent everywhere once",
-        ),
-    ]
+        )
+    )
+    return claims
 
 
 def sheets(measured: Measured) -> list[Sheet]:

@@ -29,6 +29,10 @@ TIME_WEIGHTS = (0.15, 0.3, 0.5, 0.9, 1.4, 1.9, 2.6, 3.2, 4.2, 5.4, 6.6, 8.0, 9.4
 """Weights of time for Chebyshev distances. At each concavity here, every treasure is the closest one for some."""
 LIMIT = 7
 """The air lasts for so many steps."""
+PRICE_RATE = 0.01
+"""η: by how much the price changes for each step beyond the limit, or short of it."""
+BEFORE = 500
+"""Added to the seed of a training, this is that of the one before it."""
 
 
 def diver(concavity: float) -> Diver:
@@ -119,10 +123,14 @@ def lagrangian(
     seed: int = 0,
     first_price: float = 0.0,
     n_steps: int = CONSTRAINED_STEPS,
+    rate: float = PRICE_RATE,
+    *,
+    known: bool = False,
 ) -> VectorRun:
     """Train Q-learning with a learned price of time, so that a dive takes at most `limit` steps on average.
 
-    It explores by first values that are too high, and in no other way.
+    It explores by first values that are too high, and in no other way. If the values are `known`, it has been trained
+    before, and only the price begins anew.
     """
     mdp = diver(concavity)
     agent = LagrangianQLearning.create(
@@ -130,10 +138,14 @@ def lagrangian(
         [-float(limit)],
         initial_values=(100.0, 0.0),
         initial_multiplier=first_price,
+        multiplier_rate=rate,
         learning_rate=1.0,
         discount=1.0,
         exploration=Greedy(),
     )
+    if known:
+        train_vectors(mdp, agent, n_steps, seed=seed + BEFORE, evaluate_every=n_steps)
+        agent.multipliers[1:] = first_price
     return train_vectors(mdp, agent, n_steps, seed=seed, evaluate_every=max(1, n_steps // 100))
 
 
@@ -145,6 +157,11 @@ def constrained(concavity: float, limit: int = LIMIT) -> ConstrainedOptimum:
 def late(run: VectorRun) -> Reals:
     """Return the returns of the second half of the training dives."""
     return run.training_returns[len(run.training_returns) // 2 :]
+
+
+def settles(run: VectorRun, limit: int = LIMIT) -> bool:
+    """Return whether hardly any dive of the second half takes too long."""
+    return float(too_long(late(run), limit).mean()) < 0.01
 
 
 def too_long(returns: Reals, limit: int = LIMIT) -> Reals:
