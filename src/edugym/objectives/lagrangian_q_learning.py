@@ -25,8 +25,8 @@ class LagrangianQLearning(NamedTuple):
     falls with each one above: *dual ascent*. For fixed λ the agent learns a weighted sum. So it only ever plays
     policies that some weights prefer, and keeps the limit *on average*, if necessary by changing between two of them.
 
-    Q has a vector for each pair, so a new λ weighs anew what was learned before. But what comes after a pair was learned
-    for the actions that were best at the λ of then.
+    Q has a vector for each pair, so a new λ weighs anew what was learned before. But what follows a pair was learned
+    for the actions that were best at the λ of that time.
 
     Attributes:
         Q: shape (n_states, n_actions, n_objectives): the vectors of action values.
