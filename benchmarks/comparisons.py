@@ -7,7 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from benchmarks import agents, catch, players, student
+from benchmarks import agents, catch, objectives, players, student
 from benchmarks.contenders import copies, made, steps_of, unwrapped
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import EpsilonGreedy, QLearning, make_mdp, train
@@ -23,8 +23,8 @@ FROZEN_LAKE, CLIFF_WALKING, CART_POLE = (
 
 def comparisons(quick: bool = False) -> list[Comparison]:
     """All of them; only some of the agents if it should be quick."""
-    more = *single_steps(), *vector_steps(), *catch.comparisons(), *players.comparisons()
-    return [*training(), *agents.comparisons(quick), *more]
+    more = *catch.comparisons(), *players.comparisons(), *objectives.comparisons()
+    return [*training(), *agents.comparisons(quick), *single_steps(), *vector_steps(), *more]
 
 
 def training() -> list[Comparison]:

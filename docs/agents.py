@@ -42,6 +42,13 @@ SCORES = """The score, and how far its 95 % interval reaches to both sides; *run
 dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
 BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
 interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
+WITHOUT_LADDER = {
+    "Diver": """: its reward is a vector, and no single return says how good an agent is there. What counts is how
+many of the nine treasures it can find. Agents that learn a weighted sum can find 9, 8, 6, 4 and 2 of them at the
+concavities 0, 0.25, 0.5, 0.75 and 1, whatever the weights; Chebyshev and Pareto Q-learning find all nine ([several
+objectives](several-objectives.md))."""
+}
+"""Why an environment has none, after its name."""
 
 
 def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> str:
@@ -104,7 +111,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             *(f"- {sentence}" for sentence in method(profile)),
             f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`.",
             *([f"- SB3 agents: measured with {libraries}, by `edugym profile --libraries`."] if libraries else []),
-            *([f"- There is no ladder for {listed(missing)} yet."] if missing else []),
+            *(fill(f"- {name} has no ladder{WITHOUT_LADDER.get(name, ' yet.')}", 120) for name in missing),
             f"- Not measured, since its planning at every step takes a quarter of an hour in all: {'; '.join(slow)}.",
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
             "",

@@ -60,4 +60,4 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
     assert "Boulder, blank: it is afraid." in page
     assert "made from earlier code: good: Golf; blank: everywhere" in page
     assert "measured with torch 1" in page
-    assert "no ladder for Roadrunner" in page
+    assert "Roadrunner has no ladder yet." in page

@@ -237,7 +237,7 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert "default-src 'none'" in text
     assert "prefers-color-scheme: dark" in text
     written = Path("out/report.md").read_text(encoding="utf-8")
-    assert ", of the package | –" in written  # the one that can enter Trashbot
+    assert ", of the others | –" in written  # the one that can enter Trashbot
     for says in ("QLearning, Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
         assert says in written
         assert says in text
@@ -327,10 +327,10 @@ def test_the_report_names_those_to_take() -> None:
     assert report.said(alone, "Boulder").take == "nobody"
     for profile, beside, expected in (
         (found, alone, "Q"),
-        (alone, found, "Q, of the package"),
+        (alone, found, "Q, of the others"),
         (found, found, "Q"),
         (alone, alone, "nobody"),
-        (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q, of the package"),  # nobody here has entered
+        (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q, of the others"),  # nobody here has entered
     ):
         assert report.score_table(profile, beside)[1][0][1] == expected
     chance = found.runs.assign(score=found.runs["score"] - 0.01 * (found.runs["repetition"] == 0))
@@ -364,7 +364,7 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
         assert agent_profiles.stale() == {}
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
     assert "No stored profile was made from the present code of SARSA" in done.output
-    assert "best of the package" in (tmp_path / "out" / "report.md").read_text()
+    assert "best of the others" in (tmp_path / "out" / "report.md").read_text()
 
 
 def test_only_what_has_changed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

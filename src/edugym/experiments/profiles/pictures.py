@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 MARKERS = "osD^vPX"
 """The marks of the first, second, ... agent; after the last one the first comes again."""
-OTHERS = "agents of the package"
+OTHERS = "other agents"
 """What the legend calls the agents beside a profile."""
 RINGS = (0.25, 0.5, 0.75, 1.0)
 

@@ -170,9 +170,9 @@ def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[s
         best = max(others, key=lambda agent: others[agent]) if others else ""
         known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
         better = better_beside(profile, challenge, beside)
-        take = f"{better}, of the package" if better else about.take
+        take = f"{better}, of the others" if better else about.take
         rows.append([f"{challenge} ({about.isolates})", take, *scores, *known])
-    return ["challenge", "take", *profile.agents, *(["best of the package"] if beside else [])], rows
+    return ["challenge", "take", *profile.agents, *(["best of the others"] if beside else [])], rows
 
 
 def rung_table(profile: Profile, challenge: str) -> tuple[list[str], list[list[str]]]:
@@ -239,6 +239,12 @@ TAKE = (
 )
 
 
+GREY = (
+    "Grey marks are other agents, at their defaults: those of EduGym, and those of Stable-Baselines3 (SB3) where they"
+    " were measured."
+)
+
+
 def markdown(profile: Profile, beside: Profile | None = None) -> str:
     """The report as Markdown; its picture is the file profile.svg beside it."""
 
@@ -285,7 +291,7 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
             numbers = f"<details><summary>numbers</summary>{table(heading, rows)}</details>"
             parts += [figure(Rungs(profile, challenge, beside), about.sentence), numbers]
         challenges.append("<section>" + "\n".join(parts) + "</section>")
-    grey = " Grey marks are agents of the package, at their defaults." if beside else ""
+    grey = f" {GREY}" if beside else ""
     blank = f"<h2>Who cannot enter</h2>\n{items(reasons(profile))}" if reasons(profile) else ""
     return f"""\
 <!doctype html>
