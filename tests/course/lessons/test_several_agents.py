@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from edugym import games
+from edugym.games.soccer import EAST, NORTH, STAND, WEST, Field
 from edugym_course.lessons.several_agents import exercises, experiments, methods, project
+from edugym_course.lessons.several_agents.turns import FieldInTurn
 from tests.course.lessons.made_up import finals, made_up, measured
 
 
@@ -34,7 +36,7 @@ def test_pairs_without_chance(name: str) -> None:
 
 
 def test_what_a_policy_loses() -> None:
-    """It is what the best opponent wins; the exact solution loses nothing, and random play the same in both seats."""
+    """It is what the best opponent wins; a safe policy loses nothing, and random play the same in both seats."""
     field, solved = methods.soccer(), methods.solution()
     random = games.uniform_policy(field.game, 0)
     assert methods.can_lose(field, 0, solved.policies[0]) == pytest.approx(0.0, abs=1e-9)
@@ -69,8 +71,8 @@ def test_players_are_compared(tmp_path: Any) -> None:
     assert not methods.compare(known, methods.BOTH, 400, repetitions=1, stop=stop).complete
 
 
-def test_a_perfect_teacher_never_learns() -> None:
-    """It is player 1, with the policy of the exact solution."""
+def test_a_safe_teacher_never_learns() -> None:
+    """It is player 1, with the safe policy."""
     game = methods.soccer().game
     pupil, teacher = (methods.taught(game, player, 10) for player in (0, 1))
     assert isinstance(pupil, methods.IndependentQ)
@@ -89,7 +91,7 @@ def test_changes(learns: bool) -> None:
 @pytest.mark.parametrize("riddle", range(len(project.RIDDLES)))
 @pytest.mark.parametrize("seed", range(4))
 def test_riddles_need_what_they_ask_for(riddle: int, seed: int) -> None:
-    """The exact solution is safe everywhere, and without chance or at random nobody is."""
+    """What is computed exactly is safe everywhere, and without chance or at random nobody is."""
     game = project.RIDDLES[riddle].make(np.random.default_rng(seed))
     model = games.game_model(game)
     solved = games.minimax_value_iteration(model, methods.DISCOUNT)
@@ -134,3 +136,21 @@ def test_claims() -> None:
     lesson = made_up({methods.TAUGHT: [{10: 0.5}] * 2})
     found = measured(experiments.soccer_claims(by_field, control, lesson))
     assert found == [0.1, 0.3, 0.1, 1.3, 0.1, 2.3, 0.01, 0.02, 0.5, 0.3]
+    assert measured(experiments.turn_claims({"in turns": control})) == [0.01, 0.01]
+
+
+def test_soccer_in_turns() -> None:
+    """Only the player whose turn it is moves, and contact costs the ball as in soccer."""
+    game, rng = methods.in_turns().game, np.random.default_rng(0)
+    state = FieldInTurn(Field(6, 7, 0), 0)
+    moved = game.transition(state, (EAST, WEST), rng)
+    assert moved == (Field(6, 7, 1), 1)
+    after = game.transition(moved, (STAND, NORTH), rng)
+    assert after == (Field(6, 2, 1), 0)
+    assert game.rewards(state, (EAST, WEST), after, rng) == (0.0, 0.0)
+    goal = game.transition(FieldInTurn(Field(9, 6, 0), 0), (EAST, STAND), rng)
+    assert game.terminal(goal)
+    assert game.rewards(state, (EAST, STAND), goal, rng) == (1.0, -1.0)
+    seen = {game.observation(one, 0, rng) for one in (state, moved, after)}
+    assert len(seen) == 3
+    assert game.action_names == game.soccer.action_names

@@ -431,7 +431,8 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (We
-# plan with rewards from random nights; you may do better by asking in rounds.)
+# plan with rewards from random nights; you may do better by asking in rounds.) Then it lets *another* teacher answer, who wants something
+# else. Only her answers tell what, so a clock that you wrote by hand will not please her.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
 

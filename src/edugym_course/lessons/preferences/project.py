@@ -12,6 +12,7 @@ from edugym.checks.parameters import in_short
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.regularised import with_rewards
 from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.wrapper import wrapper
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
@@ -22,9 +23,36 @@ from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewa
 
 TASK = Morning(length=10, ring=6.0, late=30.0)
 """Longer and dearer than that of the lesson: here a clock that does nothing is worth no more than random buttons."""
+
+
+@wrapper
+class Wish(NamedTuple):
+    """The same nights for somebody who wants something else.
+
+    Attributes:
+        mdp: the morning.
+        depths: what each depth of sleep is worth to her, at every step.
+        costs: what each action costs her.
+    """
+
+    mdp: Any
+    depths: tuple[float, float, float]
+    costs: tuple[float, float, float]
+
+    def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
+        """The depth of sleep, less the cost of the action."""
+        return self.depths[next_state[1]] - self.costs[action]
+
+
+WISHES = (
+    Wish(TASK, depths=(0.0, 3.0, 0.0), costs=(0.0, 0.5, 1.0)),
+    Wish(TASK, depths=(0.0, 3.0, -1.0), costs=(0.5, 2.0, 0.0)),
+)
+"""She likes to doze, all the time. A clock that was written by hand for the other teacher is worth nothing to her."""
 N_COMPARISONS = 300
 FEWEST = 20
-SEEDS = 5
+SEEDS, OTHER_SEEDS = 5, 3
+"""Runs with the teacher of the text, and with one who wants something else."""
 OUR_SEEDS = range(100, 140)
 LOW, SLACK = 0.1, 0.5
 """The middle run must reach this quantile of our returns, less the slack: ours hardly ever misses it."""
@@ -128,13 +156,13 @@ class Judged(NamedTuple):
     asked: int
 
 
-def judged(program: Any, seed: int) -> Judged:
-    """Run a program with a seed, and evaluate its policy exactly.
+def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
+    """Run a program with a seed, and evaluate its policy exactly, as the teacher of an MDP means it.
 
     Raises:
         WrongAnswer: it breaks the contract, raises an error or does not end.
     """
-    mdp, call = TASK, f"{NAME}(environment, compare, {N_COMPARISONS}, {seed})"
+    call = f"{NAME}(environment, compare, {N_COMPARISONS}, {seed})"
     environment = Silent(MDPEnv(mdp))
     environment.reset(seed=1_000_003 + seed)
     teacher = Teacher(mdp, N_COMPARISONS, np.random.default_rng([seed, 1]))
@@ -159,9 +187,9 @@ def judged(program: Any, seed: int) -> Judged:
 
 
 @cache
-def our_returns() -> tuple[float, ...]:
+def our_returns(mdp: Any = TASK) -> tuple[float, ...]:
     """Return the meant returns of our policies: planning on rewards that were learned from random nights."""
-    mdp, model = TASK, model_of(TASK)
+    model = model_of(mdp)
     returns = []
     for seed in OUR_SEEDS:
         rewards = learned_rewards(mdp, N_COMPARISONS, NOISE, PRIOR, np.random.default_rng(seed), at_random=True)
@@ -183,7 +211,25 @@ def project_14(answer: Any, seed: int) -> str:
     if not middle.meant >= lowest:
         why = "" if nobody_asks_why() else f": {symptom(middle)}"
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
+    _check_another_wish(answer, seed)
     return f"Right: {told} (ours {np.median(ours):.1f}); random buttons {_random():.1f}, the best clock {_best():.1f}."
+
+
+def _check_another_wish(answer: Any, seed: int) -> None:
+    """Check that a program learns what another teacher wants, who tells it by her answers alone.
+
+    Raises:
+        WrongAnswer: its middle run is closer to random buttons than to ours.
+    """
+    wish = WISHES[seed % len(WISHES)]
+    found = [judged(answer, SEEDS * seed + number, wish).meant for number in range(OTHER_SEEDS)]
+    middle, ours = sorted(found)[OTHER_SEEDS // 2], float(np.median(our_returns(wish)))
+    if middle < (lowest := (_random(wish) + ours) / 2):
+        raise WrongAnswer(
+            f"With a teacher who wants something else, the middle one of {OTHER_SEEDS} runs makes a clock worth"
+            f" {middle:.1f} to her, and it should be worth {lowest:.1f} or more (ours {ours:.1f}): only her answers"
+            " tell what is wanted, so nothing that *you* know of good nights may be in the program"
+        )
 
 
 def symptom(run: Judged) -> str:
@@ -210,9 +256,9 @@ def symptom(run: Judged) -> str:
 
 
 @cache
-def _random() -> float:
+def _random(mdp: Any = TASK) -> float:
     """The return of random buttons."""
-    model = model_of(TASK)
+    model = model_of(mdp)
     return policy_evaluation(model, np.full(model.successors.shape[:2], 1 / 3)).start
 
 

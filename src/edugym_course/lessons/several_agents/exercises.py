@@ -1,4 +1,4 @@
-"""The exercises of lesson 13: how exploitable a pair is, a policy without a weak point, and the update of minimax Q."""
+"""The exercises of lesson 13: how exploitable a pair is, a safe policy, and the update of minimax Q."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -122,7 +122,7 @@ def games_of(seed: int) -> list[Reals]:
 
 
 def exercise_2(answer: Any, seed: int) -> str:
-    """Check the policy without a weak point in a game with two actions each."""
+    """Check the safe policy in a game with two actions each."""
     require_function("safe_probability", answer, "payoffs")
     cases = []
     for payoffs in games_of(seed):

@@ -22,6 +22,7 @@ from edugym.games.shapley import GameValues, minimax_value_iteration
 from edugym.games.soccer import Soccer
 from edugym.games.train_players import train_players
 from edugym.mdp.protocol import Random, Reals
+from edugym_course.lessons.several_agents.turns import SoccerInTurns
 
 ALONE, MINIMAX, FICTITIOUS, TAUGHT = "Q-learning, each alone", "minimax Q-learning", "fictitious play", "taught"
 EPSILON, DISCOUNT = 0.2, 0.9
@@ -136,21 +137,34 @@ def soccer(contact: float = 1.0) -> Known:
 
 
 @cache
+def in_turns(contact: float = 1.0) -> Known:
+    """Return soccer in turns with its model."""
+    game = SoccerInTurns(Soccer.create(contact=contact))
+    return Known(game, game_model(game))
+
+
+@cache
 def solution(contact: float = 1.0, discount: float = DISCOUNT) -> GameValues:
-    """Return the exact solution of soccer."""
+    """Return the safe policies of soccer, computed exactly, and what they are worth."""
     return minimax_value_iteration(soccer(contact).model, discount)
 
 
 def taught(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> Any:
-    """Return one who learns as if alone as player 0, and as player 1 one who never learns: the exact solution."""
+    """Return one who learns as if alone as player 0, and as player 1 one who never learns: a safe policy."""
     if player == 0:
         return independent(game, player, n_steps, discount)
     return FixedPlayer.create(game, player, solution(game.contact, discount).policies[player])
 
 
-def random_states(contact: float = 1.0, discount: float = DISCOUNT) -> int:
-    """Return in how many states of soccer every action by itself guarantees player 0 less than a random choice."""
-    return len(rows_that_need_chance(solution(contact, discount)))
+def random_states(known: Known, discount: float = DISCOUNT) -> int:
+    """Return in how many states of a game every action by itself guarantees player 0 less than a random choice."""
+    return len(rows_that_need_chance(minimax_value_iteration(known.model, discount)))
+
+
+def blind_to_contact(discount: float = DISCOUNT) -> float:
+    """Return how exploitable two are in soccer in turns who play what would be safe there without contact."""
+    policies = minimax_value_iteration(in_turns(0.0).model, discount).policies
+    return exploitability(in_turns().model, policies, discount)
 
 
 def rows_that_need_chance(solved: GameValues) -> Any:
@@ -174,7 +188,7 @@ def weakest_state(policy: Any) -> tuple[Any, float, float]:
     """Return where a policy of player 0 in soccer guarantees least of what it could, with the ball, and needs chance.
 
     Returns:
-        The state, what the exact solution guarantees there, and what the policy does.
+        The state, what a safe policy guarantees there, and what the policy does.
     """
     known, solved = soccer(), solution()
     against = value_iteration(known.model.against(1, policy), DISCOUNT)

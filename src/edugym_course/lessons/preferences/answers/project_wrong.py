@@ -69,6 +69,35 @@ def my_program(environment, compare, n_comparisons, seed):
     return lambda observation: 1
 
 
+# %% a clock written by hand
+# says: With a teacher who wants something else, the middle one of
+# says: runs makes a clock worth
+# says: to her, and it should be worth
+# says: ): only her answers tell what is wanted, so nothing that *you* know of good nights may be in the program
+def my_program(environment, compare, n_comparisons, seed):
+    rng = np.random.default_rng(seed)
+
+    def night():
+        steps, (observation, _), over = [], environment.reset(), False
+        while not over:
+            action = int(rng.integers(3))
+            after, _, terminated, truncated, _ = environment.step(action)
+            steps.append((tuple(observation), action, tuple(after)))
+            observation, over = after, terminated or truncated
+        return steps
+
+    for _ in range(20):
+        compare(night(), night())
+
+    def clock(observation):
+        left, depth = 10 - observation[0], observation[1]
+        if left > 2 or depth == 0:
+            return 0
+        return 2 if left == 1 else 1
+
+    return clock
+
+
 # %% the table
 # says: should return a function from an observation to an action, but returns
 def my_program(environment, compare, n_comparisons, seed):
