@@ -18,8 +18,10 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 import wasm
 from linker import notes_of
+from sights import arrays_in, noted, write_values
 
 from edugym.adapters.fitting import fitted
 from edugym.checks.contract import contract_of
@@ -34,6 +36,8 @@ COMPILER = ("linker.py", "pcg64.ll", "wasm.py")
 """The files that make a kernel of a loop."""
 BEGIN = -1
 """The number of steps, or the action, that asks for a new beginning."""
+SHOW = -2
+"""The number of steps that asks for what an agent knows."""
 
 
 def race_off_policy(
@@ -89,6 +93,34 @@ def race_on_policy(
     return on_policy(n_steps, mdp, learner, limit, environment_rng, agent_rng, log, carry)
 
 
+def race_noted(
+    n_steps: int,
+    n_episodes: int,
+    mdp: Any,
+    learner: Any,
+    limit: int,
+    environment_rng: Random,
+    agent_rng: Random,
+    log: Any,
+    played: Any,
+    actor: Any,
+    evaluation_limit: int,
+    evaluation_rng: Random,
+    actor_rng: Random,
+    returns: Any,
+    values: Any,
+    carry: Any,
+) -> Any:
+    """Like `race_off_policy` in a task with notes; if the number of steps is `SHOW`, write the values of all places."""
+    if n_steps == BEGIN:
+        return start_off_policy(mdp, environment_rng)
+    if n_episodes > 0:
+        play_episodes(n_episodes, played, actor, evaluation_limit, evaluation_rng, actor_rng, returns)
+    if n_steps == SHOW:
+        write_values(mdp, values)
+    return off_policy(max(n_steps, 0), mdp, learner, limit, environment_rng, agent_rng, log, carry)
+
+
 def play(action: int, mdp: Any, limit: int, environment_rng: Random, carry: Any) -> Any:
     """Take one step of an environment, or begin an episode if the action is `BEGIN`.
 
@@ -135,6 +167,14 @@ class _Opened(MDPTrainer):
         loop = race_on_policy if self._contract.is_on_policy else race_off_policy
         return Call(loop, (BEGIN, 0, *training, self._carry))
 
+    def race_noted(self, places: Any, clean: Any, n_episodes: int) -> Call:
+        """The same with notes, see sights.py; evaluation leaves none."""
+        mdp, *others = self._plain_arguments
+        notes = noted(mdp, places, clean, self._contract)
+        training = (notes, *others, *self._evaluation(n_episodes))
+        values = np.zeros((notes.visits.size, int(mdp.action_space.n)))
+        return Call(race_noted, (BEGIN, 0, *training, values, self._carry))
+
     def play(self) -> Call:
         """The call that lets a person play."""
         mdp, _, limit, environment_rng, _, _ = self._plain_arguments
@@ -151,6 +191,15 @@ def _opened(mdp: Any, agent: Any) -> _Opened:
 def race_of(mdp: Any, agent: Any, n_episodes: int) -> Call:
     """The call that lets an agent race in an MDP, and evaluates it in so many episodes at a time."""
     return _opened(mdp, agent).race(n_episodes)
+
+
+def noted_race_of(mdp: Any, places: Any, clean: Any, agent: Any, n_episodes: int) -> Call:
+    """The same for an agent that has no row for a place. The task is also given as a place, and without noise."""
+    before = [(array, array.copy()) for array in arrays_in(mdp)]
+    call = _opened(mdp, agent).race_noted(places, clean, n_episodes)
+    for array, fresh in before:  # a hashed table has observed since then
+        array[...] = fresh
+    return call
 
 
 def play_of(mdp: Any, agent: Any) -> Call:

@@ -233,7 +233,9 @@ MAPS = {
     "Boulder": Map(_on_the_wall, ("",), _grips, lambda mdp: iter(range(mdp.height + 1)), _whole_wall),
     "Roadrunner": Map(_on_the_road, (".x", ".dx"), signs("−", "=", "+")),
     "Study": Map(_on_the_calendar, (".knowledge", ".energy", ".day", ".passed"), signs("S", "z", "o", "·", "·")),
-    "Catch": Map(_on_the_board, (".ball_x", ".ball_y", ".paddle_x"), signs("←", "•", "→")),
+    "Catch": Map(
+        _on_the_board, (".ball_x", ".ball_y", ".paddle_x"), signs("←", "•", "→"), scene=_without_text
+    ),  # what an agent sees differs
     "MemoryCorridor": Map(_at_the_doors, (".length", ".position", ".opened", "observation"), _doors, _corridors),
     "Tamagotchi": Map(_on_the_screen, (".hp", ".message"), signs("p", "s", "f", "c"), _toys),
     "Trashbot": Map(

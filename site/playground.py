@@ -23,7 +23,7 @@ import editor
 import kernels
 import numpy as np
 from places import MAPS
-from races import RACES, Agent, Race
+from races import RACES, Agent, Race, View
 from scenery import scenery, table
 from scipy import stats
 
@@ -96,13 +96,15 @@ def calls(race: Race, k: int) -> Iterator[kernels.Call]:
     mdp = race.mdp(k)
     for agent in race.agents:
         yield call_of(race, mdp, agent)
-    seen = tabular(race.agents[0].view.of(mdp))
-    yield kernels.play_of(seen, race.agents[0].make(seen))
+    seen = tabular(race.agents[0].view.places(mdp))
+    yield kernels.play_of(seen, edugym.QLearning.create(seen))
 
 
 def call_of(race: Race, mdp: Any, agent: Agent) -> kernels.Call:
     """The call of an agent's kernel: its visits are counted on the way."""
-    seen = tabular(agent.view.of(mdp))
+    view, seen = agent.view, agent.view.seen(mdp)
+    if view.clean:
+        return kernels.noted_race_of(seen, mdp, view.clean(mdp), agent.make(seen), EPISODES)
     return kernels.race_of(seen, record_visits(agent.make(seen), seen, 1, n_intervals=1), EPISODES)
 
 
@@ -138,6 +140,7 @@ def menu(race: Race) -> dict[str, Any]:
                 "kind": agent.kind.__name__,
                 "settings": [[name, _as_code(value)] for name, value in agent.settings.items()],
                 "seen": agent.view.code,
+                "takes": agent.takes,
             }
             for agent, lane in zip(race.agents, lanes, strict=True)
         ],
@@ -205,11 +208,12 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
     """What the page needs of a task at its k-th strength."""
     mdp = race.mdp(k)
     *lanes, play = [_described(race, call, made) for call in calls(race, k)]
-    tables = {agent.view: table(MAPS[race.environment], mdp, agent.view.of(mdp)) for agent in race.agents}
-    for lane, agent in zip(lanes, race.agents, strict=True):
-        lane["table"] = list(tables).index(agent.view)
+    views = [View() if agent.view.clean else agent.view for agent in race.agents]
+    tables = {view: table(MAPS[race.environment], mdp, view.of(mdp)) for view in views}
+    for lane, view in zip(lanes, views, strict=True):
+        lane["table"] = list(tables).index(view)
     return {
-        "actions": race.actions or tabular(race.agents[0].view.of(mdp)).action_names,
+        "actions": race.actions or race.agents[0].view.seen(mdp).action_names,
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
         "optimum": optimum(mdp) if race.is_finite else None,

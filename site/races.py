@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import edugym
+from edugym.adapters.fitting import tabular
 from edugym_course.lessons.continuous_actions.methods import CELLS, in_a_table
 from edugym_course.lessons.depth import methods as depth
 from edugym_course.lessons.depth import targets
@@ -36,10 +37,20 @@ class View(NamedTuple):
     Attributes:
         of: from the MDP, the MDP as the agent sees it.
         code: the same as Python, for the reader.
+        clean: where an agent has no row for a place (see sights.py), from the MDP, what it would see without noise.
     """
 
     of: Callable[[Any], Any] = as_it_is
     code: str = ""
+    clean: Callable[[Any], Any] | None = None
+
+    def seen(self, mdp: Any) -> Any:
+        """The MDP as the agent sees it; a table's rows are numbered."""
+        return self.of(mdp) if self.clean else tabular(self.of(mdp))
+
+    def places(self, mdp: Any) -> Any:
+        """The MDP observed as a place in the picture."""
+        return mdp if self.clean else self.of(mdp)
 
 
 class Agent(NamedTuple):
@@ -62,6 +73,20 @@ class Agent(NamedTuple):
     def make(self, task: Any) -> Any:
         """The agent, for the task as it sees it."""
         return self.kind.create(task, **self.settings)
+
+    @property
+    def takes(self) -> tuple[str, ...]:
+        """Which of the page's sliders set this agent: R-max plans from its own, and Adam's rate has another scale."""
+        if self.kind is edugym.RMax:
+            return ()
+        given = {**self.kind._field_defaults, **self.settings}
+        explores = isinstance(given.get("exploration"), edugym.EpsilonGreedy)
+        known = {
+            "learning_rate": "learning_rate" in given and self.kind is not edugym.DQN,
+            "discount": "discount" in given,
+            "epsilon": explores,
+        }
+        return tuple(name for name, takes in known.items() if takes)
 
 
 class Strength(NamedTuple):
@@ -204,12 +229,48 @@ STUDY = Race(
     Strength("total_days", (6, 8, 10, 15, 20, 30), 2),
     ("knowledge", "energy", "day"),
 )
-CATCHING = {"discount": dimensionality.DISCOUNT, "exploration": edugym.EpsilonGreedy(dimensionality.EPSILON)}
+DARKEST, ROOM = dimensionality.DARKEST, 30_000
+BOARD = 'edugym.make_mdp("Catch", columns=mdp.columns)'
+IN_LIGHT = f"edugym.Brightness.create({BOARD}, {DARKEST:g})"
+
+
+def board(mdp: Any) -> Any:
+    """Catch seen as pixels."""
+    return edugym.make_mdp("Catch", columns=mdp.columns)
+
+
+def in_light(mdp: Any) -> Any:
+    """The same, brighter or darker at every step."""
+    return edugym.Brightness.create(board(mdp), DARKEST)
+
+
+def hashed(mdp: Any) -> Any:
+    """The same with a row for each board that occurs."""
+    return edugym.Hashed.create(in_light(mdp), ROOM, overflow=True)
+
+
+PIXELS = View(board, BOARD, board)
+CHANGING = View(in_light, IN_LIGHT, board)
+LISTED = View(hashed, f"edugym.Hashed.create({IN_LIGHT}, {ROOM:_}, overflow=True)", board)
+STEADY = View(lambda mdp: edugym.Hashed.create(board(mdp), ROOM), f"edugym.Hashed.create({BOARD}, {ROOM:_})", board)
+OF_LESSON: Any = dimensionality.network()
+NETWORK = OF_LESSON.keywords
+CATCHING = learning(dimensionality)
+ADDING = {**CATCHING, "learning_rate": dimensionality.LINEAR_RATE}
 CATCH = Race(
     "Catch",
-    "A table has a row for every place of ball and paddle. Who fills it soonest?",
-    "Move the paddle under the falling ball: 1 for a catch, −1 for a miss. Every ball can be caught.",
-    usual(CATCHING, edugym.QLearning, edugym.QLambda, edugym.DynaQ, edugym.SARSA, edugym.TreeBackup),
+    "The light changes at every step. Who still learns to catch?",
+    "Be under the ball: 1 for a catch, −1 for a miss. The agents see pixels, brighter or darker each time.",
+    (
+        Agent("table", "Q-learning: a row for each picture that it meets", edugym.QLearning, CATCHING, LISTED),
+        Agent("weighted sum", "adds up the pixels, each times a weight", edugym.LinearQLearning, ADDING, CHANGING),
+        Agent("network", "DQN: first learns features of the pixels", edugym.DQN, NETWORK, CHANGING),
+        Agent("table, steady light", "the same where the light never changes", edugym.QLearning, CATCHING, STEADY),
+        Agent("network, steady light", "the same where the light never changes", edugym.DQN, NETWORK, PIXELS),
+        Agent("table of places", "is told where ball and paddle are", edugym.QLearning, CATCHING),
+        Agent("Q(λ), places", "the same, with rewards handed back at once", edugym.QLambda, CATCHING),
+        Agent("Dyna-Q, places", "the same, replaying ten old steps each time", edugym.DynaQ, CATCHING),
+    ),
     dimensionality.N_STEPS,
     Strength("columns", (3, 5, 7, 9, 11), 1),
     ("ball's column", "ball's row", "paddle's column"),

@@ -3,12 +3,15 @@
 // It is called by one block of slots of 8 bytes. They hold numbers, the addresses of arrays, and those of random
 // generators; the kernel itself says, in its section "edugym", which is which. Behind the arguments lie the results.
 
+import { power } from './power.js'
+
 const PAGE = 65536
 const STACK = 16 * PAGE // the kernel's own data lie below, its stack grows down from here, and arrays lie above
 const TYPES = { float64: Float64Array, int64: BigInt64Array, bool: Uint8Array, float32: Float32Array }
 // These come from the browser. In their last digit they may differ from those of another machine.
-const { cos, exp, expm1, log, log1p, pow, sin, tanh } = Math
-const MATHEMATICS = { cos, exp, expm1, log, log1p, pow, sin, tanh }
+const { cos, exp, expm1, log, log1p, sin, tanh } = Math
+// Remainders and whole powers may not.
+const MATHEMATICS = { cos, exp, expm1, log, log1p, pow: power, sin, tanh, fmod: (x, y) => x % y }
 
 // Fetch a kernel by its fingerprint.
 export async function fetched(fingerprint) {
@@ -77,7 +80,7 @@ export class Kernel {
     const array = new TYPES[type](this.memory.buffer, this.take(8 * length), length)
     const value = type === 'int64' ? BigInt : Number
     if (fill.length > 1) fill.forEach((number, k) => { array[k] = value(number) })
-    else if (fill.length) array.fill(value(fill[0]))
+    else if (fill[0]) array.fill(value(fill[0])) // new memory is 0, and takes no room before it is used
     return array
   }
 

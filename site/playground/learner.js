@@ -3,7 +3,7 @@
 import { Kernel } from './kernel.js'
 import { knowledge } from './knowledge.js'
 
-const BEGIN = -1
+const BEGIN = -1, SHOW = -2
 
 export class Learner {
   // `every` is how many steps lie between two points of the curve, and `steps` how many there are in all.
@@ -17,7 +17,9 @@ export class Learner {
     const { names } = this.kernel
     this.log = { sums: names['log.returns'], episodes: names['log.episodes'] }
     this.visits = this.kernel.find('.visits') // of what counts around the agent, which comes first
-    this.values = this.kernel.find('.Q')
+    this.noted = names.values // where an agent has no row for a place: see sights.py
+    this.values = this.noted ?? this.kernel.find('.Q')
+    this.place = this.noted && this.kernel.find('.place')
     this.goal = this.kernel.find('.best_state')
     this.measure()
   }
@@ -48,6 +50,7 @@ export class Learner {
   // What it knows (see knowledge.js). Go-Explore has a table for every goal: then the one is shown that leads to the
   // best state so far.
   knowledge(table, now) {
+    if (this.noted) this.kernel.call(SHOW, 0)
     const { values, goal } = this, size = goal ? values.length / table.rows : values.length, first = goal ? Number(goal[0]) * size : 0
     return knowledge(this.visits, values.subarray(first, first + size), table, now)
   }
@@ -55,7 +58,7 @@ export class Learner {
   // The row of the table that it observes, and the numbers that decide the picture: a row that remembers more begins
   // again after all observations.
   moment(look, { cell }) {
-    const observed = this.kernel.index('result.1'), row = this.kernel.result(observed)
+    const observed = this.kernel.index('result.1'), row = this.place ? Number(this.place[0]) : this.kernel.result(observed)
     return { row, look: look.map(k => k === observed ? row % cell.length : this.kernel.result(k)) }
   }
 }

@@ -73,11 +73,11 @@ async function begin() {
   controls()
   for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
   charted = 0
-  const own = OWN.filter(name => state[name] !== null).map(name => [`.${name}`, state[name]])
+  const own = agent => Object.fromEntries(given(agent).map(name => [`.${name}`, state[name]]))
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
   const { steps, show, policy, at } = state
-  const how = { seeds, steps, every: Math.max(1, Math.floor(steps / 100)), settings: Object.fromEntries(own), show, policy, at }
-  lanes.forEach((lane, k) => lane.begin(race, task, state.agents[k], how))
+  const how = { seeds, steps, every: Math.max(1, Math.floor(steps / 100)), show, policy, at }
+  lanes.forEach((lane, k) => lane.begin(race, task, state.agents[k], { ...how, settings: own(race.agents[state.agents[k]]) }))
   find('run').disabled = find('again').disabled = false
   tell(state.bet === null ? 'First place your bet. Then press Run.' : 'Your bet is placed. Press Run.')
   legend()
@@ -114,6 +114,8 @@ function controls() {
   history.replaceState(null, '', write(state))
 }
 
+// The settings of the sliders that an agent takes, where the reader has moved them.
+const given = ({ takes }) => takes.filter(name => state[name] !== null)
 const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
 const rate = () => state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
 const tell = text => { find('verdict').textContent = text }
@@ -290,8 +292,10 @@ function program() {
   const blocks = state.agents.map(k => race.agents[k]).map(agent => {
     const { label, kind, settings } = agent
     const known = Object.fromEntries(settings)
-    for (const name of ['learning_rate', 'discount']) if (state[name] !== null && kind !== 'RMax') known[name] = state[name]
-    if (state.epsilon !== null && !/^(RMax|GoExplore)$/.test(kind)) known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
+    for (const name of given(agent)) {
+      if (name === 'epsilon') known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
+      else known[name] = state[name]
+    }
     return `# ${label}\n${made(agent)}agent = edugym.${create(agent, Object.entries(known))}\n`
       + `run = edugym.train(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\nprint(run.returns)\n`
   })

@@ -61,7 +61,7 @@ def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
     fresh = iter(rngs)
     given = call.arguments[2:-1]
     arguments: list[Any] = [next(fresh) if isinstance(part, np.random.Generator) else part for part in given]
-    log, returns, curve = arguments[5], arguments[-1], list[list[float | None]]()
+    log, returns, curve = arguments[5], arguments[11], list[list[float | None]]()
     carry = call.loop(kernels.BEGIN, 0, *arguments, call.arguments[-1])
     for done in range(0, steps + 1, every):
         if done:
@@ -70,6 +70,8 @@ def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
         episodes = int(log.episodes[0])
         curve.append([done, float(np.mean(returns)), float(log.returns[0] / episodes) if episodes else None])
         log.returns[0] = log.episodes[0] = 0
+    if call.loop is kernels.race_noted:
+        carry = call.loop(kernels.SHOW, 0, *arguments, carry)
     states = [rng.bit_generator.state["state"]["state"] for rng in rngs]
     return Outcome(arrays_of((*arguments, carry)), states, curve, [])
 

@@ -10,6 +10,7 @@ const loaded = await load(readFileSync(asked.file), asked.fingerprint)
 const learner = new Learner(loaded, asked.plan, asked.streams, asked.settings ?? {}, asked)
 while (!learner.over) learner.advance(asked.chunk ?? learner.total)
 const { kernel } = learner
+if (learner.noted) kernel.call(-2, 0) // SHOW
 const hex = bytes => Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString('hex')
 const words = new Uint8Array(kernel.memory.buffer, kernel.block + 8 * kernel.results, 8 * (kernel.slots.length - kernel.results))
 process.stdout.write(JSON.stringify({

@@ -14,7 +14,6 @@ from races import RACES, TRASHBOT, Race
 from scenery import elements, key_of, scenery, table
 
 import edugym
-from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import in_course_order
 from edugym.training.trainers import streams
 
@@ -32,7 +31,7 @@ def test_the_menu_can_be_shown(race: Race) -> None:
     """It is JSON; three agents or more race; and "why?" is plain text, three sentences from the lesson."""
     menu = json.loads(json.dumps(playground.menu(race), allow_nan=False))
     assert len(menu["agents"]) >= 3
-    assert len(race.actions) in (0, tabular(race.agents[0].view.of(race.mdp(0))).action_space.n)
+    assert len(race.actions) in (0, race.agents[0].view.seen(race.mdp(0)).action_space.n)
     assert len({agent["label"] for agent in menu["agents"]}) == len(menu["agents"])
     assert not re.search(r"[$\\{}*^_]", menu["why"])
     assert len(re.findall(r"[.?](?= |$)", menu["why"])) == 3
@@ -48,7 +47,7 @@ def test_the_code_for_readers_makes_the_agents(race: Race) -> None:
         names["mdp"] = eval(shown["seen"] or "mdp", names)
         listed = "".join(f", {name}={value}" for name, value in shown["settings"])
         pasted = eval(f"edugym.{shown['kind']}.create(mdp{listed})", names)
-        raced = agent.make(tabular(agent.view.of(mdp)))
+        raced = agent.make(agent.view.seen(mdp))
         assert repr(pasted) == repr(raced)
         assert np.shape(pasted.Q) == np.shape(raced.Q)
 
@@ -60,7 +59,7 @@ def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
     mdp = race.mdp(range(len(race.strength.values))[k])
     scene = MAPS[race.environment].scene(mdp, mdp.initial(np.random.default_rng(0)))
     for view in dict.fromkeys(agent.view for agent in race.agents):
-        seen = view.of(mdp)
+        seen = view.places(mdp)
         places = table(MAPS[race.environment], mdp, seen)
         assert places["rows"] % len(places["cell"]) == 0
         assert len(places["cell"]) == len(places["layer"]) == math.prod(places["sizes"])
