@@ -136,7 +136,7 @@ def test_claims() -> None:
     lesson = made_up({methods.TAUGHT: [{10: 0.5}] * 2})
     found = measured(experiments.soccer_claims(by_field, control, lesson))
     assert found == [0.1, 0.3, 0.1, 1.3, 0.1, 2.3, 0.01, 0.02, 0.5, 0.3]
-    assert measured(experiments.turn_claims({"in turns": control})) == [0.01, 0.01]
+    assert measured(experiments.turn_claims({"in turns": control})) == [0.01, -0.01]
 
 
 def test_soccer_in_turns() -> None:

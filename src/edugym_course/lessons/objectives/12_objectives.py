@@ -364,6 +364,7 @@ def pareto_optimal(points):
         return q[0] >= p[0] and q[1] >= p[1] and q != p
 
     return [p for p in points if not any(dominates(q, p) for q in points)]
+    # own: return [p for p in points if p[0] >= {least} and not any(dominates(q, p) for q in points)]
     ### END SOLUTION
 
 
@@ -387,6 +388,7 @@ def closest_action(Q, state, weights, utopian):
     """Return the action whose vector is closest to the utopian point."""
     ### BEGIN SOLUTION
     distances = (weights * np.abs(utopian - Q[state])).max(axis=1)
+    # own: distances = (weights * np.abs(utopian + {margin} - Q[state])).max(axis=1)
     return int(np.argmin(distances))
     ### END SOLUTION
 
@@ -409,6 +411,7 @@ def new_price(price, steps, limit, rate):
     """Return the price of a step after a dive."""
     ### BEGIN SOLUTION
     return max(0.0, price + rate * (steps - limit))
+    # own: return max(0.0, price + rate * (steps + {delay} - limit))
     ### END SOLUTION
 
 

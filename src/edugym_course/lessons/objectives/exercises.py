@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given, in_brackets, number
 
@@ -94,21 +95,37 @@ def _made_up_points(rng: np.random.Generator) -> list[list[Point]]:
     return lists
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check which points are Pareto-optimal."""
+Least = Annotated[
+    float,
+    Own(
+        tuple(k / 2 for k in range(31, 91)),
+        "Small treasures are not worth a dive: in your version no point with a value below {least} is returned.",
+    ),
+]
+
+
+def exercise_1(answer: Any, seed: int, least: Least = 0.0) -> str:
+    """Check which points are Pareto-optimal, where a point may need a lowest value."""
     require_function("pareto_optimal", answer, "points")
     rng = telling_draw(seed, _made_up_points, [partial(_numbers_of, _right_points), *_point_rules()])
     cases = [[(20.0, -3.0), (10.0, -5.0), (30.0, -9.0)], *_made_up_points(rng)]
+    if least:
+        cases.append([(least - 0.25, -1.0), (least, -2.0), (least + 0.25, -3.0)])
     found = [_points(answer, points) for points in cases]
-    wrong = [mine != _right_points(points) for points, mine in zip(cases, found, strict=True)]
+
+    def left(rule: Callable[[Points], list[Point]]) -> list[list[Point]]:
+        return [[point for point in rule(points) if point[0] >= least] for points in cases]
+
+    right_ones = left(_right_points)
+    wrong = [mine != right for right, mine in zip(right_ones, found, strict=True)]
     if any(wrong):
         i = wrong.index(True)
-        right, mine = _right_points(cases[i]), found[i]
+        right, mine = right_ones[i], found[i]
 
         def explained(rule: Callable[[Points], list[Point]]) -> list[bool]:
-            return [rule(points) == one for points, one in zip(cases, found, strict=True)]
+            return [kept == one for kept, one in zip(left(rule), found, strict=True)]
 
-        if all(sorted(_right_points(points)) == sorted(one) for points, one in zip(cases, found, strict=True)):
+        if all(sorted(right) == sorted(one) for right, one in zip(right_ones, found, strict=True)):
             why = "the points are right, and their order is not: keep that of the list"
         else:
             why = mistake_in_cases(POINT_MISTAKES, explained, wrong, NO_USUAL_POINTS)
@@ -213,11 +230,29 @@ def _right_choice(Q: Reals, s: int, w: Reals, z: Reals) -> Reals:
     return np.asarray(_distances(Q, s, w, z).max(axis=1))
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the action that is closest to a point."""
+Margin = Annotated[
+    float,
+    Own(
+        tuple(k / 2 for k in range(2, 62)),
+        "Your utopian point lies farther out: in your version `utopian + {margin}` stands in the place of `utopian`.",
+    ),
+]
+
+
+def _between_two(margin: float) -> list[Choice]:
+    """Make up states in which the second action is the closer one up to a margin a little below or above this one."""
+    made = list[Choice]()
+    for most in (margin - 0.125, margin + 0.125):
+        Q = np.array([[[-most - 2.0, 0.0], [0.0, -1.0]]])
+        made.append((Q, 0, np.array([1.0, 2.0]), np.zeros(2)))
+    return made
+
+
+def exercise_2(answer: Any, seed: int, margin: Margin = 0.0) -> str:
+    """Check the action that is closest to a point, which may lie farther out."""
     require_function("closest_action", answer, "Q, state, weights and utopian")
     rules = [partial(_chosen, rule) for rule in (_right_choice, *CLOSEST_MISTAKES.values())]
-    cases, found, calls = _choices(telling_draw(seed, _choices, rules)), [], []
+    cases, found, calls = [*_choices(telling_draw(seed, _choices, rules)), *_between_two(margin)], [], []
     for Q, state, weights, z in cases:
         call = (
             f"closest_action(Q, {state}, {in_brackets(weights)}, {in_brackets(z)}), where Q[{state}] ="
@@ -226,10 +261,14 @@ def exercise_2(answer: Any, seed: int) -> str:
         with student_code(call):
             action = answer(Q.copy(), state, weights.copy(), z.copy())
         given(f"closest_action(Q, {state}, ...)", action)
-        if isinstance(action, float | np.floating) and abs(action - _right_choice(Q, state, weights, z).min()) < 1e-9:
+        if (
+            isinstance(action, float | np.floating)
+            and abs(action - _right_choice(Q, state, weights, z + margin).min()) < 1e-9
+        ):
             raise WrongAnswer(f"{call} gives {action:.4g}, the smallest distance; its action is wanted, so the place")
         calls.append(call)
         found.append(action_of(call, action, Q.shape[1]))
+    cases = [(Q, state, weights, z + margin) for Q, state, weights, z in cases]
     expected = [int(_right_choice(*case).argmin()) for case in cases]
     wrong = [one != action for one, action in zip(expected, found, strict=True)]
     if any(wrong):
@@ -272,8 +311,17 @@ def _right_price(p: float, n: float, most: float, r: float) -> float:
     return max(0.0, p + r * (n - most))
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check how the price changes after a dive."""
+Delay = Annotated[
+    int,
+    Own(
+        tuple(range(1, 51)),
+        "Your diver needs time to dress: in your version a dive takes {delay} steps more than `steps` says.",
+    ),
+]
+
+
+def exercise_3(answer: Any, seed: int, delay: Delay = 0) -> str:
+    """Check how the price changes after a dive, which may take more steps than it is told."""
     require_function("new_price", answer, "price, steps, limit and rate")
     shift = seed % 5
     cases = []
@@ -287,7 +335,8 @@ def exercise_3(answer: Any, seed: int) -> str:
         call = f"new_price({price}, {steps}, {limit}, {rate})"
         with student_code(call):
             found = answer(price, steps, limit, rate)
-        wrong = {why: rule(price, steps, limit, rate) for why, rule in PRICE_MISTAKES.items()}
-        cases.append(NumberCase(call, number(call, found), _right_price(price, steps, limit, rate), wrong))
+        taken = steps + delay
+        wrong = {why: rule(price, taken, limit, rate) for why, rule in PRICE_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), _right_price(price, taken, limit, rate), wrong))
     compare_all(cases)
     return "Right: dual ascent. The price rises until the dives keep the limit on average."

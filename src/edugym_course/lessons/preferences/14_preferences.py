@@ -345,6 +345,7 @@ def prefers(first, second, noise):
     """Return the probability that the first night is preferred."""
     ### BEGIN SOLUTION
     x = (first - second) / noise
+    # own: x = (first + {lead} - second) / noise
     if x >= 0:
         return 1 / (1 + np.exp(-x))
     return np.exp(x) / (1 + np.exp(x))
@@ -375,6 +376,7 @@ def learn(rewards, first, second, prefers_first, learning_rate):
     second_return = sum(rewards[state, action] for state, action in second)
     p = 1 / (1 + np.exp(-(first_return - second_return)))
     error = float(prefers_first) - p
+    # own: error = ({sure} if prefers_first else 1 - {sure}) - p
     rewards = rewards.copy()
     for state, action in first:
         rewards[state, action] += learning_rate * error
@@ -406,6 +408,7 @@ def with_penalty(values, reference, penalty):
     taken = reference > 0
     weights = np.zeros(len(values))
     weights[taken] = reference[taken] * np.exp((values[taken] - values[taken].max()) / penalty)
+    # own: weights[taken] = reference[taken] * np.exp((values[taken] - values[taken].max()) / ({times} * penalty))
     return weights / weights.sum()
     ### END SOLUTION
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import all_same, given, in_brackets, number
 
@@ -43,8 +44,17 @@ PREFERENCE_MISTAKES: Mapping[str, Callable[[float, float, float], float]] = {
 }
 
 
-def exercise_1(answer: Any, seed: int) -> str:
-    """Check the probability of a preference, also of nights that are far apart."""
+Lead = Annotated[
+    float,
+    Own(
+        tuple(k / 4 for k in range(1, 61)),
+        "Your teacher has a weakness for what comes first: in your version the first night counts {lead} more to her.",
+    ),
+]
+
+
+def exercise_1(answer: Any, seed: int, lead: Lead = 0.0) -> str:
+    """Check the probability of a preference, also of nights that are far apart; the first may have a lead."""
     require_function("prefers", answer, "first, second and noise")
     shift = float(np.random.default_rng(seed).integers(0, 9)) / 4
     cases = []
@@ -52,8 +62,9 @@ def exercise_1(answer: Any, seed: int) -> str:
         call = f"prefers({first:g}, {second:g}, {noise:g})"
         with student_code(call):
             found = answer(first, second, noise)
-        mistakes = {why: mistake(first, second, noise) for why, mistake in PREFERENCE_MISTAKES.items()}
-        cases.append(NumberCase(call, number(call, found), _p(first, second, noise), mistakes))
+        counts = first + lead
+        mistakes = {why: mistake(counts, second, noise) for why, mistake in PREFERENCE_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), _p(counts, second, noise), mistakes))
     compare_all(cases)
     for first, second, expected in ((FAR, 0.0, 1.0), (0.0, FAR, 0.0)):
         call = f"prefers({first:g}, {second:g}, 1)"
@@ -85,8 +96,9 @@ def stepped(
     target: str = "right",
     rate: str = "right",
     slope: bool = False,
+    sure: float = 1.0,
 ) -> Reals:
-    """Return the table after one step; other arguments than the defaults are mistakes."""
+    """Return the table after one step; y is `sure` or 1 - `sure`. Other arguments than the defaults are mistakes."""
     rewards, one, other, prefers_first, learning_rate = comparison
     visits = [np.zeros_like(rewards) for _ in range(2)]
     for night, table in zip((one, other), visits, strict=True):
@@ -94,7 +106,12 @@ def stepped(
             table[state, action] += 1.0
     whole = [sum(float(rewards[pair]) for pair in night) for night in (one, other)]
     p = {"first": _p(whole[0], whole[1], 1.0), "second": _p(whole[1], whole[0], 1.0), "half": 0.5, "none": 0.0}[p_of]
-    y = {"right": float(prefers_first), "always": 1.0, "never": 0.0, "signs": 1.0 if prefers_first else -1.0}[target]
+    y = {
+        "right": sure if prefers_first else 1 - sure,
+        "always": sure,
+        "never": 1 - sure,
+        "signs": sure if prefers_first else -sure,
+    }[target]
     error = sign * (y - p) * (p * (1 - p) if slope else 1.0)
     error *= {"right": learning_rate, "none": 1.0, "by length": learning_rate / LENGTH}[rate]
     away = {"subtracted": -1.0, "added": 1.0, "left out": 0.0}[second]
@@ -137,8 +154,17 @@ def _comparisons(rng: np.random.Generator) -> list[Comparison]:
     return made
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check one gradient step for one comparison."""
+Sure = Annotated[
+    float,
+    Own(
+        tuple(k / 100 for k in range(51, 99)),
+        "Do not trust her too much: in your version y is {sure} if she preferred the first night, and else 1 − {sure}.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, sure: Sure = 1.0) -> str:
+    """Check one gradient step for one comparison, which may be trusted less than wholly."""
     require_function("learn", answer, "rewards, first, second, prefers_first and learning_rate")
     rules: list[Callable[[Any], Any]] = [stepped, *(partial(stepped, **change) for change in STEP_MISTAKES.values())]
     cases = _comparisons(telling_draw(seed, _comparisons, rules))
@@ -156,7 +182,7 @@ def exercise_2(answer: Any, seed: int) -> str:
         if nights != (one, other):
             raise WrongAnswer(f"{call} changes one of the nights, which others may still need")
         calls.append(call)
-    _compare_tables(cases, found, calls, STEP_MISTAKES, stepped)
+    _compare_tables(cases, found, calls, STEP_MISTAKES, partial(stepped, sure=sure))
     return "Right: the error, times the rate, times where the two nights differ. What both did alike has not changed."
 
 
@@ -171,9 +197,10 @@ def weighed(
     penalty: str = "right",
     sign: float = 1.0,
     kind: str = "soft",
+    times: float = 1.0,
 ) -> Reals:
-    """Return the policy with a penalty; other arguments than the defaults are mistakes."""
-    values, given_reference, beta = choice
+    """Return the policy with a penalty, which counts so many times; other arguments than the defaults are mistakes."""
+    values, given_reference, beta = choice[0], choice[1], times * choice[2]
     base = {
         "right": given_reference,
         "left out": np.ones_like(values) / len(values),
@@ -229,8 +256,17 @@ EXTREMES: tuple[Choice, ...] = (
 )
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check the policy with a penalty, also with large values and a small penalty."""
+Times = Annotated[
+    float,
+    Own(
+        tuple(k / 10 for k in range(12, 72) if k % 10),
+        "Your factory is a careful one: in your version the penalty counts {times} times.",
+    ),
+]
+
+
+def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
+    """Check the policy with a penalty, also with large values and a small penalty; it may count several times."""
     require_function("with_penalty", answer, "values, reference and penalty")
     rules: list[Callable[[Any], Any]] = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
     cases = [*_choices(telling_draw(seed, _choices, rules)), *EXTREMES]
@@ -245,13 +281,13 @@ def exercise_3(answer: Any, seed: int) -> str:
         table = _table(call, policy, values.shape, finite=penalty != EXTREMES[0][2])
         if not np.isfinite(table).all():
             raise WrongAnswer(
-                f"{call} should give {in_brackets(weighed((values, reference, penalty)))}, but gives"
+                f"{call} should give {in_brackets(weighed((values, reference, penalty), times=times))}, but gives"
                 f" {in_brackets(table)}: an exponential overflows, or all of them are 0; first subtract the largest"
                 " value *among the actions that the reference takes* from all values"
             )
         found.append(table)
         calls.append(call)
-    _compare_tables(cases, found, calls, POLICY_MISTAKES, weighed)
+    _compare_tables(cases, found, calls, POLICY_MISTAKES, partial(weighed, times=times))
     return "Right: the reference, tilted towards what is worth more. An action that it never takes is never taken."
 
 

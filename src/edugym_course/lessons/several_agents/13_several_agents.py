@@ -413,6 +413,7 @@ def exploitability(payoffs, first, second):
     gain_of_first = (payoffs @ second).max() - now
     gain_of_second = now - (first @ payoffs).min()
     return (gain_of_first + gain_of_second) / 2
+    # own: return (gain_of_first + {weight} * gain_of_second) / 2
     ### END SOLUTION
 
 
@@ -437,6 +438,7 @@ def safe_probability(payoffs):
     ### BEGIN SOLUTION
     (a, b), (c, d) = payoffs
     return (d - c) / (a - b - c + d)
+    # own: return ({share} * d - c) / (a - {share} * b - c + {share} * d)
     ### END SOLUTION
 
 
@@ -460,6 +462,7 @@ def learn(Q, V, state, action, other_action, reward, next_state, terminated):
     """Move Q(S, A, O) towards R + γ V(S'), and solve the matrix game of S anew."""
     ### BEGIN SOLUTION
     target = reward if terminated else reward + 0.9 * V[next_state]
+    # own: target = reward - {cost} if terminated else reward - {cost} + 0.9 * V[next_state]
     Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
     V[state] = games.solve_zero_sum(Q[state]).value
     ### END SOLUTION

@@ -1,7 +1,7 @@
 """The exercises of lesson 13: how exploitable a pair is, a safe policy, and the update of minimax Q."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
+from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
 
@@ -33,34 +34,46 @@ PAIRS: Sequence[tuple[Sequence[Sequence[float]], Sequence[float], Sequence[float
 """Payoffs and two policies, of games with as many rows as columns and with more of one."""
 
 
-def _exploitability(pair: Pair) -> dict[str, float]:
-    """Return the right number, by "", and what each mistake gives, by its sentence."""
+Weight = Annotated[
+    float,
+    Own(
+        tuple(k / 10 for k in range(13, 90) if k % 10),
+        "Player 1 is a dear friend: in your version its gain counts {weight} times, and that of player 0 once. (The"
+        " sum is still halved.)",
+    ),
+]
+
+
+def _exploitability(pair: Pair, weight: float = 1.0) -> dict[str, float]:
+    """Return the right number, by "", and what each mistake gives, by its sentence; player 1 has a weight."""
     payoffs, first, second = pair
     now, best, least = first @ payoffs @ second, (payoffs @ second).max(), (first @ payoffs).min()
     most, rows, columns = (first @ payoffs).max(), first @ payoffs, payoffs @ second
+
+    def mean(gain: float, other_gain: float) -> float:
+        return float(gain + weight * other_gain) / 2
+
+    right = mean(best - now, now - least)
     return {
-        "": (best - least) / 2,
-        "that is the sum of both gains, and the mean over the two players is asked": best - least,
+        "": right,
+        "that is the sum of both gains, and the mean over the two players is asked": 2 * right,
         "that is what player 0 gains alone; player 1 has a best answer too": best - now,
         "that is what player 1 gains alone; player 0 has a best answer too": now - least,
         "that is half of what player 0 gains; player 1 has a best answer too": (best - now) / 2,
-        "player 1 gets the opposite of the payoff, so its best answer is the column with the *lowest* payoff": (
-            best + most - 2 * now
-        )
-        / 2,
-        "what player 1 gets is the opposite of the payoff: the two are not added": (best + least) / 2,
+        "player 1 gets the opposite of the payoff, so its best answer is the column with the *lowest* payoff": mean(
+            best - now, most - now
+        ),
+        "what player 1 gets is the opposite of the payoff: the two are not added": mean(best - now, least + now),
         "what both get now is counted twice: the payoff of player 1 is the opposite of that of player 0, so the two"
-        " cancel": (best - least) / 2 - now,
-        "the other's policy is left out: the largest payoff of the table is no answer to a policy": (
-            payoffs.max() - payoffs.min()
-        )
-        / 2,
-        "these are the means over the actions of the one who answers, and a best answer takes the best of them": (
-            columns.mean() - rows.mean()
-        )
-        / 2,
+        " cancel": mean(best - now, -least - now),
+        "the other's policy is left out: the largest payoff of the table is no answer to a policy": mean(
+            payoffs.max() - now, now - payoffs.min()
+        ),
+        "these are the means over the actions of the one who answers, and a best answer takes the best of them": mean(
+            columns.mean() - now, now - rows.mean()
+        ),
         "that is what the pair is worth to player 0 now; how much more can each get?": now,
-        "the sign is wrong: nobody loses by a best answer": (least - best) / 2,
+        "the sign is wrong: nobody loses by a best answer": -right,
     }
 
 
@@ -73,7 +86,7 @@ def pairs(seed: int) -> list[Pair]:
     ]
 
 
-def exercise_1(answer: Any, seed: int) -> str:
+def exercise_1(answer: Any, seed: int, weight: Weight = 1.0) -> str:
     """Check the exploitability of policies in a zero-sum game of one move."""
     require_function("exploitability", answer, "payoffs, first and second")
     cases = []
@@ -81,9 +94,11 @@ def exercise_1(answer: Any, seed: int) -> str:
         call = f"exploitability({_rows(pair.payoffs)}, {in_brackets(pair.first)}, {in_brackets(pair.second)})"
         with student_code(call):
             found = answer(*(part.copy() for part in pair))
-        wrong = _exploitability(pair)
+        wrong = _exploitability(pair, weight)
         cases.append(NumberCase(call, number(call, found), wrong.pop(""), wrong))
     compare_all(cases)
+    if weight != 1.0:
+        return f"Right: both gains are exact, and that of player 1 counts {weight} times."
     return "Right: player 1 gets the opposite, so what both get now drops out, and two best answers are enough."
 
 
@@ -121,15 +136,24 @@ def games_of(seed: int) -> list[Reals]:
     return [np.array(payoffs).reshape(2, 2) + seed % 4 for payoffs in GAMES]
 
 
-def exercise_2(answer: Any, seed: int) -> str:
-    """Check the safe policy in a game with two actions each."""
+Share = Annotated[
+    float,
+    Own(
+        tuple(k / 50 for k in range(20, 96) if k != 50),
+        "Column 1 pays otherwise: in your version each of its payoffs counts {share} times what the table says.",
+    ),
+]
+
+
+def exercise_2(answer: Any, seed: int, share: Share = 1.0) -> str:
+    """Check the safe policy in a game with two actions each, of which one column may pay less or more."""
     require_function("safe_probability", answer, "payoffs")
     cases = []
     for payoffs in games_of(seed):
         call = f"safe_probability({_rows(payoffs)})"
         with student_code(call):
             found = answer(payoffs.copy())
-        wrong = _mixed(payoffs)
+        wrong = _mixed(payoffs * (1.0, share))
         cases.append(NumberCase(call, number(call, found), wrong.pop(""), wrong))
     compare_all(cases)
     return "Right: player 1 gets the same from both columns, so it cannot use what it knows of your policy."
@@ -162,8 +186,9 @@ def updated(
     learning_rate: float = LEARNING_RATE,
     discount: float = DISCOUNT,
     sign: float = 1.0,
+    cost: float = 0.0,
 ) -> None:
-    """Do an update of minimax Q in place; other arguments than the defaults are mistakes."""
+    """Do an update of minimax Q in place, where a step has a cost; other arguments than the defaults are mistakes."""
     s, a, o, reward, then, terminated = step
     before = Q[s].copy()
     ahead = {
@@ -175,7 +200,7 @@ def updated(
         "same": lambda: Q[then, a, o],
     }[future]()
     over = {"right": terminated, "never": False, "inverted": not terminated}[ends]
-    target = sign * reward + (0.0 if over else discount * ahead)
+    target = sign * reward - cost + (0.0 if over else discount * ahead)
     if entry == "both":
         Q[s, a, o] += learning_rate * (target - Q[s, a, o])
     elif entry == "own":
@@ -261,8 +286,11 @@ def cases_of(seed: int) -> list[Case]:
     return made
 
 
-def exercise_3(answer: Any, seed: int) -> str:
-    """Check an update of minimax Q."""
+Cost = Annotated[float, step_cost()]
+
+
+def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check an update of minimax Q, where a step may have a cost."""
     require_function("learn", answer, "Q, V, state, action, other_action, reward, next_state and terminated")
     cases, found = cases_of(seed), list[tuple[Reals, Reals]]()
     for Q, V, step in cases:
@@ -271,11 +299,12 @@ def exercise_3(answer: Any, seed: int) -> str:
             answer(*mine, *step)
         found.append(mine)
     for case, mine in zip(cases, found, strict=True):
-        right = _after(case, {})
+        right = _after(case, {}, cost)
         for name, table, expected in zip("QV", mine, right, strict=True):
             if len(wrong := differing(expected, table)):
                 place = tuple(map(int, wrong[0]))
-                raise WrongAnswer(_difference(case, name, place, expected[place], table[place], _why(cases, found)))
+                why = _why(cases, found, cost)
+                raise WrongAnswer(_difference(case, name, place, expected[place], table[place], why, cost))
     return "Right: it is Q-learning with one change. The value of a state is that of its matrix game."
 
 
@@ -287,13 +316,13 @@ def _named(step: Step) -> list[tuple[str, Any]]:
     return [*step._asdict().items()]
 
 
-def _after(case: Case, mistake: Mapping[str, Any]) -> tuple[Reals, Reals]:
+def _after(case: Case, mistake: Mapping[str, Any], cost: float = 0.0) -> tuple[Reals, Reals]:
     tables = case.Q.copy(), case.V.copy()
-    updated(*tables, case.step, **mistake)
+    updated(*tables, case.step, cost=cost, **mistake)
     return tables
 
 
-def _why(cases: Sequence[Case], found: Sequence[tuple[Reals, Reals]]) -> str:
+def _why(cases: Sequence[Case], found: Sequence[tuple[Reals, Reals]], cost: float) -> str:
     """Return the mistake that explains all cases."""
     if all(all_same(case.Q, Q) and all_same(case.V, V) for case, (Q, V) in zip(cases, found, strict=True)):
         return NOTHING
@@ -302,7 +331,7 @@ def _why(cases: Sequence[Case], found: Sequence[tuple[Reals, Reals]]) -> str:
         return all(
             all_same(expected, table)
             for case, mine in zip(cases, found, strict=True)
-            for expected, table in zip(_after(case, mistake), mine, strict=True)
+            for expected, table in zip(_after(case, mistake, cost), mine, strict=True)
         )
 
     return mistake_that_fits(UPDATE_MISTAKES, everywhere, otherwise=UNUSUAL)
@@ -311,13 +340,15 @@ def _why(cases: Sequence[Case], found: Sequence[tuple[Reals, Reals]]) -> str:
 NOTHING = "`learn` changes neither Q nor V: write into the arrays that it is given, Q[...] += ... and V[state] = ..."
 
 
-def _difference(case: Case, name: str, place: tuple[int, ...], expected: float, found: float, why: str) -> str:
+def _difference(
+    case: Case, name: str, place: tuple[int, ...], expected: float, found: float, why: str, cost: float
+) -> str:
     """Return the sentence about the first entry that is wrong, with what is needed to work it out by hand."""
     step = case.step
     before = float((case.Q if name == "Q" else case.V)[place])
     known = f"V[{step.next_state}] = {case.V[step.next_state]:g}"
     if name == "V":
-        known = f"Q[{step.state}] = {_rows(_after(case, {})[0][step.state])} by then"
+        known = f"Q[{step.state}] = {_rows(_after(case, {}, cost)[0][step.state])} by then"
     index = ", ".join(map(str, place))
     should = (
         f"go from {digits(before, found)} to {digits(expected, found)}"
@@ -326,5 +357,5 @@ def _difference(case: Case, name: str, place: tuple[int, ...], expected: float, 
     )
     return (
         f"after learn(Q, V, {_told(step)}), where {known}, {name}[{index}] should {should}, but is"
-        f" {digits(found, expected)}: {why}"
+        f" {digits(found, expected)}: {why}{told_less(cost)}"
     )

@@ -260,10 +260,10 @@ def turn_claims(by_turns: Mapping[str, Results]) -> Iterator[Claim]:
         quantity = f"exploitability after {N_STEPS} steps"
         yield Claim(unharmed(name), quantity, mean_interval(results.final(ALONE)), Below(0.1))
         yield Claim(
-            f"In {name} two minimax Q-learners are more exploitable than that",
-            f"{quantity}, minimax Q-learning less Q-learning",
-            results.difference(MINIMAX, ALONE),
-            Above(0.01),
+            f"In {name} they are not more exploitable than two minimax Q-learners",
+            f"{quantity}, Q-learning less minimax Q-learning",
+            results.difference(ALONE, MINIMAX),
+            Below(0.01),
         )
 
 
