@@ -2,6 +2,8 @@
 
 from edugym.adapters.fitting import TabularObservation as TabularObservation
 from edugym.adapters.gymnasium_env import MDPEnv as MDPEnv
+from edugym.adapters.minari_data import read_minari as read_minari
+from edugym.adapters.minari_data import write_minari as write_minari
 from edugym.adapters.registration import ENVIRONMENTS as ENVIRONMENTS
 from edugym.adapters.registration import make_environment as make_environment
 from edugym.adapters.registration import make_mdp as make_mdp

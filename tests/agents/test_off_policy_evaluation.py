@@ -201,10 +201,10 @@ def test_on_its_own_data_a_policy_is_worth_what_it_gathered(method: str) -> None
         (lambda data: importance_sampling(data, [0, 1, 2]), ("policy", 0, 1, 2)),
         (lambda data: importance_sampling(data.states, TARGET), ("dataset", "Dataset", "collect")),
         (lambda data: importance_sampling(data, TARGET, 1.5), ("discount", 0, 1, 1.5)),
-        (lambda data: importance_sampling(NEVER, [1, 1, 1], method="weighted"), ("dataset", "policy", "step 0")),
+        (lambda data: importance_sampling(NEVER, [1, 1, 1], method="weighted"), ("dataset", "policy", "each of 3")),
         (
             lambda data: doubly_robust(NEVER, [1, 1, 1], np.zeros((3, 2)), weighted=True),
-            ("dataset", "policy", "step 1"),
+            ("dataset", "policy", "each of 3"),
         ),
         (lambda data: doubly_robust(data, TARGET, [1.0]), ("Q", "(3, 2)")),
         (lambda data: doubly_robust(data, TARGET, np.full((3, 2), np.inf)), ("Q", "finite")),

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
+import pytest
 
 import edugym
 from tests.compiled.cells import WALK, cell
@@ -112,6 +113,25 @@ def envs() -> Any:
 def data() -> Any:
     """Three episodes of a walk."""
     return edugym.collect(known().model, [1] * 4, 3, max_steps=9, seed=0)
+
+
+def in_own_folder(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function that keeps data with Minari, in a folder of its own; where that is missing, the test is skipped."""
+    pytest.importorskip("minari")
+
+    @wraps(function)
+    def called(*args: Any, **given: Any) -> Any:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("MINARI_DATASETS_PATH", tempfile.mkdtemp())
+            return function(*args, **given)
+
+    return called
+
+
+@cache
+def written() -> Any:
+    """The same three episodes, as Minari has them."""
+    return in_own_folder(edugym.write_minari)(data(), known().model, "edugym/walk-v0")
 
 
 def agent_with(**strategy: Any) -> Any:
@@ -324,6 +344,9 @@ CALLS: dict[str, Callable[[], Case]] = {
     "proportion_interval": lambda: Case(
         edugym.proportion_interval, {"successes": 1, "n": 2}, {"successes": "0"}, {"n": "successes"}),
     "read_mdp": lambda: Case(lambda path: edugym.read_mdp(path), {"path": known().folder / "catch.py"}),
+    "read_minari": lambda: Case(
+        edugym.read_minari, {"dataset": written(), "model": known().model},
+        {"behaviour": "None"}, {"model": "dataset behaviour"}),
     "record_visits": lambda: Case(
         edugym.record_visits, {"agent": known().agent, "environment": known().walk, "n_steps": 10}),
     "repeat": lambda: Case(
@@ -345,5 +368,8 @@ CALLS: dict[str, Callable[[], Case]] = {
         {"grids": {"a": {"b": edugym.QLearning.create}}, "repetitions": 1, "tuning_repetitions": 1, "jobs": 1},
         {"jobs": "None -1", "checkpoints": "text"}),
     "value_iteration": lambda: Case(edugym.value_iteration, {"model": known().model}),
+    "write_minari": lambda: Case(
+        in_own_folder(edugym.write_minari),
+        {"dataset": data(), "model": known().model, "name": "edugym/walk-v0"}, {"about": ANY}, {"dataset": "model"}),
     "wrapper": lambda: Case(edugym.wrapper, {"kind": edugym.Tabular}),
 }  # fmt: skip

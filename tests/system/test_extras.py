@@ -13,7 +13,18 @@ import numpy as np
 import pytest
 from gymnasium.error import DependencyNotInstalled
 
-from edugym import QLearning, Results, repeat
+from edugym import (
+    Dataset,
+    FiniteModel,
+    QLearning,
+    Results,
+    collect,
+    finite_model,
+    make_mdp,
+    read_minari,
+    repeat,
+    write_minari,
+)
 from edugym.adapters.playing.keyboard import play
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import axes_or_new
@@ -53,6 +64,12 @@ NEED_ONE = {
 ROOT = Path(__file__).parents[2]
 PACKAGES = {"PIL": "matplotlib", "IPython": "ipywidgets", "sb3_contrib": "sb3-contrib"}
 """What brings a library whose name is another one."""
+
+
+def steps_of_a_model() -> tuple[Dataset, FiniteModel]:
+    """A dataset, and its model."""
+    model = finite_model(make_mdp("Boulder", height=2))
+    return collect(model, [0] * len(model.states), 1), model
 
 
 def packages_of(extra: str) -> set[str]:
@@ -102,6 +119,8 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
         ("PIL", "plot", lambda path: to_gif([np.zeros((2, 2, 3), np.uint8)], path)),
         ("PIL", "plot", lambda path: play("Boulder", gif=path)),
         ("pettingzoo", "games", lambda path: parallel_env(MatchingPennies.create())),
+        ("minari", "data", lambda path: write_minari(*steps_of_a_model(), name="a-v0")),
+        ("h5py", "data", lambda path: read_minari(None, steps_of_a_model()[1])),
         ("sb3_contrib", "deep", lambda path: class_of("RecurrentPPO")),
         ("jupyterlab", "lab", lambda path: require_jupyterlab()),
         ("ipywidgets", "lab", lambda path: require_jupyterlab()),

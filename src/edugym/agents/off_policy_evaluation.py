@@ -169,8 +169,8 @@ def _estimate(parts: list[tuple[Reals, Reals]], whole: Reals, discount: float, *
         sums = weights.sum(axis=0)
         if normalised and not sums.all():
             raise ValueError(
-                "dataset must have an episode that the policy could play, but at step"
-                f" {int((sums == 0).argmax())} of each it has taken an action with a probability of 0"
+                f"dataset must have an episode that the policy could play, but each of {n} has an action to which it"
+                " gives a probability of 0, so there are no weights to divide by their sum"
             )
         shares = weights / (sums if normalised else n)
         means = (shares * numbers).sum(axis=0)
