@@ -163,8 +163,13 @@ def load() -> Profile | None:
 
 
 def made_with() -> str:
-    """The versions with which the stored profile was made."""
-    return str(_about()["versions"])
+    """The versions with which the agents of the package were measured; where they differ, with the agents."""
+    agents_with: dict[str, list[str]] = {}
+    for name, used in sorted(_about()["versions"].items()):
+        agents_with.setdefault(used, []).append(name)
+    if len(agents_with) == 1:
+        return next(iter(agents_with))
+    return "; ".join(f"{used} ({', '.join(names)})" for used, names in agents_with.items())
 
 
 def libraries_with() -> str:
@@ -229,7 +234,7 @@ def store(name: str, runs: list[Any], code: dict[str, str], blank: dict[str, str
     import pandas
 
     rows = pandas.DataFrame(runs, columns=list(KEPT))
-    about: dict[str, Any] = {"versions": "", "code": {}, "blank": {}, "libraries": {}}
+    about: dict[str, Any] = {"versions": {}, "code": {}, "blank": {}, "libraries": {}}
     if PATH.exists():
         old = pandas.read_csv(PATH)
         old = old[(old["agent"] != name) | ~old["challenge"].isin([*code])]
@@ -238,7 +243,7 @@ def store(name: str, runs: list[Any], code: dict[str, str], blank: dict[str, str
     if name in LIBRARY_AGENTS:
         about["libraries"].setdefault(name, {}).update(dict.fromkeys(code, library_versions()))
     else:
-        about["versions"] = versions()
+        about["versions"][name] = versions()
     about["code"][name] = about["code"].get(name, {}) | code
     before = about["blank"].get(name, {})
     about["blank"][name] = {challenge: why for challenge, why in before.items() if challenge not in code} | blank

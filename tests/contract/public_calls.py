@@ -39,8 +39,9 @@ def odd_values() -> dict[str, Any]:
 
 NUMBER, NOT_NEGATIVE, POSITIVE, WHOLE = "-1 0 2.5 1e30", "0 2.5 1e30", "2.5 1e30", "0 1e30 1e400"
 EVERYWHERE: dict[str, str] = {
-    "action": "0", "bonus": NOT_NEGATIVE, "confidence": "0", "discount": "0", "epsilon": "0", "goal_size": "0",
-    "exploration_bonus": NOT_NEGATIVE, "initial_value": NUMBER, "layout_seed": WHOLE, "planning_steps": "0",
+    "action": "0", "confidence": "0", "discount": "0", "epsilon": "0", "goal_size": "0",
+    "exploration_bonus": NOT_NEGATIVE, "initial_value": NUMBER, "layout_seed": WHOLE,
+    "planning_seconds": "inf 2.5 1e30", "planning_steps": "0",
     "reward_at_goal": NUMBER, "reward_elsewhere": NUMBER,
     "seed": WHOLE, "state": "0", "threshold": NOT_NEGATIVE, "tolerance": POSITIVE, "trace_decay": "0",
 }  # fmt: skip
@@ -234,7 +235,6 @@ CALLS: dict[str, Callable[[], Case]] = {
     "DiscreteActions.create": lambda: Case(edugym.DiscreteActions.create, {"mdp": known().arm, "bins": 2}),
     "Discretised.create": lambda: Case(
         edugym.Discretised.create, {"mdp": known().image, "bins": 2}, {"low": "-1 0", "high": POSITIVE}),
-    "DQN.create": lambda: Case(edugym.DQN.create, {"environment": known().walk}, {"error_clip": "inf 2.5 1e30"}),
     "EpsilonGreedy": lambda: Case(
         lambda epsilon: agent_with(exploration=edugym.EpsilonGreedy(epsilon)), {"epsilon": 1}),
     "ExponentialDecay": lambda: Case(
@@ -273,18 +273,9 @@ CALLS: dict[str, Callable[[], Case]] = {
     "NoisyObservation.create": lambda: Case(
         edugym.NoisyObservation.create, {"mdp": known().image}, {"levels": "0", "sigma": NOT_NEGATIVE}),
     "PrioritisedSweeping.create": lambda: Case(
-        edugym.PrioritisedSweeping.create, {"environment": (4, 2)},
-        {"planning_steps": "inf 0", "planning_seconds": "inf 2.5 1e30"}),
-    "DynaQ.create": lambda: Case(
-        edugym.DynaQ.create, {"environment": (4, 2)}, {"planning_seconds": "inf 2.5 1e30"}),
-    "REINFORCE.create": lambda: Case(
-        edugym.REINFORCE.create, {"environment": (4, 2)}, {"value_learning_rate": "0"}),
+        edugym.PrioritisedSweeping.create, {"environment": (4, 2)}, {"planning_steps": "inf 0"}),
     "RMax.create": lambda: Case(
-        edugym.RMax.create, {"environment": (4, 2)},
-        {"planning_steps": "inf 0", "planning_seconds": "inf 2.5 1e30", "lowest_return": "-1 0 2.5",
-         "highest_return": NUMBER}),
-    "RiskSensitiveQLearning.create": lambda: Case(
-        edugym.RiskSensitiveQLearning.create, {"environment": (4, 2)}, {"risk": NUMBER}),
+        edugym.RMax.create, {"environment": (4, 2)}, {"planning_steps": "inf 0", "lowest_return": "-1 0 2.5"}),
     "Ladder": lambda: Case(
         lambda **given: profiled([walks(**given)]), walks()._asdict(),
         {"name": "text", "challenge": "text", "strength": "text", "source": "text", "bounds": "None",

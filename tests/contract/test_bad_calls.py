@@ -8,6 +8,7 @@ and says what is allowed. A public name without a row in the tables fails too.
 import copy
 import importlib
 import inspect
+import math
 import re
 import resource
 import signal
@@ -15,16 +16,17 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import gymnasium
 import pytest
 
 import edugym
+from edugym.agents.settings import Range, Table
 from edugym.checks.parameters import in_short
 from edugym_course.grading import WrongAnswer
 from tests.contract import more_public_calls, public_calls
-from tests.contract.public_calls import EVERYWHERE, Case, known, odd_values
+from tests.contract.public_calls import EVERYWHERE, NUMBER, Case, known, odd_values
 
 ROOMS = {
     "figures": "edugym.experiments.figures",
@@ -81,6 +83,29 @@ def in_table(key: str) -> Case:
     if method == "create" and hasattr(getattr(edugym, name, None), "learn"):
         return Case(getattr(edugym, name).create, {"environment": known().walk})
     pytest.fail(f"{key} has no row in CALLS of public_calls.py")
+
+
+def declared(key: str) -> dict[str, str]:
+    """Which odd values the settings of an agent take, as their declared ranges say; nothing for other callables."""
+    agent, takes = getattr(edugym, key.removesuffix(".create"), None), {}
+    hints = get_type_hints(agent, include_extras=True) if hasattr(agent, "learn") else {}
+    for name, hint in hints.items():
+        for mark in getattr(hint, "__metadata__", ()):
+            if isinstance(mark, Range):
+                odd = odd_values().items()
+                takes[name] = " ".join(key for key, value in odd if in_range(value, mark, hint.__origin__))
+            elif isinstance(mark, Table) and isinstance(mark.fill, str):
+                takes[mark.fill] = NUMBER
+    return takes
+
+
+def in_range(value: Any, allowed: Range, kind: type) -> bool:
+    """Whether a range has a number of this kind; a whole number has its limit, or that of a real number."""
+    if type(value) not in (int, kind) or value != value or value == 10**400:
+        return False
+    largest = 2**62 if kind is int else math.nextafter(math.inf, 0)
+    high = largest if allowed.high is None else allowed.high
+    return value <= high and (value > allowed.low or (value == allowed.low and not allowed.open))
 
 
 def public(name: str) -> Iterator[str]:
@@ -171,11 +196,12 @@ def test_bad_calls(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
         case = in_table(key)
         with limited():
             case.function(**copy.deepcopy(case.valid))
+        usually = EVERYWHERE | declared(key)
         for parameter, usual in case.valid.items():
             folder = tmp_path / f"{key}.{parameter}"
             folder.mkdir()
             monkeypatch.chdir(folder)  # some functions take any text as a path
-            takes = (case.takes.get(parameter) or EVERYWHERE.get(parameter, "")).split()
+            takes = (case.takes.get(parameter) or usually.get(parameter, "")).split()
             names = (parameter, *case.named.get(parameter, "").split())
             for odd, value in odd_values().items():
                 if value is None and usual is None:
