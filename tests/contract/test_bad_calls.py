@@ -87,7 +87,7 @@ def in_table(key: str) -> Case:
 
 def declared(key: str) -> dict[str, str]:
     """Which odd values the settings of an agent take, as their declared ranges say; nothing for other callables."""
-    agent, takes = getattr(edugym, key.removesuffix(".create"), None), {}
+    agent, takes = getattr(edugym, key.partition(".")[0], None), {}
     hints = get_type_hints(agent, include_extras=True) if hasattr(agent, "learn") else {}
     for name, hint in hints.items():
         for mark in getattr(hint, "__metadata__", ()):
