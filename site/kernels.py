@@ -161,19 +161,23 @@ class Call(NamedTuple):
 class _Opened(MDPTrainer):
     """The trainer that `edugym.train` uses, with what it calls its loops with."""
 
-    def race(self, n_episodes: int) -> Call:
-        """The call that races, with room for the returns of so many evaluation episodes."""
-        training = (*self._plain_arguments, *self._evaluation(n_episodes))
+    def race(self, n_episodes: int, measured: Any) -> Call:
+        """The call that races, with room for the returns of so many evaluation episodes in the task `measured`."""
+        training = (*self._plain_arguments, *self._measuring(n_episodes, measured))
         loop = race_on_policy if self._contract.is_on_policy else race_off_policy
         return Call(loop, (BEGIN, 0, *training, self._carry))
 
-    def race_noted(self, places: Any, clean: Any, n_episodes: int) -> Call:
+    def race_noted(self, places: Any, clean: Any, n_episodes: int, measured: Any) -> Call:
         """The same with notes, see sights.py; evaluation leaves none."""
         mdp, *others = self._plain_arguments
         notes = noted(mdp, places, clean, self._contract)
-        training = (notes, *others, *self._evaluation(n_episodes))
+        training = (notes, *others, *self._measuring(n_episodes, measured))
         values = np.zeros((notes.visits.size, int(mdp.action_space.n)))
         return Call(race_noted, (BEGIN, 0, *training, values, self._carry))
+
+    def _measuring(self, n_episodes: int, measured: Any) -> tuple[Any, ...]:
+        mdp, *others = self._evaluation(n_episodes)
+        return (mdp if measured is None else measured, *others)
 
     def play(self) -> Call:
         """The call that lets a person play."""
@@ -188,15 +192,18 @@ def _opened(mdp: Any, agent: Any) -> _Opened:
     return _Opened(task, contract, 0, task.max_steps, 0)
 
 
-def race_of(mdp: Any, agent: Any, n_episodes: int) -> Call:
-    """The call that lets an agent race in an MDP, and evaluates it in so many episodes at a time."""
-    return _opened(mdp, agent).race(n_episodes)
+def race_of(mdp: Any, agent: Any, n_episodes: int, measured: Any = None) -> Call:
+    """The call that lets an agent race in an MDP, and evaluates it in so many episodes at a time.
+
+    They are episodes of another task if one is given as `measured`.
+    """
+    return _opened(mdp, agent).race(n_episodes, measured)
 
 
-def noted_race_of(mdp: Any, places: Any, clean: Any, agent: Any, n_episodes: int) -> Call:
+def noted_race_of(mdp: Any, places: Any, clean: Any, agent: Any, n_episodes: int, measured: Any = None) -> Call:
     """The same for an agent that has no row for a place. The task is also given as a place, and without noise."""
     before = [(array, array.copy()) for array in arrays_in(mdp)]
-    call = _opened(mdp, agent).race_noted(places, clean, n_episodes)
+    call = _opened(mdp, agent).race_noted(places, clean, n_episodes, measured)
     for array, fresh in before:  # a hashed table has observed since then
         array[...] = fresh
     return call

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import edugym
+from edugym.envs.diver import N_COLUMNS
 from edugym.envs.golf import Ball
 from edugym.envs.memory_corridor import Corridor
 from edugym.envs.roadrunner import Runner
@@ -229,6 +230,18 @@ def _panels(mdp: Any) -> Iterator[Panel]:
     return (Panel(switches, goal) for switches in patterns for goal in patterns)
 
 
+def _in_the_sea(mdp: Any, seen: tuple[int, ...]) -> Place:
+    y, x = divmod(seen[0], N_COLUMNS)
+    return (Cell(float(x), y + 1.0, 1.0, 1.0) if y <= x + 1 else None), 0
+
+
+def _without_steps(mdp: Any, state: Any) -> Scene:
+    """The sea without the text above it, which counts the steps: they do not follow from the state."""
+    scene: Scene = mdp.scene(state)
+    above = [shape for shape in scene.shapes if isinstance(shape, Text) and shape.y < 1.0]
+    return dataclasses.replace(scene, shapes=[shape for shape in scene.shapes if shape not in above])
+
+
 MAPS = {
     "Boulder": Map(_on_the_wall, ("",), _grips, lambda mdp: iter(range(mdp.height + 1)), _whole_wall),
     "Roadrunner": Map(_on_the_road, (".x", ".dx"), signs("−", "=", "+")),
@@ -246,6 +259,7 @@ MAPS = {
         moves=_arm,
     ),
     "Golf": Map(_on_the_course, (".x", ".y"), signs("p", "c", "d"), _balls, _without_text, _ball),
+    "Diver": Map(_in_the_sea, ("",), signs("↓", "→"), scene=_without_steps),
     "Switches": Map(_by_what_is_wrong, (".switches", ".goal"), pictures=_panels),
     "Supermarket": Map(_in_the_aisles, ("",), signs("↑", "↓", "←", "→")),
 }

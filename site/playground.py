@@ -22,12 +22,15 @@ from typing import Any
 import editor
 import kernels
 import numpy as np
+from offers import Agent, Race, View
 from places import MAPS
-from races import RACES, Agent, Race, View
+from races import RACES
 from scenery import scenery, table
 from scipy import stats
+from vectors import informed
 
 import edugym
+import edugym.objectives
 from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import find
 from edugym.mdp.task import task_of
@@ -40,8 +43,6 @@ LESSONS = HERE.parent / "src" / "edugym_course" / "lessons"
 SEEDS = 20
 SEVERAL = (1, 5, 10, 20)
 """How many seeds a reader may run at once."""
-EPISODES = 5
-"""The evaluation episodes of each point of a curve."""
 TEX = {
     r"\beta": "β",
     r"\pi": "π",
@@ -96,16 +97,17 @@ def calls(race: Race, k: int) -> Iterator[kernels.Call]:
     mdp = race.mdp(k)
     for agent in race.agents:
         yield call_of(race, mdp, agent)
-    seen = tabular(race.agents[0].view.places(mdp))
+    seen = tabular(race.measured(mdp) if race.measure else race.agents[0].view.places(mdp))
     yield kernels.play_of(seen, edugym.QLearning.create(seen))
 
 
 def call_of(race: Race, mdp: Any, agent: Agent) -> kernels.Call:
     """The call of an agent's kernel: its visits are counted on the way."""
     view, seen = agent.view, agent.view.seen(mdp)
+    made, measured = informed(agent.make(seen), mdp), race.measured(mdp) if race.measure else None
     if view.clean:
-        return kernels.noted_race_of(seen, mdp, view.clean(mdp), agent.make(seen), EPISODES)
-    return kernels.race_of(seen, record_visits(agent.make(seen), seen, 1, n_intervals=1), EPISODES)
+        return kernels.noted_race_of(seen, mdp, view.clean(mdp), made, race.episodes, measured)
+    return kernels.race_of(seen, record_visits(made, seen, 1, n_intervals=1), race.episodes, measured)
 
 
 # What the page shows before a task is chosen
@@ -123,7 +125,8 @@ def menu(race: Race) -> dict[str, Any]:
         **lesson(entry.lesson),
         "steps": race.n_steps,
         "own": own_settings(race),
-        "episodes": EPISODES,
+        "episodes": race.episodes,
+        "measure": race.measure and {"says": race.measure.says, "code": race.measure.code},
         "numbers": race.numbers,
         "keys": race.keys,
         "strength": {
@@ -137,7 +140,9 @@ def menu(race: Race) -> dict[str, Any]:
                 "label": agent.label,
                 "says": agent.says,
                 "kernel": lane,
-                "kind": agent.kind.__name__,
+                "kind": agent.kind.__name__
+                if hasattr(edugym, agent.kind.__name__)
+                else f"objectives.{agent.kind.__name__}",
                 "settings": [[name, _as_code(value)] for name, value in agent.settings.items()],
                 "seen": agent.view.code,
                 "takes": agent.takes,
@@ -150,7 +155,7 @@ def menu(race: Race) -> dict[str, Any]:
 
 def sources(races: Sequence[Race]) -> dict[str, str]:
     """The files of the agents, by their classes: what a reader may begin with."""
-    kinds = {agent.kind for race in races for agent in race.agents}
+    kinds = {agent.kind for race in races for agent in race.agents if not race.measure}
     return {kind.__name__: Path(inspect.getfile(kind)).read_text(encoding="utf-8") for kind in kinds}
 
 
@@ -216,7 +221,7 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
         "actions": race.actions or race.agents[0].view.seen(mdp).action_names,
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
-        "optimum": optimum(mdp) if race.is_finite else None,
+        "optimum": optimum(race.measured(mdp)) if race.is_finite else None,
         "scene": scenery(MAPS[race.environment], mdp),
         "tables": list(tables.values()),
         "agents": lanes,

@@ -4,13 +4,15 @@ Names and parameters are the package's, and the settings of agents those of the 
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cache, partial
-from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
+
+import numpy as np
+from offers import NONE, Agent, Measure, Race, Strength, View, as_it_is
 
 import edugym
-from edugym.adapters.fitting import tabular
+import edugym.objectives
 from edugym_course.lessons.continuous_actions.methods import CELLS, in_a_table
 from edugym_course.lessons.depth import methods as depth
 from edugym_course.lessons.depth import targets
@@ -19,123 +21,10 @@ from edugym_course.lessons.exploration import methods as exploration
 from edugym_course.lessons.goals import methods as goals
 from edugym_course.lessons.memory import players as memory
 from edugym_course.lessons.model_based import methods as model_based
+from edugym_course.lessons.objectives import methods as objectives
 from edugym_course.lessons.on_off_policy import methods as on_off_policy
 from edugym_course.lessons.signal import methods as signal
 from edugym_course.lessons.stochasticity import methods as stochasticity
-
-NONE: Mapping[str, Any] = MappingProxyType({})
-
-
-def as_it_is(mdp: Any) -> Any:
-    """The MDP as it is."""
-    return mdp
-
-
-class View(NamedTuple):
-    """How an agent sees a task.
-
-    Attributes:
-        of: from the MDP, the MDP as the agent sees it.
-        code: the same as Python, for the reader.
-        clean: where an agent has no row for a place (see sights.py), from the MDP, what it would see without noise.
-    """
-
-    of: Callable[[Any], Any] = as_it_is
-    code: str = ""
-    clean: Callable[[Any], Any] | None = None
-
-    def seen(self, mdp: Any) -> Any:
-        """The MDP as the agent sees it; a table's rows are numbered."""
-        return self.of(mdp) if self.clean else tabular(self.of(mdp))
-
-    def places(self, mdp: Any) -> Any:
-        """The MDP observed as a place in the picture."""
-        return mdp if self.clean else self.of(mdp)
-
-
-class Agent(NamedTuple):
-    """An agent that is offered.
-
-    Attributes:
-        label: its name on the page.
-        says: what it does, in a few words.
-        kind: its class.
-        settings: what is not at its default.
-        view: how it sees the task.
-    """
-
-    label: str
-    says: str
-    kind: Any
-    settings: Mapping[str, Any]
-    view: View = View()
-
-    def make(self, task: Any) -> Any:
-        """The agent, for the task as it sees it."""
-        return self.kind.create(task, **self.settings)
-
-    @property
-    def takes(self) -> tuple[str, ...]:
-        """Which of the page's sliders set this agent: R-max plans from its own, and Adam's rate has another scale."""
-        if self.kind is edugym.RMax:
-            return ()
-        given = {**self.kind._field_defaults, **self.settings}
-        explores = isinstance(given.get("exploration"), edugym.EpsilonGreedy)
-        known = {
-            "learning_rate": "learning_rate" in given and self.kind is not edugym.DQN,
-            "discount": "discount" in given,
-            "epsilon": explores,
-        }
-        return tuple(name for name, takes in known.items() if takes)
-
-
-class Strength(NamedTuple):
-    """The one parameter that sets how hard a task is.
-
-    Attributes:
-        parameter: its name.
-        values: from which the reader chooses.
-        first: the index of the value that is shown first.
-    """
-
-    parameter: str
-    values: tuple[float, ...]
-    first: int
-
-
-class Race(NamedTuple):
-    """A task, and the agents that race in it.
-
-    Attributes:
-        environment: its name.
-        question: what the reader bets on.
-        rules: the task, in a sentence or two.
-        agents: the first three race when the page opens.
-        n_steps: the training steps of a race.
-        strength: how hard it is.
-        numbers: what the numbers of an observation are; empty where they need no names.
-        keys: the keys for the actions, besides 1, 2, ...
-        parameters: the other parameters of the environment.
-        is_finite: whether it has few states, so that its optimum can be computed exactly.
-        actions: what actions are called, where the task itself only has numbers for them.
-    """
-
-    environment: str
-    question: str
-    rules: str
-    agents: tuple[Agent, ...]
-    n_steps: int
-    strength: Strength
-    numbers: tuple[str, ...]
-    keys: tuple[str, ...] = ()
-    parameters: Mapping[str, Any] = NONE
-    is_finite: bool = True
-    actions: tuple[str, ...] = ()
-
-    def mdp(self, k: int) -> Any:
-        """The task at its k-th strength."""
-        strength = {self.strength.parameter: self.strength.values[k]}
-        return edugym.make_mdp(self.environment, **strength, **self.parameters)
 
 
 def learning(module: Any) -> dict[str, Any]:
@@ -382,5 +271,53 @@ SWITCHES = Race(
     Strength("n_switches", (2, 3, 4, 5), 3),
     (),
 )
-RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES)
+DIVING = {"learning_rate": 1.0, "discount": 1.0, "exploration": objectives.AT_RANDOM}
+
+
+def priced(price: float) -> View:
+    """Diver with one reward: the value, less the price of each step."""
+    code = f"edugym.objectives.Weighted.create(mdp, (1.0, {price}))"
+    return View(lambda mdp: edugym.objectives.Weighted.create(mdp, (1.0, price)), code)
+
+
+def within_the_air(mdp: Any) -> Any:
+    """Diver where treasures that take too long are worth nothing, and steps cost nothing."""
+    longest = (objectives.LIMIT - 1) // 2
+    values = [value if k <= longest else 0.0 for k, value in enumerate(mdp.treasures)]
+    return mdp._replace(treasures=np.array(values), weights=(1.0, 0.0))
+
+
+def distance(weight: float, whole: bool = True) -> dict[str, Any]:
+    """The settings of an agent that goes by the Chebyshev distance."""
+    return {**DIVING, "weights": (1.0, weight), "whole_returns": whole}
+
+
+CHEBYSHEV = edugym.objectives.ChebyshevQLearning
+ASKED = View(clean=as_it_is)
+DIVER = Race(
+    "Diver",
+    "The air lasts for seven steps. Who brings up the most?",
+    "Deeper treasures are worth more, but too deep ones count for nothing. Concavity makes the middle ones poorer.",
+    (
+        Agent("price 4", "Q-learning: a step costs 4 of the value", edugym.QLearning, DIVING, priced(4.0)),
+        Agent("price 6", "the same: a step costs 6 of the value", edugym.QLearning, DIVING, priced(6.0)),
+        Agent("distance", "lets neither value nor time fall far behind", CHEBYSHEV, distance(8.0), ASKED),
+        *(
+            Agent(f"price {price:g}", f"a step costs {price:g} of the value", edugym.QLearning, DIVING, priced(price))
+            for price in (1.0, 2.0, 5.0, 5.5, 5.75, 7.0)
+        ),
+        Agent("distance, rest only", "forgets the steps already taken", CHEBYSHEV, distance(8.0, False), ASKED),
+    ),
+    objectives.N_STEPS,
+    Strength("concavity", (0.0, 0.25, 0.5, 0.75, 1.0), 2),
+    ("cell",),
+    ("ArrowDown", "ArrowRight"),
+    measure=Measure(
+        within_the_air,
+        f"The value that a dive without exploring brings up within {objectives.LIMIT} steps",
+        f"print(run.returns[:, 0] * (run.returns[:, 1] >= -{objectives.LIMIT}))",
+    ),
+    episodes=1,
+)
+RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES, DIVER)
 """One for each environment that has a lesson, in the order of the lessons."""

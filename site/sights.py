@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
+from vectors import Informed
 
 from edugym.adapters.columns import RowsInPlace
 from edugym.adapters.fitting import tabular
@@ -28,7 +29,7 @@ class Noted(NamedTuple):
         places: the same task, observed as a place.
         visits: shape (1, n_places): how often each was seen.
         place: shape (1,): the latest.
-        known: the notes on what to ask, `Boards` or `Rows`.
+        known: the notes on what to ask, `Boards`, `Rows` or `Distances`.
     """
 
     mdp: Any
@@ -114,6 +115,21 @@ class Rows(NamedTuple):
             values[action] = self.agent.Q[self.latest[place], action]
 
 
+class Distances(NamedTuple):
+    """An agent that goes by how close its actions come to a point."""
+
+    agent: Any
+
+    def note(self, place: int, seen: int, state: Any, rng: Random) -> None:
+        """Note nothing: a place is its state."""
+
+    def write(self, place: int, values: Reals) -> None:
+        """Write how close the actions come from a place."""
+        self.agent.look_at(place)
+        for action in range(len(values)):
+            values[action] = self.agent.closeness[0, action]
+
+
 def write_values(task: Noted, values: Reals) -> None:
     """Write the action values of each place that was seen, shape (n_places, n_actions)."""
     for place in range(len(values)):
@@ -143,6 +159,8 @@ def noted(mdp: Any, places: Any, clean: Any, contract: Contract) -> Noted:
     n = int(places.observation_space.n)
     agent = contract.agent
     known: Any = Rows(agent, np.zeros(n, np.int64))
+    if isinstance(agent, Informed):
+        known = Distances(agent.agent)
     if contract.takes_vectors:
         asked = Network(agent) if hasattr(agent, "write_values") else WeightedSum(agent)
         clean = in_place(clean)

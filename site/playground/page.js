@@ -16,7 +16,6 @@ let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
 const editor = data.editor && new Editor(find, data.editor, data.seeds, onCode) // where npm does not answer, the page is built without
-find('tab-code').hidden = !editor
 lanes.forEach(lane => find('lanes').append(lane.article))
 
 // Menus that do not depend on the task
@@ -56,7 +55,8 @@ async function open() {
   find('strength').max = race.strength.values.length - 1
   find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
-  state.code &&= Boolean(editor)
+  find('tab-code').hidden = !editable()
+  state.code &&= editable()
   state.play &&= !state.code
   uncover()
   await begin()
@@ -116,6 +116,8 @@ function controls() {
 
 // The settings of the sliders that an agent takes, where the reader has moved them.
 const given = ({ takes }) => takes.filter(name => state[name] !== null)
+// Whether a reader's own agent can race: `edugym.train`, which trains it, knows one reward only.
+const editable = () => Boolean(editor) && !race.measure
 const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
 const rate = () => state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
 const tell = text => { find('verdict').textContent = text }
@@ -133,7 +135,8 @@ function draw() {
   const [, t] = data.several.find(([n]) => n === state.several)
   chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum })
   const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval; the pictures show the first` : ''
-  find('caption').textContent = `Mean return (the sum of a game’s rewards) of ${race.episodes} games without exploring, after so many training steps${what}`
+  const says = race.measure?.says ?? `Mean return (the sum of a game’s rewards) of ${race.episodes} games without exploring`
+  find('caption').textContent = `${says}, after so many training steps${what}`
 }
 
 function finish() {
@@ -297,10 +300,11 @@ function program() {
       else known[name] = state[name]
     }
     return `# ${label}\n${made(agent)}agent = edugym.${create(agent, Object.entries(known))}\n`
-      + `run = edugym.train(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\nprint(run.returns)\n`
+      + `run = edugym.${race.measure ? 'objectives.train_vectors' : 'train'}(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\n`
+      + `${race.measure?.code ?? 'print(run.returns)'}\n`
   })
   find('same').textContent = 'EduGym gives the numbers of this page. (Where a task needs exponentials, sines or logarithms, the last digit can differ from machine to machine.)'
-  find('code').textContent = `import edugym\n\n${blocks.join('\n')}`
+  find('code').textContent = `import edugym${race.measure ? '.objectives' : ''}\n\n${blocks.join('\n')}`
 }
 
 // The reader has written something: `packed` is the program as letters, '' where it is the page's own, or too long.

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -11,9 +12,11 @@ import linker
 import numpy as np
 import playground
 import pytest
-from races import BOULDER, RACES, Agent, Race
+from offers import Agent, Race
+from races import BOULDER, DIVER, RACES
 
 import edugym
+from edugym.objectives import train_vectors
 from edugym.training.trainers import streams as fresh_streams
 from tests.site.node import KERNELS, NODE, arrays_of, in_node, in_python
 
@@ -117,11 +120,26 @@ def test_kernels_draw_whole_numbers_as_numpy_does() -> None:
 def test_the_page_has_the_numbers_of_train() -> None:
     """What the page shows is what `edugym.train` returns, whichever way the run is cut into calls."""
     agent, mdp = BOULDER.agents[0], BOULDER.mdp(BOULDER.strength.first)
-    run = edugym.train(mdp, agent.make(mdp), STEPS, seed=SEED, evaluation_episodes=playground.EPISODES)
+    run = edugym.train(mdp, agent.make(mdp), STEPS, seed=SEED, evaluation_episodes=BOULDER.episodes)
     curve = in_node(first_call(BOULDER, agent), SEED, STEPS, STEPS // 100, chunk=7).curve
     assert [point[:2] for point in curve] == [list(point) for point in zip(run.steps, run.returns, strict=True)]
     while_exploring = [math.nan if point[2] is None else point[2] for point in curve]
     np.testing.assert_array_equal(while_exploring, run.training_returns)
+
+
+@pytest.mark.slow
+@needs_node
+@pytest.mark.parametrize("agent", DIVER.agents[1:3], ids=lambda agent: agent.label)
+def test_a_race_of_vectors_has_the_numbers_of_train_vectors(agent: Agent) -> None:
+    """Of the learning curve a reader's line makes what the page shows, and the tables are the same."""
+    assert DIVER.measure
+    mdp = agent.view.seen(DIVER.mdp(DIVER.strength.first))
+    run = train_vectors(mdp, agent.make(mdp), STEPS, seed=SEED)
+    call = first_call(DIVER, agent)
+    made = in_node(call, SEED, STEPS, STEPS // 100)
+    (shown,) = re.findall(r"print\((.*)\)", DIVER.measure.code)
+    assert [point[1] for point in made.curve] == eval(shown, {"run": run}).tolist()
+    assert run.agent.Q.tobytes().hex() in made.arrays
 
 
 @needs_node
