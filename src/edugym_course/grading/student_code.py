@@ -21,7 +21,7 @@ FIELD = "write `self.` before a field or a method"
 HINTS = (
     ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
-    ("truth value of an array", "compare single entries, not whole rows"),
+    ("an array of several stands where one number", "compare single entries, not whole rows"),
     (
         r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
         r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late|states|actions|rewards)' is not defined",
@@ -34,7 +34,7 @@ HINTS = (
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
     (
-        "converted to Python scalar",
+        r"converted to Python scalar|array element with a sequence\.$",
         "an array stands where one number is needed: take an entry of it, or calculate with + - * / **, which arrays"
         " have as well",
     ),
@@ -106,6 +106,8 @@ def _sentence(what: str, error: Exception) -> str:
     message = " ".join(str(error).split())
     if isinstance(error, KeyError):
         message = f"there is no key {message}"
+    if "truth value of an array" in message:
+        message = "an array of several stands where one number is compared"
     hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]
     if isinstance(error, NameError) and error.name and hasattr(_self_of(error), error.name):
         hints = [FIELD]

@@ -165,6 +165,14 @@ def _rounded(found: float, expected: float) -> bool:
     return abs(found - expected) < 0.03 * abs(expected) and any(same(found, one) for one in rounded)
 
 
+def unlike(found: Any, expected: Any) -> bool:
+    """Whether two lists differ; one may have arrays in it, which cannot be compared as a whole."""
+    try:
+        return bool(found != expected)
+    except ValueError:
+        return True
+
+
 def digits(value: float, other: float) -> str:
     """Return a number with as many digits as tell it from another; a whole one with all of its digits."""
     if float(value).is_integer() and abs(value) < 1e15:

@@ -75,6 +75,7 @@ ERRORS = [
     ("return preferences[0]", "write `self.` before a field"),
     ("return f[0]", "a function is called, with parentheses"),
     ("return float(np.zeros(2))", "an array stands where one number is needed"),
+    ("table = np.zeros(3); table[0] = np.ones(2)", "an array stands where one number is needed"),
     ("return np.zeros(2) + np.zeros(3)", "two arrays of different sizes meet there"),
     ("x += 1; x = 2", "it gets a value on some paths only"),
     ("x = None; return x[0]", "something is None there"),
@@ -120,6 +121,13 @@ def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
 
     said = run(f"def f(self=None):\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
     assert f"({hint}" in said
+
+
+def test_an_array_that_is_compared() -> None:
+    """The sentence is about the student's line, in words that she knows."""
+    said = run("def f(self=None):\n    return max(np.zeros(2), np.ones(2))", np=np)
+    assert "raises ValueError: an array of several stands where one number is compared (compare single" in said
+    assert "ambiguous" not in said
 
 
 def test_a_name_that_self_has() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from edugym_course.grading import Unsolved, WrongAnswer
 from edugym_course.grading.cases import telling_draw
-from edugym_course.grading.values import compare, digits, number
+from edugym_course.grading.values import compare, digits, number, unlike
 
 
 @pytest.mark.parametrize(
@@ -45,6 +45,13 @@ def test_what_is_no_number(value: Any, says: str) -> None:
     """Each has its sentence."""
     with pytest.raises(WrongAnswer, match=says):
         number("x", value)
+
+
+def test_lists_with_arrays_in_them() -> None:
+    """They are other lists than those of numbers, and comparing them raises nothing."""
+    assert unlike([1, np.zeros(2)], [1, np.ones(2)])
+    assert unlike([1, 2], [1, 3])
+    assert not unlike([(1, 2)], [(1, 2)])
 
 
 def test_what_was_not_given() -> None:

@@ -142,7 +142,7 @@ def optimism_claims(optimism: Mapping[tuple[int, int], Results]) -> list[Claim]:
             f"Averaged over training, optimism returns more than Go-Explore: {named(three)}",
             "return averaged over training, optimism less Go-Explore",
             optimism[three].difference(OPTIMISM, GO_EXPLORE, over="training"),
-            Above(0.0),
+            Above(0.02),
         ),
         Claim(
             f"Go-Explore solves {named(three)}",

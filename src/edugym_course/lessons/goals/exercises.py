@@ -15,7 +15,7 @@ from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import given, in_brackets
+from edugym_course.grading.values import given, in_brackets, unlike
 
 N_PATTERNS, N_ACTIONS = 5, 3
 
@@ -275,7 +275,7 @@ def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
         found = answer(mine)
         given(call, found)
         found = [*found] if isinstance(found, Iterable) else [found]
-    if mine != steps:
+    if unlike(mine, steps):
         raise WrongAnswer(f"{call} changes its list `steps`; make a new list")
     for one in found:
         if not isinstance(one, tuple | list | np.ndarray) or len(one) != 6:

@@ -15,7 +15,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import given, in_brackets, number
+from edugym_course.grading.values import given, in_brackets, number, unlike
 
 Point = tuple[float, float]
 """The value of a treasure, and its time: minus the steps."""
@@ -154,7 +154,7 @@ def _points(answer: Any, points: list[Point]) -> list[Point]:
     with student_code(call):
         found = answer(mine)
     given(call, found)
-    if mine != points:
+    if unlike(mine, points):
         raise WrongAnswer(f"{call} changes its list `points`; make a new list")
     if isinstance(found, str) or not isinstance(found, Iterable):
         raise WrongAnswer(f"{call} should be a list of points, but is {found!r}")
@@ -166,7 +166,8 @@ def _points(answer: Any, points: list[Point]) -> list[Point]:
     for one in found:
         if not isinstance(one, tuple | list | np.ndarray) or len(one) != 2:
             raise WrongAnswer(f"{call} should be a list of points (value, time), but one of them is {one!r}")
-    return [(float(value), float(time)) for value, time in found]
+    what = f"each part of a point of {call}"
+    return [(number(what, value), number(what, time)) for value, time in found]
 
 
 Choice = tuple[Reals, int, Reals, Reals]

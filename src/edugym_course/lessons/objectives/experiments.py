@@ -233,7 +233,7 @@ def distance_claims(whole: ByConcavity, rest: ByConcavity) -> list[Claim]:
                 f"At concavity {c:g} the rest of the dive leads to a deeper treasure more often than to a nearer one",
                 "share of the weights with a deeper treasure, less that with a nearer one",
                 mean_interval([float(np.mean(np.sign(found - asked))) for found in map(np.array, rest[c])]),
-                Above(0.0),
+                Above(0.1),
             ),
         ]
     return claims
@@ -307,7 +307,7 @@ def learning_claims(task: Task, by_beginning: Mapping[str, list[VectorRun]]) -> 
             f" {FIRST} dives take too long",
             f"dives that take too long, of the first {FIRST}: less half of those with a first price of 0",
             mean_interval([float(dear[:FIRST].sum() - 0.5 * free[:FIRST].sum()) for dear, free in both]),
-            Below(0.0),
+            Below(-10.0),
         )
     )
     return claims

@@ -13,7 +13,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import all_same, given, in_brackets, number
+from edugym_course.grading.values import all_same, given, in_brackets, number, unlike
 
 FAR = 10_000.0
 """How much two nights may differ: far more than an exponential can take."""
@@ -179,7 +179,7 @@ def exercise_2(answer: Any, seed: int, sure: Sure = 1.0) -> str:
         found.append(_table(call, mine, rewards.shape))
         if not np.array_equal(table, rewards):
             raise WrongAnswer(f"{call} changes the table that it is given: begin with rewards = rewards.copy()")
-        if nights != (one, other):
+        if unlike(nights, (one, other)):
             raise WrongAnswer(f"{call} changes one of the nights, which others may still need")
         calls.append(call)
     _compare_tables(cases, found, calls, STEP_MISTAKES, partial(stepped, sure=sure))
