@@ -146,6 +146,7 @@ def menu(race: Race) -> dict[str, Any]:
                 "settings": [[name, _as_code(value)] for name, value in agent.settings.items()],
                 "seen": agent.view.code,
                 "takes": agent.takes,
+                "noted": agent.view.clean is not None,
             }
             for agent, lane in zip(race.agents, lanes, strict=True)
         ],

@@ -64,6 +64,7 @@ export class Editor {
       const names = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
       this.find('template').innerHTML = `<option>a short one</option>${names}`
       this.find('rival').innerHTML = names
+      this.find('rival').selectedIndex = Math.max(0, race.agents.findIndex(({ noted }) => !noted)) // a table of it can be drawn
       if (!this.edited()) await this.fill()
     }
     await this.take(state.source)
