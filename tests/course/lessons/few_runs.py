@@ -10,6 +10,9 @@ import numpy as np
 
 from edugym.checks.contract import tables_of
 from edugym.experiments import repeat as repeating
+from edugym.experiments.profiles import profile as profiling
+from edugym.experiments.profiles.profile import profile
+from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
 from edugym.games.train_players import GameRun, train_players
@@ -34,6 +37,12 @@ def few_runs(*arguments: Any, most: int = 2, **how: Any) -> Results:
     """Return the results of `repeat` with so many repetitions at most."""
     results = repeat(*arguments, **how | {"repetitions": min(how.get("repetitions", 10), most)})
     return Results(results.table, {method: Again(agents) for method, agents in results.agents.items()})
+
+
+@functools.wraps(profile)
+def few_profiles(agents: Any, *, most: int = 2, **how: Any) -> Profile:
+    """Return the profile with so many repetitions at most."""
+    return profile(agents, **how | {"repetitions": min(how.get("repetitions", 10), most)})
 
 
 def made_up_run(
@@ -80,6 +89,7 @@ def random_run(*arguments: Any, **how: Any) -> Run:
 def limit_runs() -> None:
     """Let all experiments of this process, in whatever module is imported from now on, take two runs."""
     repeating.repeat = few_runs
+    profiling.profile = few_profiles
 
 
 def make_runs_up() -> None:

@@ -17,6 +17,8 @@ from matplotlib.lines import Line2D
 from rules import is_code, without_marks
 
 from edugym.experiments.figures import Sheet
+from edugym.experiments.profiles.profile import profile
+from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
 from edugym.games.train_players import train_players
@@ -27,7 +29,7 @@ from edugym_course.lessons import load_experiments
 from edugym_course.lessons.dimensionality import networks
 from edugym_course.notebook.prediction import Prediction
 from edugym_course.report import Report
-from tests.course.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_runs, made_up_run, short_match
+from tests.course.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_profiles, few_runs, made_up_run, short_match
 
 NOTEBOOKS = {path.parent.name: path for path in build.lesson_sources().values()}
 RETURNS = {"exploration": SOLVED_OR_NOT, "signal": (-1_000.0, 7_000.0)}
@@ -50,10 +52,18 @@ def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
     def seldom(*arguments: Any, **how: Any) -> Results:
         return few_runs(*arguments, most=runs, **how | {"jobs": 1})
 
+    def seldom_climbed(agents: Any, **how: Any) -> Profile:
+        return few_profiles(agents, most=runs, **how | {"jobs": 1})
+
     with contextlib.ExitStack() as stack:
         stack.enter_context(warnings.catch_warnings(action="ignore"))
         for found in [one for name, one in sys.modules.items() if name.partition(".")[0] in OURS]:
-            replaced = ("train", train, made_up), ("repeat", repeat, seldom), ("train_players", train_players, match)
+            replaced = (
+                ("train", train, made_up),
+                ("repeat", repeat, seldom),
+                ("train_players", train_players, match),
+                ("profile", profile, seldom_climbed),
+            )
             for name, real, instead in replaced:
                 if vars(found).get(name) is real:
                     stack.enter_context(patch.object(found, name, instead))

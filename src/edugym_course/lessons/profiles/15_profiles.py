@@ -1,0 +1,278 @@
+# %% [markdown]
+# # Profiles: what is my agent good at?
+#
+# **The challenge.** Each lesson asked which agent is good at one problem. Now turn the question round: here is an agent; at which
+# problems is it good, how hard may they become, and could you have known it from its equation?
+#
+# **You will be able to** read a profile and say where an agent breaks; predict from an equation on which ladders an agent
+# climbs high; and build an agent whose profile has a given hole.
+#
+# **Time.** {time} **Before you start.** You should know Q-learning (lesson 1; Sutton and Barto, 2nd edition, section 6.5) and
+# planning with a learned model (lesson 9; section 8.2). It is a good last lesson. All symbols are in the
+# [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+import gymnasium as gym
+
+from edugym import QLearning, RMax
+from edugym.experiments.profiles.ladders import LADDERS, Bounds
+from edugym.experiments.profiles.profile import profile
+from edugym_course.lessons.profiles import figures, methods
+from edugym_course.notebook import predict, sliders, source
+
+# %% [markdown]
+# ## Meet the environment: ten ladders
+#
+# Each environment of this course isolates one challenge, with a parameter that is its strength. So it is a *ladder* of tasks. Each
+# rung is a task of its own: the same challenge, a little stronger.
+
+# %%
+for ladder in LADDERS:
+    first, last = ladder.strengths[0], ladder.strengths[-1]
+    print(f"{ladder.name:14} {ladder.strength} from {first:g} to {last:g}: {ladder.challenge}")
+
+# %% [markdown]
+# Take Boulder. On the first rung of its ladder the wall has 8 levels, and on the last it has 100. These two look like this:
+
+# %%
+boulder = LADDERS[0]
+gym.make("edugym/Boulder-v0", height=boulder.strengths[0]).unwrapped.scene()
+
+# %%
+gym.make("edugym/Boulder-v0", height=boulder.strengths[-1]).unwrapped.scene()
+
+# %% [markdown]
+# On each rung an agent trains for a fixed number of steps, from the beginning: what it has learned on one rung is forgotten on the next. Then it
+# plays without exploring. All agents get the same number of steps, and nothing is tuned.
+
+# %% [markdown]
+# ## The idea: one scale for all rewards
+#
+# A return of −40 may be good in one task and bad in another. So a return $G$ is measured between that of random play and that of the
+# best play, which the exact model knows:
+#
+# $$
+# x = \frac{G - G_\text{random}}{G_\text{best} - G_\text{random}}
+# $$
+#
+# 0 is random play and 1 the best play; below 0 is worse than random play. The *score* in a challenge is the mean of $x$ over the rungs. The agent
+# *breaks* where the mean of $x$ over its runs first falls below 0.5, interpolated between two rungs.
+
+# %%
+source(Bounds.score)
+
+# %% [markdown]
+# Here Q-learning climbs Study. There an exam comes after 5, 10, 20, 40, 80 or 160 days. One lecture is enough to pass, and nothing but the exam has a
+# reward.
+
+# %%
+study = profile({"Q-learning": QLearning.create}, challenges=["Study"], repetitions=5)
+for days, rung in zip(study.ladder("Study").strengths, study.rungs("Q-learning", "Study"), strict=True):
+    print(f"{days:3} days: {rung.estimate:.2f}")
+print(f"score {study.score('Q-learning', 'Study').estimate:.2f}")
+print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
+
+# %% [markdown]
+# Read the rungs before the score. Two agents with the same score may fail at different strengths.
+
+# %% [markdown]
+# ## The experiment: read a profile from an equation
+#
+# R-max plans with a model of what it has seen. A pair of a state and an action that it has not tried yet gets a very high value
+# $U$, so it tries everything once:
+#
+# $$
+# Q(s, a) = \begin{cases}
+# \sum_{s'} \hat p(s' \mid s, a) \left[ \hat r(s, a, s') + \gamma \max_{a'} Q(s', a') \right] & \text{if } (s, a) \text{ is known} \\
+# U & \text{otherwise}
+# \end{cases}
+# $$
+#
+# A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. By default $m = 1$.
+
+# %%
+source(RMax, "learn")
+
+# %% [markdown]
+# | setting | value |
+# |---|---|
+# | agents | Q-learning ($\alpha = 0.1$, $\gamma = 0.99$, $\varepsilon = 0.1$) and R-max ($m = 1$, $\gamma = 0.99$), their defaults |
+# | Boulder and Study | 20 000 steps on each rung; each action has one outcome |
+# | Golf | 30 000 steps on each rung; every hit misses its aim a little, more so from rung to rung |
+# | repetitions | 5, with other random numbers; both agents have the same |
+#
+# First Boulder and Study, where R-max needs to see everything only once:
+
+# %%
+certain = methods.climb(["Q-learning", "R-max"], ["Boulder", "Study"])
+for agent in certain.agents:
+    print(agent, *(f"{name} {certain.score(agent, name).estimate:.2f}" for name in certain.challenges))
+figures.ladders(certain)
+
+# %% [markdown]
+# R-max masters both ladders. Now Golf, in which Q-learning scores about 0.7.
+#
+# **Predict.** Look at the equation. How does R-max do in Golf?
+
+# %%
+in_golf = predict("In Golf the score of R-max is ...", ["higher than that of Q-learning", "the same", "lower"])
+in_golf
+
+# %%
+golf = methods.climb(["Q-learning", "R-max"], ["Golf"])
+display(figures.ladders(golf))
+for agent in golf.agents:
+    print(f"{agent}: {golf.score(agent, 'Golf').estimate:.2f}, breaks at {golf.breaks(agent, 'Golf').strength:.2g}")
+less = methods.gap(golf, "R-max", "Q-learning", "Golf")
+in_golf.measured("lower" if less.high < 0 else "the same" if less.low < 0 else "higher than that of Q-learning")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Lower: 0.62 against 0.73. It scores 1 where no hit misses its aim, and loses most at small noise. The score alone would not have told you that: look at the rungs.
+# </details>
+
+# %% [markdown]
+# ## Your turn
+#
+# Two ladders of Q-learning, with three runs on each rung. Which setting moves one ladder and leaves the other as it is?
+
+# %%
+figures.one_setting()
+
+# %%
+sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.99, 0.11), epsilon=(0.0, 1.0, 0.1))
+
+# %% [markdown]
+# <details><summary>What came out</summary>
+#
+# Study hardly moved, whatever the learning rate and $\varepsilon$ were: its scores were 0.62 to 0.64. Tamagotchi fell from 0.69 to 0.07 without exploration and to 0.10 with
+# a learning rate of 1. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2.
+# </details>
+
+# %% [markdown]
+# ## See inside: is that the reason?
+#
+# One try shows one of many things that may happen, and R-max believes that it is the only one. That is a reason from reading the equation. Is it
+# the true one? Take the cause away and look. With $m = 10$ a pair is known after ten tries, so $\hat p$ has seen some of the misses.
+
+# %%
+tries = methods.climb(["R-max", "R-max, 10 tries"], ["Golf"])
+for agent in tries.agents:
+    print(agent, *(f"{rung.estimate:.2f}" for rung in tries.rungs(agent, "Golf")))
+figures.ladders(tries)
+
+# %% [markdown]
+# With ten tries it climbs higher on the rungs in the middle, and its score over the ladder is higher. On the first rung, where no hit misses, both score 1: without the
+# noise one try is enough. So the reason passes two tests. Ten tries have a price, too: on the last rung they seem to be worse. A guess: there the steps run out before
+# enough pairs are known.
+#
+# In Tamagotchi R-max scores 0 on every rung, even on the one where messages have no noise; there the reason must be another one. Nobody
+# has measured it yet: a question for a project.
+
+# %% [markdown]
+# ## Predict, then check
+#
+# Give Q-learning a learning rate of 0.000001. After 20 000 steps its values have hardly moved from 0.
+#
+# **Predict.** Its score in Study, where the default has about 0.7, is now ...
+
+# %%
+slow = predict(
+    "With α = 0.000001 the score in Study ...", ["falls to about 0", "falls by half", "stays about the same"]
+)
+slow
+
+# %%
+holes = methods.climb(["Q-learning", "α = 0.000001"], ["Study", "Tamagotchi"])
+display(figures.scores(holes))
+gaps = {name: methods.gap(holes, "α = 0.000001", "Q-learning", name) for name in holes.challenges}
+for name, difference in gaps.items():
+    print(f"{name}: {difference.estimate:+.2f} against the default")
+change = gaps["Study"].estimate
+slow.measured("stays about the same" if change > -0.15 else "falls by half" if change > -0.45 else "falls to about 0")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** It stays about the same in Study, and falls in Tamagotchi. A greedy player asks only which value is the largest, not how large it is. In Study, a
+# tiny value on the right action is enough. Why it is not enough in Tamagotchi is not measured here.
+# </details>
+#
+# So "this setting is bad" is no sentence about an agent. It is a sentence about an agent and a challenge.
+
+# %% [markdown]
+# ## Exercises
+
+# %%
+from edugym_course.grading import check
+from edugym_course.lessons.profiles.exercises import exercise_1, exercise_2
+
+# %% [markdown]
+# ### Exercise 1: the score of a ladder
+# Write the score of a ladder. For each rung, `returns` has the return of the agent, `random` that of random play and `best` that of the best play.
+#
+# <details><summary>Hint</summary>The equation of this lesson gives one number for each rung.</details>
+
+
+# %%
+def ladder_score(returns, random, best):
+    """Return the score: the mean over the rungs."""
+    ### BEGIN SOLUTION
+    scores = [(mine - low) / (high - low) for mine, low, high in zip(returns, random, best, strict=True)]
+    return sum(scores) / len(scores)
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_1, ladder_score)
+### BEGIN HIDDEN TESTS
+check(exercise_1, ladder_score, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 2: build a hole
+# Build an agent that is as good as Q-learning in Tamagotchi, where every step has its reward, and no good in Study. One other setting is enough. The check
+# trains your agent and Q-learning on both ladders, five times on each rung. A hole is a score that is surely lower by 0.2.
+#
+# <details><summary>Hint</summary>In which of the two does an action matter only much later? Which sign in the equation of Q-learning lets it see that?</details>
+
+
+# %%
+def make_mine(environment):
+    """Return an agent for an environment."""
+    ### BEGIN SOLUTION
+    return QLearning.create(environment, discount=0.0)
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=3
+check(exercise_2, make_mine)
+### BEGIN HIDDEN TESTS
+check(exercise_2, make_mine, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# More holes to build, with `profile` as the judge: an agent that masters Boulder, but not Golf; one that masters Golf, but not Boulder; one that
+# is good in MemoryCorridor (a wrapper is part of an agent: `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`), but no
+# longer in Roadrunner.
+
+# %% [markdown]
+# ## What you saw
+#
+# An agent is not good or bad. It is good at some challenges, up to some strength, and often its equation says which: what it averages over, how far it looks ahead, what it
+# tries. A reason that is read from an equation is a prediction, and a ladder tests it.
+#
+# In the terminal, `edugym profile QLearning my_agent.py:MyAgent` climbs all ten ladders and writes a page, on which your agent stands beside all of the
+# course ([how to read it](https://github.com/RLG-Leiden/edugym/blob/main/docs/profiles.md)). In [a challenge for a
+# class](https://github.com/RLG-Leiden/edugym/blob/main/docs/class-challenge.md) everybody builds the opposite of a hole: one table and no tuning.
+#
+# ### Limits
+# Nothing is tuned, so a low score does not mean that an agent cannot learn a task. Each rung has one budget of training steps; with more of them, an agent may break later. The
+# intervals are those of five runs.
+#
+# ### Further reading
+# - Osband et al. (2020), *Behaviour suite for reinforcement learning*: profiles of agents over tasks that each isolate one
+#   thing, shown as a radar.
+# - Brafman and Tennenholtz (2002), *R-max*: how many tries make a pair known, and what they guarantee.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 8.1 to 8.3.

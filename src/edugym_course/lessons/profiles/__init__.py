@@ -1,0 +1,1 @@
+"""Profiles (lesson 15)."""

@@ -1,0 +1,14 @@
+# %% a loop
+# says: Right: 0 is random play and 1 the best play on every rung, so rungs with other rewards count the
+#   same.
+def ladder_score(returns, random, best):
+    total = 0.0
+    for k in range(len(returns)):
+        total += (returns[k] - random[k]) / (best[k] - random[k])
+    return total / len(returns)
+
+
+# %% arrays
+def ladder_score(returns, random, best):
+    low = np.array(random)
+    return np.mean((np.array(returns) - low) / (np.array(best) - low))

@@ -1,0 +1,41 @@
+# %% nothing
+# says: Not solved yet
+def make_mine(environment):
+    raise NotImplementedError
+
+
+# %% nothing has changed
+# says: : it has no hole in Study, since its score there is not surely lower by
+# says: ; which part of the equation lets Q-learning see what comes much later?
+def make_mine(environment):
+    return QLearning.create(environment)
+
+
+# %% hardly learns
+# says: : it is worse in Tamagotchi, where it should be as good as before
+def make_mine(environment):
+    return QLearning.create(environment, learning_rate=0.000001)
+
+
+# %% learns nothing
+# says: : it is worse in both, and a hole has ground around it
+def make_mine(environment):
+    agent = QLearning.create(environment, discount=0.0, learning_rate=0.000001)
+    return agent
+
+
+# %% a learner that never explores and never moves
+# says: make_mine
+def make_mine(environment):
+    QLearning.create(environment, discount=0.0)
+
+
+# %% no function
+# says: an environment
+make_mine = "QLearning"
+
+
+# %% a table for one task
+# says: your agent cannot enter
+def make_mine(environment):
+    return QLearning.create(make_mdp("Study"), discount=0.0)

@@ -1,0 +1,3 @@
+import numpy as np
+
+from edugym import SARSA, make_mdp

@@ -1,0 +1,55 @@
+"""The agents of lesson 15, and their profiles."""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from edugym.agents.q_learning import QLearning
+from edugym.agents.r_max import RMax
+from edugym.experiments.profiles.profile import profile
+from edugym.experiments.profiles.scores import Profile
+from edugym.experiments.results.statistics import Interval, mean_interval, paired_difference
+
+Q_LEARNING, R_MAX, R_MAX_10 = "Q-learning", "R-max", "R-max, 10 tries"
+SLOW, SHORT_SIGHTED = "α = 0.000001", "γ = 0"
+AGENTS = {
+    Q_LEARNING: QLearning.create,
+    R_MAX: RMax.create,
+    R_MAX_10: partial(RMax.create, known_after=10),
+    SLOW: partial(QLearning.create, learning_rate=0.000001),
+    SHORT_SIGHTED: partial(QLearning.create, discount=0.0),
+}
+"""All at their defaults, but for what their names say."""
+REPETITIONS = 5
+HOLE = 0.2
+"""How much lower a score must be to count as a hole."""
+WITH_AND_WITHOUT = ("Tamagotchi", "Study")
+"""The ladder on which an agent should be as good as before, and that of the hole."""
+TRAINING = "training what make_mine returns"
+
+
+def climb(names: Sequence[str], challenges: Sequence[str], **how: Any) -> Profile:
+    """Profile agents of the lesson; other arguments are those of `edugym.profile`."""
+    return profile(
+        {name: AGENTS[name] for name in names}, **{"challenges": challenges, "repetitions": REPETITIONS, **how}
+    )
+
+
+def mean_scores(found: Profile, agent: str, challenge: str) -> Any:
+    """Return the score of each repetition: the mean over the rungs."""
+    return found.scores(agent, challenge).mean(axis=0)
+
+
+def gap(found: Profile, first: str, second: str, challenge: str) -> Interval:
+    """Return how much better the first agent is, in pairs of runs with the same seeds and layouts."""
+    return paired_difference(mean_scores(found, first, challenge), mean_scores(found, second, challenge))
+
+
+def on_first_rung(found: Profile, agent: str, challenge: str) -> Interval:
+    """Return the score on the easiest rung."""
+    return mean_interval(found.scores(agent, challenge)[0])
+
+
+def compared(easy: Interval, hard: Interval) -> str:
+    """Return how much better an agent is than Q-learning, in a few words."""
+    return f"Tamagotchi {easy.estimate:+.2f}, Study {hard.estimate:+.2f} against Q-learning"
