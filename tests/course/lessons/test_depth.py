@@ -8,7 +8,7 @@ import pytest
 
 from edugym import QLearning, finite_model, policy_evaluation, value_iteration
 from edugym.envs.study import Study
-from edugym_course.lessons.depth import credit, cutting, experiments, figures, methods, off_policy, targets
+from edugym_course.lessons.depth import credit, cutting, experiments, figures, methods, off_policy, targets, traces
 from tests.course.lessons.made_up import made_up, measured
 
 
@@ -60,6 +60,29 @@ def test_uncorrected_targets() -> None:
     np.testing.assert_allclose(zero, 0.0, atol=1e-4)
     assert off_policy.weighted_deviation(9.0, 1) == 0.0
     assert off_policy.weighted_deviation(2.0, 2, 0.4, 4) == pytest.approx(2 * math.sqrt(1 / 0.7 - 1))
+
+
+def test_weights_of_all_depths() -> None:
+    """They average the n-step targets as the recursion of the λ-return does, G = R + (1 - λ) V(S') + λ G'."""
+    rewards, values = [1.0, -2.0, 4.0], [3.0, 5.0, 0.0]  # V(S') after each day; nothing comes after the last
+    by_depth = [1.0 + 3.0, 1.0 - 2.0 + 5.0, 1.0 - 2.0 + 4.0]
+    average = 0.0
+    for reward, value in zip(reversed(rewards), reversed(values), strict=True):
+        average = reward + (1 - 0.8) * value + 0.8 * average
+    assert traces.weights(0.8, 3) @ by_depth == pytest.approx(average)
+    assert [traces.weights(decay, 3).tolist() for decay in (0.0, 1.0)] == [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+
+
+def test_all_depths_at_once() -> None:
+    """Without traces SARSA(λ) is one-step SARSA, run for run; the claims compare what it learns with every n."""
+    by_rate = traces.through_rates((0.1, 0.3), n_steps=200, repetitions=3, seed=1)
+    assert traces.over_rates(by_rate, "λ = 0").tolist() == traces.over_rates(by_rate, "n = 1").tolist()
+    expected = [
+        traces.over_rates(by_rate, "λ = 0.8") - traces.over_rates(by_rate, methods.label(n)) for n in methods.BY_DEPTH
+    ]
+    claims = traces.trace_claims({0.2: by_rate, 1.0: by_rate})
+    assert [claim.measured.estimate for claim in claims[2:6]] == pytest.approx([gap.mean() for gap in expected])
+    assert claims[-1].measured == claims[5].measured
 
 
 def test_pupils() -> None:

@@ -506,8 +506,8 @@ figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 source(clipped_gain)
 
 # %% [markdown]
-# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `advantage` is what stands for $\delta$ (a mean of $n$-step
-# errors, GAE with $\lambda = 0.95$), and `clip` is 0.2.) With bins the network puts out a softmax for each joint,
+# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `advantage` is what stands for $\delta$ (GAE: the mean of the
+# $n$-step errors of all depths, weighted by $\lambda = 0.95$ as in the λ-return of lesson 3), and `clip` is 0.2.) With bins the network puts out a softmax for each joint,
 # without bins the mean of a Gaussian, and $\sigma$ is learned too. *All the rest is the same*: networks, learning rate
 # 0.001 (falling to 0), $\gamma = 0.999$, 128 copies, rounds of 64 steps, 6 epochs of 8 minibatches, 393 216 steps. A
 # run takes several seconds, so these are stored results of ten seeds.

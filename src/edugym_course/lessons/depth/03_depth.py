@@ -22,7 +22,7 @@ import numpy as np
 
 from edugym import EpsilonGreedy, NStepSARSA, TabularObservation, TreeBackup, make_mdp, repeat
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets
+from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets, traces
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -552,6 +552,74 @@ for episodes in (4_000, 40_000):
 # scattering. With $\alpha = 0.01$ it pays: Monte Carlo comes close to $n = 1$. (For $n = 1$ longer training brings no gain.
 # Its shortfall grows a little: among the runs that pass there are now some that passed late and are not done yet, we
 # think.)
+
+# %% [markdown] tags=["aside"]
+# ### Aside: all depths at once
+# Why choose one $n$? The *λ-return* averages the targets of all depths. A deeper target counts less than the one before
+# it, by the factor $\lambda$:
+#
+# $$G_t^\lambda = (1 - \lambda) \sum_{n=1}^{H-t-1} \lambda^{n-1} G_{t:t+n} + \lambda^{H-t-1} G_t .$$
+#
+# The last term is the return, which stands for all depths beyond the end of the episode. These are the weights of the
+# ten targets of the first day:
+
+# %%
+for trace_decay in (0.0, 0.5, 0.8, 1.0):
+    print(f"λ = {trace_decay:<3g}", *(f"{share:5.2f}" for share in traces.weights(trace_decay, days=10)))
+
+# %% [markdown]
+# So $\lambda = 0$ is $n = 1$, and $\lambda = 1$ is Monte Carlo. *SARSA(λ)* learns by this target, and it need not wait for
+# the end of the episode. Every pair of a state and an action has an *eligibility trace*, which is set to 1 when the pair is visited and
+# shrinks by the factor $\gamma \lambda$ with each step. Each one-step error moves *all* pairs, each as far as its trace says.
+# (This is so but for small changes of the values within an episode.)
+#
+# **Predict.** Over the first 500 episodes, averaged over the learning rates 0.03, 0.1 and 0.3: which has the highest return?
+
+# %%
+all_at_once = predict("The highest return has ...", ["n = 1", "n = 3", "n = 5", "Monte Carlo", "λ = 0.8"])
+all_at_once
+
+# %%
+traced = traces.through_rates(repetitions=80)
+display(Sheet("traces", [[figures.rate_series(traced)]]))
+returns = {method: float(traces.over_rates(traced, method).mean()) for method in traced[0.1].methods}
+print(", ".join(f"{method}: {value:.1f}" for method, value in returns.items()))
+highest = max(returns, key=returns.get)
+all_at_once.measured(highest)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** λ = 0.8. The line of $\lambda = 0$ lies exactly on that of $n = 1$, and the line of $\lambda = 1$ on that of
+# Monte Carlo, but for ties that rounding breaks. With a single rate some $n$ may do as well as $\lambda = 0.8$. But every
+# $n$ has a rate that does not suit it, and $\lambda = 0.8$ does well with all three. We guess that it has some of both: the exam's
+# reward reaches the first day in one episode, as with Monte Carlo, and most of the target still bootstraps. With the
+# noisier rewards of $\sigma = 1$ its lead over Monte Carlo is gone.
+# </details>
+#
+# Here $\lambda$ is a slider beside $n$:
+
+
+# %%
+def depth_or_traces(n=3, trace_decay=0.8, alpha=0.1, sigma=0.2, n_actions=5):
+    """Draw the learning curves of n-step SARSA with one n and of SARSA(λ) with one λ."""
+    own = {
+        methods.label(n): methods.maker(n, learning_rate=alpha),
+        traces.trace_label(trace_decay): traces.tracer(trace_decay, learning_rate=alpha),
+    }
+    how = {"sigma": sigma, "n_actions": n_actions, "n_steps": methods.SHORT, "repetitions": 20}
+    results = methods.compare(depths=(), own=own, **how)
+    return Sheet("depth or traces", [[figures.curves(results, f"α = {alpha:g}, σ = {sigma:g}, N = {n_actions}")]])
+
+
+sliders(
+    depth_or_traces,
+    n=(1, 10),
+    trace_decay=(0.0, 1.0, 0.05),
+    alpha=(0.01, 1.0, 0.01),
+    sigma=(0.0, 2.0, 0.1),
+    n_actions=(3, 12),
+)
 
 # %% [markdown]
 # ### Why not look deep with Q-learning?

@@ -39,6 +39,8 @@ from edugym_course.lessons.depth.methods import (
     passes,
 )
 from edugym_course.lessons.depth.targets import DAYS, EPSILON, target_claims
+from edugym_course.lessons.depth.traces import NOISES, trace_claims
+from edugym_course.lessons.depth.traces import through_rates as traces_through_rates
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
 
@@ -93,7 +95,12 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         for start, sigma in START_VALUES
     }
     too_high = {setting: value_above_return(*setting, **how()) for setting in CUTTING}
-    return by_sigma, ten_actions, by_start, through_rates(RATES, **how()), too_high
+    quiet, noisy = NOISES
+    traced = {
+        quiet: traces_through_rates(sigma=quiet, **how(repetitions=2 * how.repetitions)),
+        noisy: traces_through_rates(sigma=noisy, **how()),
+    }
+    return by_sigma, ten_actions, by_start, through_rates(RATES, **how()), too_high, traced
 
 
 def judge(
@@ -102,6 +109,7 @@ def judge(
     by_start: Mapping[tuple[float, float], Results],
     by_rate: Mapping[float, Results],
     too_high: Mapping[tuple[float, float], Mapping[str, Reals]],
+    traced: Mapping[float, Mapping[float, Results]],
 ) -> Report:
     """Return claims and figures."""
     claims = [
@@ -113,6 +121,7 @@ def judge(
         *rate_claims(by_rate),
         *cutting_claims(too_high),
         *target_claims(),
+        *trace_claims(traced),
     ]
     return Report(claims, figures(by_sigma, ten_actions, by_rate))
 
