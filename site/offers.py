@@ -120,6 +120,7 @@ class Race(NamedTuple):
         actions: what actions are called, where the task itself only has numbers for them.
         measure: how agents are compared, if not by the reward from which they learn.
         episodes: the evaluation episodes of each point of a curve.
+        answer: what is behind the result, for somebody who has not read the lesson.
     """
 
     environment: str
@@ -135,6 +136,7 @@ class Race(NamedTuple):
     actions: tuple[str, ...] = ()
     measure: Measure | None = None
     episodes: int = 5
+    answer: str = ""
 
     def mdp(self, k: int) -> Any:
         """The task at its k-th strength."""

@@ -122,12 +122,14 @@ def menu(race: Race) -> dict[str, Any]:
         "challenge": entry.challenge,
         "question": race.question,
         "rules": race.rules,
+        "answer": race.answer,
         **lesson(entry.lesson),
         "steps": race.n_steps,
         "own": own_settings(race),
         "episodes": race.episodes,
         "measure": race.measure and {"says": race.measure.says, "code": race.measure.code},
         "numbers": race.numbers,
+        "told": "The state" if race.agents[0].view.clean else "The agent would see",
         "keys": race.keys,
         "strength": {
             "parameter": race.strength.parameter,
@@ -215,16 +217,17 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
     mdp = race.mdp(k)
     *lanes, play = [_described(race, call, made) for call in calls(race, k)]
     views = [View() if agent.view.clean else agent.view for agent in race.agents]
-    tables = {view: table(MAPS[race.environment], mdp, view.of(mdp)) for view in views}
+    found = {view: table(MAPS[race.environment], mdp, view.of(mdp)) for view in views}
+    tables = [one for k, one in enumerate(found.values()) if one not in list(found.values())[:k]]
     for lane, view in zip(lanes, views, strict=True):
-        lane["table"] = list(tables).index(view)
+        lane["table"] = tables.index(found[view])
     return {
         "actions": race.actions or race.agents[0].view.seen(mdp).action_names,
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
         "optimum": optimum(race.measured(mdp)) if race.is_finite else None,
         "scene": scenery(MAPS[race.environment], mdp),
-        "tables": list(tables.values()),
+        "tables": tables,
         "agents": lanes,
         "play": {**play, "table": 0},
     }

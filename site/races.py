@@ -165,6 +165,8 @@ CATCH = Race(
     ("ball's column", "ball's row", "paddle's column"),
     ("ArrowLeft", "ArrowDown", "ArrowRight"),
     {"observation_type": "vectorised"},
+    answer="At every step the light is new, so no picture comes a second time, and the table finds an empty row each "
+    "time. The network computes its values from the pixels.",
 )
 DOORS = learning(memory)
 MEMORY_CORRIDOR = Race(
@@ -318,6 +320,9 @@ DIVER = Race(
         f"print(run.returns[:, 0] * (run.returns[:, 1] >= -{objectives.LIMIT}))",
     ),
     episodes=1,
+    answer="A price makes one number of value and steps. From a concavity of 0.5 on, no price prefers the one that "
+    "takes seven steps: with every price a deeper one or the first is worth more. The distance looks at value and "
+    "steps one by one.",
 )
 RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES, DIVER)
 """One for each environment that has a lesson, in the order of the lessons."""

@@ -48,6 +48,8 @@ async function open() {
   document.title = `${race.name} · EduGym playground`
   find('question').textContent = race.question
   find('rules').textContent = race.rules
+  find('answer').textContent = race.answer
+  find('answer').hidden = !race.answer
   find('why').textContent = race.why
   find('lesson').textContent = race.lesson
   find('lesson').href = race.link

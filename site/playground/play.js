@@ -75,7 +75,7 @@ export class Play {
       row = Math.floor(row / table.sizes[k])
       return `${race.numbers[k] ?? ''} ${part}`.trim()
     })
-    this.seen.textContent = `The agent would see: ${parts.reverse().join(', ')}.`
+    this.seen.textContent = `${race.told}: ${parts.reverse().join(', ')}.`
     const end = this.result(5) ? 'The task has ended (terminated). Press R.' : this.over ? 'The step limit has cut it off (truncated). Press R.' : ''
     this.score.innerText = `${what}\nStep ${this.result(2)}, total ${short(this.result(3))}.\n${end}`
   }
