@@ -333,6 +333,8 @@ def test_the_report_names_those_to_take() -> None:
         (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q, of the others"),  # nobody here has entered
     ):
         assert report.score_table(profile, beside)[1][0][1] == expected
+    for blank, expected in (({}, "?"), ({"Q": {"Boulder": "it is afraid"}}, "–")):  # not measured, cannot enter
+        assert report.score_table(Profile(found.runs[:0], (LOW,), ("Q",), blank))[1][0][2] == expected
     chance = found.runs.assign(score=found.runs["score"] - 0.01 * (found.runs["repetition"] == 0))
     assert report.better_beside(Profile(chance, (LOW,), ("Q", "nothing")), "Boulder", found) is None
 

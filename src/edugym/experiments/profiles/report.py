@@ -21,6 +21,8 @@ from edugym.system.files import write_whole
 
 NAME = "report.html"
 """The report; the other files lie beside it."""
+SMALLER = 0.8
+"""How large a figure within the page is, beside one of a file."""
 STYLE = """\
 :root { color-scheme: light dark; --ink: #33313f; --paper: #ffffff; --line: #d8d5de; --soft: #6a6676; }
 @media (prefers-color-scheme: dark) {
@@ -147,6 +149,12 @@ def of_score(score: Interval) -> str:
     return f"{rounded(score.estimate)} [{rounded(score.low)},\N{NO-BREAK SPACE}{rounded(score.high)}]"
 
 
+def score_or_reason(profile: Profile, agent: str, challenge: str) -> str:
+    """A score with its interval; a question mark where it is not measured, a dash where the agent cannot enter."""
+    score = profile.score(agent, challenge)
+    return "?" if score.n == 0 and challenge not in profile.blank.get(agent, {}) else of_score(score)
+
+
 def with_margin(score: Interval) -> str:
     """A score with the half of its interval, such as 0.37 ± 0.05, which no line break parts."""
     return f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}".replace(" ", "\N{NO-BREAK SPACE}")
@@ -165,7 +173,7 @@ def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[s
     rows = []
     for challenge in profile.challenges:
         about = said(profile, challenge)
-        scores = [of_score(profile.score(agent, challenge)) for agent in profile.agents]
+        scores = [score_or_reason(profile, agent, challenge) for agent in profile.agents]
         others = scores_of(beside, challenge)
         best = max(others, key=lambda agent: others[agent]) if others else ""
         known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
@@ -312,7 +320,7 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 {figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
-compared; a gap in a line, or no dot, means that the agent cannot enter the challenge.{grey}</p>
+compared; a gap in a line, or no dot, means that the agent cannot enter the challenge, or was not measured.{grey}</p>
 <h2>Which agent to take</h2>
 <p>{escape(TAKE)} The ladders below say up to which strength of the challenge it is good.</p>
 {table(*score_table(profile, beside))}
@@ -330,7 +338,11 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 
 def figure(panel: Panel, says: str) -> str:
     """A panel as SVG within the page, whose ink is that of the page."""
-    drawn = to_bytes(Sheet("panel", [[panel]]).draw(), "svg").decode()
+    sheet = Sheet("panel", [[panel]]).draw()
+    sheet.set_size_inches(
+        *(SMALLER * sheet.get_size_inches())
+    )  # so that its text is larger: pages fit it to their width
+    drawn = to_bytes(sheet, "svg").decode()
     svg = re.sub(r"^.*?(?=<svg)", "", drawn, flags=re.DOTALL)
     svg = re.sub(r' (width|height)="[^"]*pt"', "", svg, count=2)
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
