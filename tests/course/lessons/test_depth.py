@@ -6,9 +6,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import QLearning, finite_model, policy_evaluation, value_iteration
+from edugym import NStepSARSA, QLearning, finite_model, policy_evaluation, value_iteration
 from edugym.envs.study import Study
-from edugym_course.lessons.depth import credit, cutting, experiments, figures, methods, off_policy, targets, traces
+from edugym.rendering.scene import Text
+from edugym_course.lessons.depth import (
+    credit,
+    cutting,
+    experiments,
+    figures,
+    methods,
+    off_policy,
+    pictures,
+    targets,
+    traces,
+)
 from tests.course.lessons.made_up import made_up, measured
 
 
@@ -170,3 +181,15 @@ def test_the_best_rate_of_each_depth() -> None:
     low = made_up({name: [{0: 0.0, 5: 2.0 * k, 10: 0.0}] for k, name in enumerate(names)})
     high = made_up({name: [{0: 0.0, 5: 3.0, 10: 9.0 - 4.0 * k}] for k, name in enumerate(names)})
     assert figures.best_rates({0.1: low, 0.3: high}) == dict(zip(methods.BY_DEPTH, (0.3, 0.3, 0.1, 0.1), strict=True))
+
+
+@pytest.mark.parametrize(("n", "t"), [(1, 3), (3, 5), (4, 4)])
+def test_the_picture_of_the_buffer(n: int, t: int) -> None:
+    """What it shows in each place is what n-step SARSA has stored."""
+    agent = NStepSARSA.create((20, 2), n=n)
+    for step in range(t + 1):
+        agent.learn(step, 0, float(step + 1), step + 1, 0, terminated=False, truncated=False)
+    shown = [shape.content for shape in pictures.buffer(n, t).shapes if isinstance(shape, Text)]
+    below = shown[shown.index(f"states, place k % {n + 1}") + 1 :]
+    assert below[: n + 1] == [f"S{int(state)}" for state in agent.steps.states]
+    assert below[n + 2 : 2 * n + 2] == [f"A{int(reward) - 1}, R{int(reward)}" for reward in agent.steps.rewards]

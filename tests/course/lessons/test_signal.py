@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from edugym.envs.tamagotchi import Tamagotchi
-from edugym_course.lessons.signal import figures, methods, moody, players, words
+from edugym.rendering.scene import Polygon
+from edugym_course.lessons.signal import figures, methods, moody, pictures, players, words
 from tests.course.lessons.made_up import made_up
 from tests.experiments.figures.samples import new_axes
 
@@ -98,3 +99,13 @@ def test_how_words_are_answered() -> None:
         (0, 0.1), (0.1, 0.2), (0.3, 0.3), (0.6, 0.4),
     ]  # fmt: skip
     assert [bar.get_y() + bar.get_height() / 2 for bar in bars[:2]] == [0.0, 1.0]
+
+
+@pytest.mark.parametrize("tau", [0.0, 0.05])
+def test_both_counts_of_bits_on_one_axis(tau: float) -> None:
+    """The marks stand where the bits are, and the title tells both."""
+    scene = pictures.bits_axis(tau)
+    marks = [np.mean([x for x, _ in shape.points]) for shape in scene.shapes if isinstance(shape, Polygon)]
+    carried = [abs(words.bits(words.joint_table(tau, obeyed=obeyed))) for obeyed in (False, True)]
+    assert marks == pytest.approx([pictures.LEFT + pictures.LENGTH * one / 2 for one in carried])
+    assert all(f"{one:.2f} bit" in scene.title for one in carried)

@@ -26,7 +26,7 @@ from edugym.deep.ppo import clipped_gain
 from edugym.envs.trashbot.task import TrashbotInBins
 from edugym.experiments.figures import Sheet
 from edugym.experiments.results.tables import joined
-from edugym_course.lessons.continuous_actions import exact, figures, methods, ppo, release
+from edugym_course.lessons.continuous_actions import exact, figures, methods, pictures, ppo, release
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -347,7 +347,11 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 # The features come from **tile coding** (section 9.5.4): eight grids of 20 by 20 tiles lie over the places of the
 # wrist, once for an arm with the box and once for one without it. Each grid is a little displaced. A feature is a
 # tile, and it is 1 if the wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their
-# tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid.
+# tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid. (The picture
+# has two grids of few tiles.)
+
+# %%
+pictures.tile_coding()
 
 # %% [markdown] tags=["aside"]
 # ### Aside: tile coding in code

@@ -22,7 +22,7 @@ import numpy as np
 
 from edugym import EpsilonGreedy, NStepSARSA, TabularObservation, TreeBackup, make_mdp, repeat
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets, traces
+from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, pictures, targets, traces
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -165,7 +165,10 @@ print("after 100 episodes both tables are the same but for rounding:", np.allclo
 # places that are used again and again: hence `% n` and `% (n + 1)`. After each step, `first` is the step whose $n$
 # rewards are now complete. The first loop makes its target, backwards, and the second one is the update. When the
 # episode ends, all steps that are left learn. (For $n = \infty$ the agent keeps as many rewards as the longest episode
-# has.)
+# has.) In the picture orange is the step that learns, blue is what is new, and what is grey has been written over.
+
+# %%
+pictures.buffer(n=3, t=5)
 
 # %%
 source(NStepSARSA.learn)

@@ -25,7 +25,17 @@ from edugym import DQN, EpsilonGreedy, LinearQLearning, QLearning, make_mdp, rep
 from edugym.agents import dqn, features
 from edugym.agents.tables import greedy_action
 from edugym.experiments.results.tables import joined
-from edugym_course.lessons.dimensionality import figures, gym_car, methods, networks, races, sharing, sizes, tasks
+from edugym_course.lessons.dimensionality import (
+    figures,
+    gym_car,
+    methods,
+    networks,
+    pictures,
+    races,
+    sharing,
+    sizes,
+    tasks,
+)
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 from edugym_course.lessons.dimensionality.triad import w_to_2w
 from edugym_course.notebook import frames, play, predict, sliders, source
@@ -547,6 +557,9 @@ for column in tasks.WITHHELD:
 # - The **CNN over columns** has filters as high as the board and 9 columns wide, so one filter sees ball and paddle at
 #   any distance. They slide from left to right, also beyond the edges. Of each filter only the largest output counts,
 #   wherever it is. No weight belongs to a column.
+
+# %%
+pictures.filters()
 
 # %% [markdown]
 # **Predict.** Which of the two catches balls from the withheld columns?

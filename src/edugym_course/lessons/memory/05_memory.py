@@ -34,7 +34,7 @@ from edugym import (
 from edugym.agents.tables import best_value, one_step_target
 from edugym.experiments.figures import Curves, Sheet
 from edugym.experiments.results.tables import joined
-from edugym_course.lessons.memory import figures, lake, network, players, recurrent, windows
+from edugym_course.lessons.memory import figures, lake, network, pictures, players, recurrent, windows
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -186,7 +186,11 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # $$
 #
 # (PPO learns the policy directly; it also learns values, but only to help with that. You need not know it here.)
-#
+
+# %%
+pictures.recurrent_cell()
+
+# %% [markdown]
 # The window and the notes are such functions as well (there $u$ may use the action too, as in section 17.3 of the
 # book), but somebody wrote them.
 

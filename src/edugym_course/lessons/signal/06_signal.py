@@ -22,7 +22,7 @@ import numpy as np
 from edugym import EpsilonGreedy, QLearning, repeat
 from edugym.envs.tamagotchi import happiness
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons.signal import figures, methods, moody
+from edugym_course.lessons.signal import figures, methods, moody, pictures
 from edugym_course.lessons.signal.players import Coin, RoundRobin, Voter
 from edugym_course.lessons.signal.words import bits, information, joint_table
 from edugym_course.notebook import frames, play, predict, sliders, source
@@ -207,6 +207,13 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # without noise all the weight is on the diagonal. The bits fall faster than the share of right words: at $\tau = 0.02$
 # two words of three are right, and three quarters of the information are gone.
 # </details>
+#
+# That is for a toy in perfect care. A player who obeys follows wrong words too, and so leaves needs that differ more: the
+# lead of the most urgent one is two to four times as large. So on *its* toy a word carries more. Move the noise, and see
+# both counts on one axis.
+
+# %%
+sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
 
 # %% [markdown]
 # ## The experiment: more and more noise
@@ -258,8 +265,7 @@ half.measured(methods.noise_label(first))
 #
 # **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of the
 # optimum. In perfect care 64 % of the words are right there, and a word carries half a bit. A player that obeys hears
-# more, 76 % and 0.84 bit. A guess: each mistake leaves a need that is more urgent than the others, and then the words
-# are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random actions.
+# more, 76 % and 0.84 bit. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random actions.
 # </details>
 
 # %% [markdown] tags=["aside"]
