@@ -17,6 +17,7 @@ from hypothesis import settings
 os.environ["SDL_VIDEODRIVER"] = "dummy"  # windows open on a pretended screen
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # begun in the background of a shell; tests press Ctrl-C
     signal.signal(signal.SIGINT, signal.default_int_handler)
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # hundreds of processes would each compile the package again
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # one torch thread a process: more would wait for each other's cores
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)

@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import edugym
+from edugym.agents.settings import check, settings_of
 from edugym.experiments.players import is_policy
 from edugym.system.own_files import run_file
+from edugym.system.packages import is_ours
 from edugym_course.agent_profiles import library_agents
 
 HELP = (
@@ -86,7 +88,7 @@ def grids(agents: dict[str, Any], texts: list[str]) -> dict[str, dict[str, Any]]
             that it has; who has none of them is left out.
 
     Raises:
-        ValueError: one is not written so, or no agent has such a setting.
+        ValueError: one is not written so, no agent has such a setting, or one of the package does not take the value.
     """
     read = {name: _values(name, text) for name, text in _pairs(texts).items()}
     made: dict[str, dict[str, Any]] = {}
@@ -97,6 +99,9 @@ def grids(agents: dict[str, Any], texts: list[str]) -> dict[str, dict[str, Any]]
         if not own:
             continue
         missing -= {*own}
+        for name in own:
+            for value in read[name].values():
+                _require_allowed(make, name, value)
         made[label] = {"as given": agent}
         for texts_of in product(*(read[name] for name in own)):
             chosen = partial(make, **{name: read[name][text] for name, text in zip(own, texts_of, strict=True)})
@@ -132,6 +137,13 @@ def _has_setting(make: Any, name: str) -> bool:
         return name in [*inspect.signature(make).parameters][1:]  # after the environment
     except (TypeError, ValueError):
         return False  # a policy, which nothing makes
+
+
+def _require_allowed(make: Any, name: str, value: Any) -> None:
+    """Check a setting of an agent of the package, before minutes of training come to it."""
+    kind = getattr(make, "__self__", None)
+    if isinstance(kind, type) and is_ours(kind) and name in settings_of(kind) and hasattr(kind, name):
+        check(kind.create((2, 2))._replace(**{name: value}))
 
 
 def _of_package(name: str) -> Any:

@@ -186,9 +186,7 @@ TASKS = {
 """An MDP and an agent, and a word of the sentence that says why they are not compiled, if they are not."""
 QUICK = [
     "state that becomes real",
-    "observation that becomes real",
     "rewards of both types",
-    "row that is another's",
     "two actions",
 ]
 
@@ -204,14 +202,14 @@ def test_late_tasks(names: list[str]) -> None:
         assert word in said
 
 
-@pytest.mark.parametrize("seeds", [range(20), pytest.param(range(20, 180), marks=pytest.mark.slow)], ids=["20", "160"])
+@pytest.mark.parametrize("seeds", [range(8), pytest.param(range(8, 180), marks=pytest.mark.slow)], ids=["8", "172"])
 def test_methods_made_at_random(seeds: range) -> None:
     """Each comes to the same bits, or the same error at the same line."""
     wrong = {seed: seen for seed in seeds if not (seen := method_both_ways(method_program(seed)))[0]}
     assert not wrong
 
 
-@pytest.mark.parametrize("seeds", [range(2), pytest.param(range(2, 22), marks=pytest.mark.slow)], ids=["2", "20"])
+@pytest.mark.parametrize("seeds", [range(1), pytest.param(range(1, 22), marks=pytest.mark.slow)], ids=["1", "21"])
 def test_tasks_made_at_random(seeds: range) -> None:
     """Each comes to the same tables and curve, or the same sentence."""
     wrong = {seed: seen for seed in seeds if not (seen := both_ways(task_program(seed)))[0]}

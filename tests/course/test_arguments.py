@@ -24,6 +24,7 @@ from edugym.training.run import Run
 from edugym_course import agent_profiles, arguments, profiling
 from edugym_course.stored import what_determines
 from tests.course.test_commands import run
+from tests.messages import named
 
 
 @pytest.mark.parametrize(
@@ -170,6 +171,9 @@ def test_settings_to_choose_from(mine: Path) -> None:
         ("learning_rate", "name=value, but not 'learning_rate'"),
         ("learning_rate=", "learning_rate must be values such as .*, but is ''"),
         ("learning_rate=x", "but is 'x'"),
+        ("learning_rate=0.5,7", named("learning_rate", 0, 1, 7)),
+        ("exploration=EpsilonGreedy(2)", named("epsilon", 0, 1, 2)),
+        ("exploration=3", named("exploration", "EpsilonGreedy(0.1)", 3)),
         ("exploration=Greedy(1)", "exploration must be values"),
         ("learning_rate=0.1] + [2", "learning_rate must be values"),
     ],

@@ -250,8 +250,7 @@ def shape_of(environment: Environment) -> tuple[int, int]:
 
 def learn_from(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:
     """Let an agent of the package learn from a step; `names` are what its `learn` asks for."""
-    told = step._asdict() | {"next_action": next_action}
-    agent.learn(**{name: told[name] for name in names})
+    agent.learn(**{name: next_action if name == "next_action" else getattr(step, name) for name in names})
 
 
 def require_reproducible(program: Any, make: Callable[[], Environment], n_steps: int, seed: int) -> None:

@@ -7,9 +7,11 @@ the usual mistakes: one that makes the actions much more probable than the right
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from heapq import heappop, heappush
+from itertools import islice
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -41,6 +43,8 @@ UNEXPLAINED = 0.25
 """The share of the surprises above those by ε that a mistake may leave; one that leaves more is another mistake."""
 SIGMAS, CLEARLY = 4.0, 2.0
 """How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
+AT_ONCE = 100
+"""How many steps a mistake goes on, before another one that is more probable may."""
 LAYERS, WIDTH, ACTIONS = 6, 2, 4
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
 
@@ -159,6 +163,10 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False) -> dict[str, Learner
     }
 
 
+Row = tuple[bool, float, float]
+"""Of one step: whether its action was a surprise, how likely that was by ε, and the logarithm of its probability."""
+
+
 class Surprises(NamedTuple):
     """In which steps the action was not one that looked best.
 
@@ -171,6 +179,11 @@ class Surprises(NamedTuple):
     found: Reals
     chances: Reals
     logs: Reals
+
+    @classmethod
+    def of(cls, rows: Iterable[Row]) -> "Surprises":
+        """Those of a replay."""
+        return cls(*np.array([*rows], float).T)
 
     @property
     def expected(self) -> float:
@@ -205,29 +218,52 @@ class Surprises(NamedTuple):
         return self.too_many < UNEXPLAINED * other.too_many + CLEARLY * self.deviation
 
 
-def surprises(steps: Sequence[Step], learner: Learner, shape: tuple[int, int], epsilon: float) -> Surprises:
-    """Let an agent learn from the steps of a program, and note the actions that did not look best to it."""
-    agent = learner.make(shape)
-    names = learns_from(agent)
-    found, chances, logs = np.zeros((3, len(steps)))
-    waiting: Step | None = None
-    before: Step | None = None
-    for t, real in enumerate(steps):
-        step = before = learner.alter(real, before)
-        values = agent.values(step.state) if hasattr(agent, "values") else agent.Q[step.state]
-        best = [tied(value, max(values)) for value in values]
-        found[t], chances[t] = not best[step.action], epsilon * (1 - sum(best) / len(best))
-        logs[t] = math.log(epsilon / len(best) + (1 - epsilon) * best[step.action] / sum(best))
-        if waiting is not None:
-            learn_from(agent, names, waiting, step.action)
-        waiting = None
-        if learner.skips(real):
-            getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
-        elif "next_action" in names and not real.terminated:
-            waiting = step
-        else:
-            learn_from(agent, names, step, step.action)
-    return Surprises(found, chances, logs)
+def replay(runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int], epsilon: float) -> Iterator[Row]:
+    """Let new agents learn from the steps of a program, one from each run, and yield what each step was to them."""
+    for steps in runs:
+        agent = learner.make(shape)
+        names = learns_from(agent)
+        waiting: Step | None = None
+        before: Step | None = None
+        for real in steps:
+            step = before = learner.alter(real, before)
+            values = (agent.values(step.state) if hasattr(agent, "values") else agent.Q[step.state]).tolist()
+            highest = max(values)
+            best = [tied(value, highest) for value in values]
+            share = (1 - epsilon) * best[step.action] / sum(best)
+            yield not best[step.action], epsilon * (1 - sum(best) / len(best)), math.log(epsilon / len(best) + share)
+            if waiting is not None:
+                learn_from(agent, names, waiting, step.action)
+            waiting = None
+            if learner.skips(real):
+                getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
+            elif "next_action" in names and not real.terminated:
+                waiting = step
+            else:
+                learn_from(agent, names, step, step.action)
+
+
+def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) -> tuple[int, list[Row]]:
+    """Return the number of the replay that makes the actions most probable, the first among equals, and its rows.
+
+    No other is played to its end: the one that may still become the likeliest goes on (a best-first search), and most
+    mistakes are soon behind.
+
+    Args:
+        replays: at least one.
+        n_steps: how many steps each has.
+        highest: the largest logarithm that a step can have.
+    """
+    rows: list[list[Row]] = [[] for _ in replays]
+    queue = [(-n_steps * highest, number) for number in range(len(replays))]
+    while True:
+        _, number = heappop(queue)
+        mine = rows[number]
+        if len(mine) == n_steps:
+            return number, mine
+        mine += islice(replays[number], AT_ONCE)
+        at_most = sum(log for _, _, log in mine) + (n_steps - len(mine)) * highest
+        heappush(queue, (-at_most, number))
 
 
 @dataclass(frozen=True)
@@ -275,24 +311,22 @@ class Rule:
             for number, world in zip(seeds, worlds, strict=True)
         ]
         shape = shape_of(worlds[0]())
-        right = self._surprises(runs, self.right, shape)
-        counted = {sentence: self._surprises(runs, mistake, shape) for sentence, mistake in self.mistakes.items()}
-        better = [sentence for sentence in counted if counted[sentence].explains_better_than(right)]
-        if right.is_usual and not better:
+        right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
+        number, rows = likeliest(
+            [replay(runs, mistake, shape, self.epsilon) for mistake in self.mistakes.values()],
+            sum(map(len, runs)),
+            math.log(1 - self.epsilon + self.epsilon / shape[1]),
+        )
+        likely, sentence = Surprises.of(rows), [*self.mistakes][number]
+        is_better = likely.explains_better_than(right)
+        if right.is_usual and not is_better:
             return
-        likely = max(better, key=lambda sentence: counted[sentence].logs.sum(), default="")
-        explains_all = likely and counted[likely].explains_those_of(right)
-        cause = f"They fit a usual mistake: {likely}" if explains_all else self._cause(right)
+        explains_all = is_better and likely.explains_those_of(right)
+        cause = f"They fit a usual mistake: {sentence}" if explains_all else self._cause(right)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
             " that its own steps make look best by the equation of this lesson, and with ε ="
             f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
-        )
-
-    def _surprises(self, runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int]) -> Surprises:
-        """Return the surprises of several runs, each with a new agent."""
-        return Surprises(
-            *map(np.concatenate, zip(*(surprises(run, learner, shape, self.epsilon) for run in runs), strict=True))
         )
 
     def _cause(self, right: Surprises) -> str:

@@ -16,6 +16,7 @@ from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
 from edugym.games.train_players import GameRun, train_players
+from edugym.objectives.train_vectors import VectorRun, train_vectors
 from edugym.training import train as training
 from edugym.training.run import Run
 from edugym.training.train import train
@@ -69,6 +70,17 @@ def short_match(game: Any, agents: Any, n_steps: int, *, most: int = 50, **how: 
     policies = [run.policies[0], *[run.policies[-1]] * (len(steps) - 1)]
     returns, episodes = np.zeros((len(steps), 2)), np.ones(len(steps), np.int64)
     return replace(run, steps=steps, policies=policies, training_returns=returns, episodes=episodes)
+
+
+def short_vectors(environment: Any, agent: Any, n_steps: int, *, most: int = 50, **how: Any) -> VectorRun:
+    """Let an agent of several objectives train for a few episodes, and return a run with a dive in each step asked for.
+
+    What its last point says is made up.
+    """
+    few = min(n_steps, 10 * most)
+    run = train_vectors(environment, agent, few, evaluate_every=few, seed=how.get("seed", 0))
+    rows = np.arange(n_steps) % max(1, len(run.training_returns))
+    return replace(run, training_returns=run.training_returns[rows], training_ends=rows + 1)
 
 
 def told(agent: Any, n_steps: int, seed: Any) -> str:

@@ -22,6 +22,7 @@ from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
 from edugym.games.train_players import train_players
+from edugym.objectives.train_vectors import train_vectors
 from edugym.system.packages import OURS
 from edugym.training.train import train
 from edugym_course.grading.challenge import Challenge
@@ -29,7 +30,15 @@ from edugym_course.lessons import load_experiments
 from edugym_course.lessons.dimensionality import networks
 from edugym_course.notebook.prediction import Prediction
 from edugym_course.report import Report
-from tests.course.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_profiles, few_runs, made_up_run, short_match
+from tests.course.lessons.few_runs import (
+    ANY_RETURN,
+    SOLVED_OR_NOT,
+    few_profiles,
+    few_runs,
+    made_up_run,
+    short_match,
+    short_vectors,
+)
 
 NOTEBOOKS = {path.parent.name: path for path in build.lesson_sources().values()}
 RETURNS = {"exploration": SOLVED_OR_NOT, "signal": (-1_000.0, 7_000.0)}
@@ -47,7 +56,11 @@ def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
     """Yield a lesson's module whose agents train in `runs` runs for `most` steps at most, with made-up returns."""
     module: Any = load_experiments(lesson)
     made_up = partial(made_up_run, returns=RETURNS.get(lesson, ANY_RETURN), most=most)
-    match = partial(short_match, most=most)
+    instead_of = (
+        ("train", train, made_up),
+        ("train_players", train_players, partial(short_match, most=most)),
+        ("train_vectors", train_vectors, partial(short_vectors, most=most)),
+    )
 
     def seldom(*arguments: Any, **how: Any) -> Results:
         return few_runs(*arguments, most=runs, **how | {"jobs": 1})
@@ -58,13 +71,7 @@ def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
     with contextlib.ExitStack() as stack:
         stack.enter_context(warnings.catch_warnings(action="ignore"))
         for found in [one for name, one in sys.modules.items() if name.partition(".")[0] in OURS]:
-            replaced = (
-                ("train", train, made_up),
-                ("repeat", repeat, seldom),
-                ("train_players", train_players, match),
-                ("profile", profile, seldom_climbed),
-            )
-            for name, real, instead in replaced:
+            for name, real, instead in (("repeat", repeat, seldom), ("profile", profile, seldom_climbed), *instead_of):
                 if vars(found).get(name) is real:
                     stack.enter_context(patch.object(found, name, instead))
         stack.enter_context(patch.object(networks, "train_network", side_effect=ImportError))

@@ -90,7 +90,7 @@ def score_of_mean(off: float, spread: float) -> float:
 
 def score_of_log(off: float, spread: float) -> float:
     """The derivative of ln π with respect to ln σ."""
-    return (off / spread) ** 2 - 1
+    return off / spread * (off / spread) - 1
 
 
 class Gaussians:
@@ -123,15 +123,17 @@ class Gaussians:
         squares: bool = False,
     ) -> None:
         """Begin with μ = 0, σ = 1 and V = 0."""
-        self.mean, self._log, self._V = np.zeros((3, n_states))
+        # Lists: Python reads one entry of them sooner than one of an array.
+        self.mean, self._log, self._V = [0.0] * n_states, [0.0] * n_states, [0.0] * n_states
         self._returns, self._of_mean, self._of_log = returns, of_mean, of_log
         self._policy_rate, self._value_rate = policy_rate, value_rate
-        self._fades, self._bounds, self._own, self._squares = fades, np.log(bounds), own, squares
+        self._fades, self._own, self._squares = fades, own, squares
+        self._least, self._most = map(math.log, bounds)
 
     def gaussian(self, state: int) -> tuple[float, float]:
         """The mean and the standard deviation of the action."""
         state *= self._own
-        return float(self.mean[state]), math.exp(self._log[state] * (2 if self._squares else 1))
+        return self.mean[state], math.exp(self._log[state] * (2 if self._squares else 1))
 
     def learn(self, episode: Sequence[Step]) -> None:
         """Learn from an episode."""
@@ -143,7 +145,8 @@ class Gaussians:
             off, spread = step.action - self.mean[state], math.exp(self._log[state])
             rate = self._policy_rate * (DISCOUNT**t if self._fades else 1.0)
             self.mean[state] += rate * delta * self._of_mean(off, spread)
-            self._log[state] = np.clip(self._log[state] + rate * delta * self._of_log(off, spread), *self._bounds)
+            log = self._log[state] + rate * delta * self._of_log(off, spread)
+            self._log[state] = min(max(log, self._least), self._most)  # NaN stays NaN
 
 
 Maker = Callable[[int], Gaussians]
@@ -165,7 +168,7 @@ MISTAKES: dict[str, Maker] = {
     ),
     "σ is never learned: ln σ has a score, too": partial(Gaussians, of_log=lambda off, spread: 0.0),
     "the score of ln σ lacks its − 1, so σ grows wherever δ is above 0": partial(
-        Gaussians, of_log=lambda off, spread: (off / spread) ** 2
+        Gaussians, of_log=lambda off, spread: off / spread * (off / spread)
     ),
     "what is learned is ln σ, with the score of σ: that of ln σ is σ times as large": partial(
         Gaussians, of_log=lambda off, spread: score_of_log(off, spread) / spread
@@ -221,8 +224,7 @@ def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
             log -= 0.5 * z[-1] * z[-1] + math.log(spread)
             episode.append(step)
             if step.terminated:
-                with np.errstate(all="ignore"):  # a learner on the steps of another equation may go anywhere
-                    learner.learn(episode)
+                learner.learn(episode)
                 episode = []
     n, below = len(z), [0.5 + 0.5 * math.erf(one / math.sqrt(2)) for one in sorted(z)]
     apart = max(abs(share - (k + 0.5) / n) for k, share in enumerate(below)) * math.sqrt(n)

@@ -18,6 +18,7 @@ WORST = -10.0
 """The first value of every action: what it is worth never to reach the goal, -1 / (1 - γ)."""
 
 Pattern = tuple[int, ...]
+Row = list[float]  # Python reads one entry of a list sooner than one of an array
 Observation = dict[str, Any]
 
 
@@ -66,7 +67,7 @@ class Hindsight:
         discount: float = DISCOUNT,
     ) -> None:
         """Know nothing."""
-        self._Q: defaultdict[tuple[Pattern, Pattern], Reals] = defaultdict(lambda: np.full(shape[1], first_value))
+        self._Q: defaultdict[tuple[Pattern, Pattern], Row] = defaultdict(lambda: [first_value] * shape[1])
         self._steps: list[tuple[Pattern, int, float, Pattern]] = []
         self._goal, self._when, self._order, self._kept, self._empties = goal, when, order, kept, empties
         self._reward, self._ends, self._own, self._knows_goal = reward, ends, own, knows_goal
@@ -75,14 +76,14 @@ class Hindsight:
         self._state_has, self._next_state_has = state_has, next_state_has
         self._learning_rate, self._discount = learning_rate, discount
 
-    def row(self, state: Pattern, goal: Pattern) -> Reals:
+    def row(self, state: Pattern, goal: Pattern) -> Row:
         """The values of a state, for a goal."""
         return self._Q[state, goal if self._knows_goal else ()]
 
     def values(self, seen: Observation) -> Reals:
         """The values after an observation."""
         row = self.row(pattern(seen["achieved_goal"]), pattern(seen["desired_goal"]))
-        return np.array(self._sign * row - self._handicaps)
+        return self._sign * np.array(row) - self._handicaps
 
     def learn(
         self,
@@ -125,8 +126,8 @@ class Hindsight:
             after = self.row(then, goals[self._next_state_has])
             self._update(self.row(s, goals[self._state_has]), action, reward, after, reached and self._ends)
 
-    def _update(self, row: Reals, action: int, reward: float, after: Reals, ends: bool) -> None:
-        target = reward if ends else reward + self._discount * after.max()
+    def _update(self, row: Row, action: int, reward: float, after: Row, ends: bool) -> None:
+        target = reward if ends else reward + self._discount * max(after)
         row[action] += self._learning_rate * (target - row[action])
 
     def forget_episode(self) -> None:
