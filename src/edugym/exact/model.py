@@ -22,6 +22,7 @@ from edugym.exact.checking import compare_with_steps, global_randomness
 from edugym.exact.tables import FiniteModel, plain
 from edugym.mdp.protocol import MDP
 from edugym.mdp.task import task_of
+from edugym.system.packages import is_own
 
 MAX_STATES = 50_000
 MOST_STATES = 100_000_000
@@ -52,7 +53,8 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
     before = global_randomness()
     try:
         model = _explored(mdp, max_states)
-        compare_with_steps(model)
+        if not (isinstance(mdp, tuple) and is_own(mdp)):  # the package's own are compared in its tests
+            compare_with_steps(model)
         problem = None
     except Exception as error:
         end_at_students_line(error)

@@ -73,14 +73,11 @@ def short_match(game: Any, agents: Any, n_steps: int, *, most: int = 50, **how: 
 
 
 def short_vectors(environment: Any, agent: Any, n_steps: int, *, most: int = 50, **how: Any) -> VectorRun:
-    """Let an agent of several objectives train for a few episodes, and return a run with a dive in each step asked for.
-
-    What its last point says is made up.
-    """
-    few = min(n_steps, 10 * most)
+    """Let an agent of several objectives train for a few steps; return a run with an episode in each step asked for."""
+    few = min(n_steps, most)
     run = train_vectors(environment, agent, few, evaluate_every=few, seed=how.get("seed", 0))
-    rows = np.arange(n_steps) % max(1, len(run.training_returns))
-    return replace(run, training_returns=run.training_returns[rows], training_ends=rows + 1)
+    ended = run.training_returns if len(run.training_returns) else np.zeros_like(run.returns)
+    return replace(run, training_returns=np.resize(ended, (n_steps, ended.shape[1])))
 
 
 def told(agent: Any, n_steps: int, seed: Any) -> str:
