@@ -141,8 +141,9 @@ def _has_setting(make: Any, name: str) -> bool:
 
 def _require_allowed(make: Any, name: str, value: Any) -> None:
     """Check a setting of an agent of the package, before minutes of training come to it."""
-    kind = getattr(make, "__self__", None)
-    if isinstance(kind, type) and is_ours(kind) and name in settings_of(kind) and hasattr(kind, name):
+    kind: Any = getattr(make, "__self__", None)
+    is_a_class_of_ours = isinstance(kind, type) and is_ours(kind)
+    if is_a_class_of_ours and name in settings_of(kind) and hasattr(kind, name):
         check(kind.create((2, 2))._replace(**{name: value}))
 
 
