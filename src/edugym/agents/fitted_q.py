@@ -62,7 +62,7 @@ def fitted_q_iteration(
     References: Ernst, Geurts and Wehenkel (2005), Tree-based batch mode reinforcement learning; they fit trees.
     """
     a_number("unseen", unseen)
-    return _fitted(dataset, largest, discount, horizon, tolerance, max_sweeps, unseen=unseen)
+    return fitted_values(dataset, largest, discount, horizon, tolerance, max_sweeps, unseen=unseen)
 
 
 def fitted_q_evaluation(
@@ -102,7 +102,7 @@ def fitted_q_evaluation(
         V: Reals = np.einsum("sa,sa->s", probabilities, Q)
         return V
 
-    return _fitted(dataset, expected, discount, horizon, tolerance, max_sweeps, unseen=unseen)
+    return fitted_values(dataset, expected, discount, horizon, tolerance, max_sweeps, unseen=unseen)
 
 
 def pessimistic_q_iteration(
@@ -142,12 +142,12 @@ def pessimistic_q_iteration(
     a_number("penalty", penalty)
     at_least("penalty", penalty, 0)
     a_number("lowest", lowest)
-    return _fitted(
+    return fitted_values(
         dataset, largest, discount, horizon, tolerance, max_sweeps, unseen=lowest, penalty=penalty, lowest=lowest
     )
 
 
-def _fitted(
+def fitted_values(
     dataset: Dataset,
     state_values: Callable[[Reals], Reals],
     discount: float,

@@ -10,10 +10,11 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import all_same, given, in_brackets, number, unlike
+from edugym_course.grading.tables import compare_tables, table_of
+from edugym_course.grading.values import given, in_brackets, number, unlike
 
 FAR = 10_000.0
 """How much two nights may differ: far more than an exponential can take."""
@@ -176,13 +177,13 @@ def exercise_2(answer: Any, seed: int, sure: Sure = 1.0) -> str:
             mine = answer(table, *nights, prefers_first, learning_rate)
         if mine is None and not np.array_equal(table, rewards):
             raise WrongAnswer(f"{call} gives None, and has changed `rewards`: copy the table, and return the new one")
-        found.append(_table(call, mine, rewards.shape))
+        found.append(table_of(call, mine, rewards.shape))
         if not np.array_equal(table, rewards):
             raise WrongAnswer(f"{call} changes the table that it is given: begin with rewards = rewards.copy()")
         if unlike(nights, (one, other)):
             raise WrongAnswer(f"{call} changes one of the nights, which others may still need")
         calls.append(call)
-    _compare_tables(cases, found, calls, STEP_MISTAKES, partial(stepped, sure=sure))
+    compare_tables(cases, found, calls, STEP_MISTAKES, partial(stepped, sure=sure))
     return "Right: the error, times the rate, times where the two nights differ. What both did alike has not changed."
 
 
@@ -278,7 +279,7 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
             policy = answer(*mine, penalty)
         if not (np.array_equal(mine[0], values) and np.array_equal(mine[1], reference)):
             raise WrongAnswer(f"{call} changes one of the arrays that it is given: make a new one")
-        table = _table(call, policy, values.shape, finite=penalty != EXTREMES[0][2])
+        table = table_of(call, policy, values.shape, finite=penalty != EXTREMES[0][2])
         if not np.isfinite(table).all():
             raise WrongAnswer(
                 f"{call} should give {in_brackets(weighed((values, reference, penalty), times=times))}, but gives"
@@ -287,50 +288,5 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
             )
         found.append(table)
         calls.append(call)
-    _compare_tables(cases, found, calls, POLICY_MISTAKES, partial(weighed, times=times))
+    compare_tables(cases, found, calls, POLICY_MISTAKES, partial(weighed, times=times))
     return "Right: the reference, tilted towards what is worth more. An action that it never takes is never taken."
-
-
-def _table(call: str, value: Any, shape: tuple[int, ...], *, finite: bool = True) -> Reals:
-    """Return what an answer gives as an array of numbers of a shape.
-
-    Raises:
-        WrongAnswer: it is something else.
-    """
-    given(call, value)
-    try:
-        table = np.asarray(value, float)
-    except (TypeError, ValueError):
-        raise WrongAnswer(f"{call} should give an array of numbers of shape {shape}, but gives {value!r}") from None
-    if table.shape != shape:
-        hint = ": is it the whole table that you return?" if len(shape) > 1 else ""
-        raise WrongAnswer(f"{call} should give an array of shape {shape}, but gives one of shape {table.shape}{hint}")
-    if finite and not np.isfinite(table).all():
-        raise WrongAnswer(f"{call} should give finite numbers, but gives {table.tolist()}: is something divided by 0?")
-    return table
-
-
-def _compare_tables(
-    cases: Sequence[Any],
-    found: Sequence[Reals],
-    calls: Sequence[str],
-    mistakes: Mapping[str, Mapping[str, Any]],
-    rule: Callable[..., Reals],
-) -> None:
-    """Check several arrays. The first wrong one is told, with the mistake that explains all of them, or most.
-
-    Raises:
-        WrongAnswer: one is not right.
-    """
-    right = [rule(case) for case in cases]
-    wrong = [not all_same(one, mine) for one, mine in zip(right, found, strict=True)]
-    if not any(wrong):
-        return
-
-    def explained(change: Mapping[str, Any]) -> list[bool]:
-        return [all_same(rule(case, **change), mine) for case, mine in zip(cases, found, strict=True)]
-
-    why = mistake_in_cases(mistakes, explained, wrong)
-    first = wrong.index(True)
-    told, came = (np.round(table[first], 4).tolist() for table in (right, found))
-    raise WrongAnswer(f"{calls[first]} should give {told}, but gives {came}: {why}")

@@ -1,0 +1,1 @@
+"""Offline learning (lesson 15)."""

@@ -1,0 +1,84 @@
+# %% no ratio
+# says: ρ is left out
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + reward + value - Q[state, action]
+
+# %% upside down
+# says: ρ is upside down: π, the policy to be judged, goes above b, which acted
+# in: from the end
+# - rho = target[state, action] / behaviour[state, action]
+# + rho = behaviour[state, action] / target[state, action]
+
+# %% the largest value
+# says: V(s) is the largest value of the state; π does not always take that action, so take the mean by π
+# in: from the end
+# - V = target[state] @ Q[state]
+# + V = Q[state].max()
+
+# %% the mean by b
+# says: V(s) is the mean by b; it is π that is judged
+# in: from the end
+# - V = target[state] @ Q[state]
+# + V = behaviour[state] @ Q[state]
+
+# %% the action's value
+# says: V(s) is the value of the action that was taken; it is the mean by π over all actions
+# in: from the end
+# - V = target[state] @ Q[state]
+# + V = Q[state, action]
+
+# %% no V
+# says: V(s) is left out: the believed values are only taken off, and never added
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = rho * (reward + value - Q[state, action])
+
+# %% no Q
+# says: Q(s, a) is left out: then the believed values are counted, and the rewards as well
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward + value)
+
+# %% V for Q
+# says: V(s) is taken off; it is the value of the action that was taken, Q(s, a)
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward + value - V)
+
+# %% later outside
+# says: what comes later is not weighed by ρ: it belongs into the parentheses, beside the reward
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward - Q[state, action]) + value
+
+# %% nothing later
+# says: what comes later is left out
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward - Q[state, action])
+
+# %% forwards
+# says: the steps are gone through forwards; what a step is worth needs what comes after it, so begin at the end
+# in: from the end
+# - for state, action, reward in reversed(episode):
+# + for state, action, reward in episode:
+
+# %% in place
+# says: changes something that it is given, which others may still need
+# in: from the end
+# - value = 0.0
+# + episode.reverse()
+# + episode.reverse()
+# + Q -= 1.0
+# + value = 0.0
+
+# %% no return
+# says: gives None: is a `return` missing?
+# in: from the end
+# - return value
+# + print(end="")
+
+# %% a number
+# says: episode, target, behaviour and Q
+doubly_robust_value = 0.5

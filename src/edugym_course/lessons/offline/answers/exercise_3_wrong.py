@@ -1,0 +1,128 @@
+# %% a bonus
+# says: the penalty is added; that is a bonus, which draws to what is known badly, as when exploring
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) + penalty / np.sqrt(len(values)))
+
+# %% over n
+# says: the penalty is divided by n; the error of a mean goes down with √n
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) - penalty / len(values))
+
+# %% always the same
+# says: the penalty does not get smaller with n
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) - penalty)
+
+# %% times the root
+# says: the penalty is multiplied by √n; what is known well should cost less
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) - penalty * np.sqrt(len(values)))
+
+# %% no penalty
+# says: the penalty is left out: that is fitted Q as it is, with the lowest value for what is unseen
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values))
+
+# %% counts of states
+# says: n counts all steps from the state; it counts those with this action
+# in: sums and counts
+# - n = np.maximum(counts, 1)
+# - return np.where(counts > 0, np.maximum(lowest, sums / n - penalty / n**0.5), lowest)
+# + n = np.maximum(counts, 1)
+# + m = np.maximum(counts.sum(axis=1, keepdims=True), 1)
+# + return np.where(counts > 0, np.maximum(lowest, sums / n - penalty / m**0.5), lowest)
+
+# %% a sum
+# says: the targets are added up; fit their mean
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, sum(values) - penalty / np.sqrt(len(values)))
+
+# %% the last one
+# says: the last target of each pair stays; fit the mean of all of them
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, values[-1] - penalty / np.sqrt(len(values)))
+
+# %% the best one
+# says: the best target of each pair stays; fit the mean of all of them
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, max(values) - penalty / np.sqrt(len(values)))
+
+# %% zeros
+# says: pairs without a step are 0; a pessimist gives them the lowest value
+# in: lists of targets
+# - new = np.full(Q.shape, lowest)
+# + new = np.zeros(Q.shape)
+
+# %% as before
+# says: pairs without a step keep their value; a pessimist gives them the lowest value
+# in: lists of targets
+# - new = np.full(Q.shape, lowest)
+# + new = Q.copy()
+
+# %% penalty alone
+# says: pairs without a step get the penalty as a value; a pessimist gives them the lowest value
+# in: lists of targets
+# - new = np.full(Q.shape, lowest)
+# + new = np.full(Q.shape, -penalty)
+
+# %% no floor
+# says: some values are below the lowest one there is
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = np.mean(values) - penalty / np.sqrt(len(values))
+
+# %% beyond the end
+# says: what comes after the end is counted: where `terminated` is True the target is the reward alone
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward + Q[next_state].max()
+
+# %% nothing comes
+# says: what comes after a step is left out: where the task goes on, add the largest value of the next state
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward
+
+# %% the mean value
+# says: the next state counts with its mean value; take the largest
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward if terminated else reward + Q[next_state].mean()
+
+# %% the same action
+# says: the next state counts with the value of the same action; take the largest
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward if terminated else reward + Q[next_state, action]
+
+# %% in place
+# says: changes the table Q that it is given: all targets need the old one, so make a new one
+# in: lists of targets
+# - new = np.full(Q.shape, lowest)
+# + new = Q
+# + new[:] = lowest
+
+# %% the steps
+# says: changes the steps that it is given, which others may still need
+# in: lists of targets
+# - targets = {}
+# + targets = {}
+# + steps.sort()
+
+# %% one number
+# says: should give an array of shape (3, 2), but gives one of shape ()
+# in: lists of targets
+# - return new
+# + return new.max()
+
+# %% a table
+# says: steps, Q, penalty and lowest
+pessimistic_sweep = np.zeros((3, 2))

@@ -1,0 +1,108 @@
+"""The project of lesson 15: learn from nights that are given, from a blank file."""
+
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.agents.dataset import collect
+from edugym.checks.parameters import in_short
+from edugym.mdp.protocol import Integers
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.choices import action_of
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
+from edugym_course.grading.programs import NAME
+from edugym_course.grading.student_code import student_code
+from edugym_course.lessons.offline.methods import PESSIMISTIC, best_of, clock, learn, morning
+
+TASK = morning(length=10, ring=6.0, late=30.0)
+"""Longer and dearer than that of the lesson."""
+N_NIGHTS, SHARE, PENALTY = 80, 0.25, 2.0
+"""So few nights of so bad a clock that neither imitating it nor first values of 0 will do."""
+SEEDS = 5
+OUR_SEEDS = range(100, 140)
+LOW, SLACK = 0.1, 0.5
+"""The middle run must reach this quantile of our returns, less the slack: ours hardly ever misses it."""
+
+
+class Run(NamedTuple):
+    """What came of a program.
+
+    Attributes:
+        kept: the exact return of its policy.
+        gathered: the mean return in the data.
+        actions: shape (S,): the action in each state, by the rows of the model.
+    """
+
+    kept: float
+    gathered: float
+    actions: Integers
+
+
+def run(program: Any, seed: int) -> Run:
+    """Let a program learn from nights, and evaluate its policy exactly.
+
+    The numbers of the states are dealt out anew for each seed: nobody can write down a policy beforehand.
+
+    Raises:
+        WrongAnswer: it breaks the contract, raises an error or does not end.
+    """
+    model, rng = TASK.model, np.random.default_rng([seed, 1])
+    n_states, n_actions, _ = model.successors.shape
+    dataset = collect(model, clock(TASK, SHARE), N_NIGHTS, seed=seed)
+    number_of = rng.permutation(n_states)
+    columns = number_of[dataset.states], dataset.actions, dataset.rewards, number_of[dataset.next_states]
+    steps = [*zip(*(column.tolist() for column in (*columns, dataset.terminated)), strict=True)]
+    call = f"{NAME}(steps, {n_states}, {n_actions}, {seed})"
+    with student_code(call):
+        policy = program(steps, n_states, n_actions, seed)
+    if policy is None:
+        raise WrongAnswer(f"{call} gives None: return the policy, a function from a state to an action")
+    if isinstance(policy, type) or not callable(policy):
+        raise WrongAnswer(f"{call} should return a function from a state to an action, but returns {in_short(policy)}")
+    actions = np.zeros(n_states, int)
+    for row in np.flatnonzero(~model.terminal):
+        what = f"the policy of {NAME}, for the state {number_of[row]},"
+        with student_code(what):
+            action = policy(int(number_of[row]))
+        actions[row] = action_of(what, action, n_actions)
+    return Run(TASK.worth(np.eye(n_actions)[actions]), float(dataset.returns().mean()), actions)
+
+
+@cache
+def our_returns() -> tuple[float, ...]:
+    """Return the exact returns of our policies, by pessimistic fitted Q."""
+    data = (collect(TASK.model, clock(TASK, SHARE), N_NIGHTS, seed=seed) for seed in OUR_SEEDS)
+    return tuple(TASK.worth(learn(one, PESSIMISTIC, TASK, PENALTY).greedy_policy()) for one in data)
+
+
+def project_15(answer: Any, seed: int) -> str:
+    """Check a program that learns from nights alone: what its policy is worth."""
+    require_function(NAME, answer, "steps, n_states, n_actions and seed")
+    found = [run(answer, SEEDS * seed + number) for number in range(SEEDS)]
+    ours, middle = our_returns(), sorted(found, key=lambda one: one.kept)[SEEDS // 2]
+    told = f"the middle one of {SEEDS} runs makes a clock worth {middle.kept:.1f}"
+    lowest = float(np.quantile(ours, LOW)) - SLACK
+    if not middle.kept >= lowest:
+        why = "" if nobody_asks_why() else f": {symptom(middle)}"
+        raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
+    gathered, best = middle.gathered, TASK.worth(best_of(TASK))
+    return f"Right: {told} (ours {np.median(ours):.1f}); the data {gathered:.1f}, the best clock {best:.1f}."
+
+
+def symptom(one: Run) -> str:
+    """Return what a policy that is worth too little looks like, and the likely cause."""
+    if len({*one.actions[~TASK.model.terminal].tolist()}) == 1:
+        return (
+            "it chooses the same action in every state; are the values looked up in the state to which they belong, and"
+            " is the best action taken?"
+        )
+    if one.kept < one.gathered:
+        return (
+            "that is worse than the clock that collected the nights; does it take the *best* action, by its own state?"
+        )
+    return (
+        "it has learned something; do actions without a step get the lowest value instead of 0, is there a penalty for"
+        " what is known from few steps, do all steps count, and are there as many sweeps as a night has steps? A night"
+        " has no discount"
+    )
