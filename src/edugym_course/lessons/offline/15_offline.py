@@ -396,6 +396,7 @@ def weighted_estimate(episodes, target, behaviour):
         for state, action, _ in episode:
             weight *= target[state, action] / behaviour[state, action]
         total += weight * sum(reward for _, _, reward in episode)
+        # own: total += weight * sum({discount}**t * reward for t, (_, _, reward) in enumerate(episode))
         weights += weight
     return total / weights
     ### END SOLUTION
@@ -424,6 +425,7 @@ def doubly_robust_value(episode, target, behaviour, Q):
         ratio = target[state, action] / behaviour[state, action]
         V = (target[state] * Q[state]).sum()
         value = V + ratio * (reward + value - Q[state, action])
+        # own: value = V + ratio * (reward + {discount} * value - Q[state, action])
     return value
     ### END SOLUTION
 
@@ -451,6 +453,7 @@ def pessimistic_sweep(steps, Q, penalty, lowest):
     targets = {}
     for state, action, reward, next_state, terminated in steps:
         target = reward if terminated else reward + Q[next_state].max()
+        # own: target = reward if terminated else reward + {discount} * Q[next_state].max()
         targets.setdefault((state, action), []).append(target)
     new = np.full(Q.shape, float(lowest))
     for pair, found in targets.items():

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -11,11 +11,19 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables, table_of
 from edugym_course.grading.values import number
 
 N_STATES, N_ACTIONS = 3, 2
+Discount = Annotated[
+    float,
+    Own(
+        tuple(k / 100 for k in range(30, 91)),
+        "In your version a reward that comes a step later counts {discount} times as much: there is a discount.",
+    ),
+]
 Episode = list[tuple[int, int, float]]
 """Steps (state, action, reward)."""
 Judging = tuple[list[Episode], Reals, Reals]
@@ -41,14 +49,14 @@ def _weight(ratios: Sequence[float], kind: str) -> float:
     }[kind]
 
 
-def weighed(case: Judging, *, weight: str = "product", by: str = "weights") -> float:
+def weighed(case: Judging, *, weight: str = "product", by: str = "weights", discount: float = 1.0) -> float:
     """Return the weighted estimate; other arguments than the defaults are mistakes."""
     episodes, target, behaviour = case
     if weight == "target alone":
         weights = [float(np.prod([target[s, a] for s, a, _ in episode])) for episode in episodes]
     else:
         weights = [_weight(_ratios(episode, target, behaviour), weight) for episode in episodes]
-    returns = [sum(r for *_, r in episode) for episode in episodes]
+    returns = [sum(discount**t * r for t, (*_, r) in enumerate(episode)) for episode in episodes]
     if by == "per step":
         return sum(w * g / len(episode) for w, g, episode in zip(weights, returns, episodes, strict=True)) / sum(
             weights
@@ -93,10 +101,11 @@ def _judgings(rng: np.random.Generator) -> list[Judging]:
     return [([_episode(rng, n) for n in lengths], *_policies(rng)) for lengths in ((2, 3), (1, 2, 4), (3, 3, 2))]
 
 
-def exercise_1(answer: Any, seed: int) -> str:
+def exercise_1(answer: Any, seed: int, discount: Discount = 1.0) -> str:
     """Check the weighted estimate of what a policy is worth."""
     require_function("weighted_estimate", answer, "episodes, target and behaviour")
-    rules: list[Callable[[Any], Any]] = [weighed, *(partial(weighed, **one) for one in WEIGHED_MISTAKES.values())]
+    right = partial(weighed, discount=discount)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in WEIGHED_MISTAKES.values())]
     cases = []
     for case in _judgings(telling_draw(seed, _judgings, rules)):
         episodes, target, behaviour = case
@@ -106,8 +115,8 @@ def exercise_1(answer: Any, seed: int) -> str:
             found = answer(*mine)
         if mine[0] != episodes or not (np.array_equal(mine[1], target) and np.array_equal(mine[2], behaviour)):
             raise WrongAnswer(f"{call} changes something that it is given, which others may still need")
-        mistakes = {why: weighed(case, **change) for why, change in WEIGHED_MISTAKES.items()}
-        cases.append(NumberCase(call, number(call, found), weighed(case), mistakes))
+        mistakes = {why: right(case, **change) for why, change in WEIGHED_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases)
     return "Right: an episode counts as much as the other policy would rather have played it."
 
@@ -124,6 +133,7 @@ def corrected(
     taken_off: str = "right",
     later: str = "inside",
     order: str = "backwards",
+    discount: float = 1.0,
 ) -> float:
     """Return the doubly robust value of an episode; other arguments than the defaults are mistakes."""
     episode, target, behaviour, Q = case
@@ -143,8 +153,8 @@ def corrected(
         }[value]
         off = {"right": Q[s, a], "left out": 0.0, "V": V}[taken_off]
         total = {
-            "inside": V + rho * (r + total - off),
-            "outside": V + rho * (r - off) + total,
+            "inside": V + rho * (r + discount * total - off),
+            "outside": V + rho * (r - off) + discount * total,
             "left out": V + rho * (r - off),
         }[later]
     return float(total)
@@ -177,10 +187,11 @@ def _correctings(rng: np.random.Generator) -> list[Correcting]:
     ]
 
 
-def exercise_2(answer: Any, seed: int) -> str:
+def exercise_2(answer: Any, seed: int, discount: Discount = 1.0) -> str:
     """Check the doubly robust value of one episode."""
     require_function("doubly_robust_value", answer, "episode, target, behaviour and Q")
-    rules: list[Callable[[Any], Any]] = [corrected, *(partial(corrected, **one) for one in CORRECTED_MISTAKES.values())]
+    right = partial(corrected, discount=discount)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in CORRECTED_MISTAKES.values())]
     cases = []
     for case in _correctings(telling_draw(seed, _correctings, rules)):
         episode, *tables = case
@@ -192,8 +203,8 @@ def exercise_2(answer: Any, seed: int) -> str:
         kept = [np.array_equal(one, other) for one, other in zip(copies, tables, strict=True)]
         if mine != episode or not all(kept):
             raise WrongAnswer(f"{call} changes something that it is given, which others may still need")
-        mistakes = {why: corrected(case, **change) for why, change in CORRECTED_MISTAKES.items()}
-        cases.append(NumberCase(call, number(call, found), corrected(case), mistakes))
+        mistakes = {why: right(case, **change) for why, change in CORRECTED_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases)
     return "Right: what is believed, corrected wherever a reward or a next step tells otherwise."
 
@@ -215,6 +226,7 @@ def swept(
     end: str = "right",
     future: str = "largest",
     per: str = "step",
+    discount: float = 1.0,
 ) -> Reals:
     """Return the values after one sweep; other arguments than the defaults are mistakes."""
     steps, before, penalty, lowest = case
@@ -222,7 +234,7 @@ def swept(
     for s, a, r, after, terminated in steps:
         V = {"largest": before[after].max(), "mean": before[after].mean(), "same action": before[after, a]}[future]
         going_on = {"right": not terminated, "always": True, "never": False}[end]
-        targets.setdefault((s, a), []).append(r + (float(V) if going_on else 0.0))
+        targets.setdefault((s, a), []).append(r + (discount * float(V) if going_on else 0.0))
     Q = {
         "lowest": np.full_like(before, lowest),
         "zero": np.zeros_like(before),
@@ -281,10 +293,11 @@ def _sweeps(rng: np.random.Generator) -> list[Sweep]:
     return made
 
 
-def exercise_3(answer: Any, seed: int) -> str:
+def exercise_3(answer: Any, seed: int, discount: Discount = 1.0) -> str:
     """Check one sweep of pessimistic fitted Q."""
     require_function("pessimistic_sweep", answer, "steps, Q, penalty and lowest")
-    rules: list[Callable[[Any], Any]] = [swept, *(partial(swept, **change) for change in SWEPT_MISTAKES.values())]
+    right = partial(swept, discount=discount)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **change) for change in SWEPT_MISTAKES.values())]
     cases = _sweeps(telling_draw(seed, _sweeps, rules))
     found, calls = [], []
     for steps, before, penalty, lowest in cases:
@@ -300,5 +313,5 @@ def exercise_3(answer: Any, seed: int) -> str:
             raise WrongAnswer(f"{call} changes the steps that it is given, which others may still need")
         found.append(table_of(call, made, before.shape))
         calls.append(call)
-    compare_tables(cases, found, calls, SWEPT_MISTAKES, swept)
+    compare_tables(cases, found, calls, SWEPT_MISTAKES, right)
     return "Right: every target at once, from the old table, and less for what is hardly known."
