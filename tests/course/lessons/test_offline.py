@@ -79,4 +79,4 @@ def test_states_of_the_project_have_new_numbers_each_time() -> None:
         project.run(program, seed)
     assert seen[0] != seen[1]
     with pytest.raises(WrongAnswer, match="it chooses the same action in every state"):
-        project.project_15(program, 0)
+        project.project_16(program, 0)

@@ -1,1 +1,1 @@
-"""Offline learning (lesson 15)."""
+"""Offline learning (lesson 16)."""

@@ -1,4 +1,4 @@
-"""The exercises of lesson 15: a weighted estimate, a doubly robust one, and one sweep of pessimistic fitted Q."""
+"""The exercises of lesson 16: a weighted estimate, a doubly robust one, and one sweep of pessimistic fitted Q."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial

@@ -1,4 +1,4 @@
-"""Offline learning (lesson 15): what the data of one policy say of another one, and what can be learned from them.
+"""Offline learning (lesson 16): what the data of one policy say of another one, and what can be learned from them.
 
 Nights of the morning of lesson 10 are collected by a clock that does what is best in a share of its steps, and else
 presses a button at random. Importance sampling (ordinary, weighted, per decision) and doubly robust estimates judge the

@@ -1,4 +1,4 @@
-"""The figures of lesson 15."""
+"""The figures of lesson 16."""
 
 from collections.abc import Mapping
 from typing import Any

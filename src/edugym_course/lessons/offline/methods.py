@@ -1,4 +1,4 @@
-"""What lesson 15 does: nights are collected, and other clocks are judged by them or learned from them."""
+"""What lesson 16 does: nights are collected, and other clocks are judged by them or learned from them."""
 
 import threading
 from collections.abc import Iterator, Mapping, Sequence

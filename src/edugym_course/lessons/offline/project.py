@@ -1,4 +1,4 @@
-"""The project of lesson 15: learn from nights that are given, from a blank file."""
+"""The project of lesson 16: learn from nights that are given, from a blank file."""
 
 from functools import cache
 from typing import Any, NamedTuple
@@ -76,7 +76,7 @@ def our_returns() -> tuple[float, ...]:
     return tuple(TASK.worth(learn(one, PESSIMISTIC, TASK, PENALTY).greedy_policy()) for one in data)
 
 
-def project_15(answer: Any, seed: int) -> str:
+def project_16(answer: Any, seed: int) -> str:
     """Check a program that learns from nights alone: what its policy is worth."""
     require_function(NAME, answer, "steps, n_states, n_actions and seed")
     found = [run(answer, SEEDS * seed + number) for number in range(SEEDS)]

@@ -508,9 +508,9 @@ def my_program(steps, n_states, n_actions, seed):
 ### END PROGRAM
 
 # %% tags=["project"]
-from edugym_course.lessons.offline.project import project_15
+from edugym_course.lessons.offline.project import project_16
 
-check(project_15, my_program)
+check(project_16, my_program)
 
 # %% [markdown]
 # ## What you saw
