@@ -22,7 +22,7 @@ from edugym_course.grading.own_numbers import (
 from edugym_course.lessons.stochasticity.exact import CROSSINGS, crossing
 from edugym_course.teaching.assignment import Task, tasks_of
 from edugym_course.teaching.marks import with_own_numbers
-from tests.course.lessons.answers import read_exercises
+from tests.course.lessons.answers import cells_of, read_exercises
 
 
 def trains(task: Task) -> bool:
@@ -33,6 +33,7 @@ def trains(task: Task) -> bool:
 SOURCES = build.lesson_sources()
 
 
+@cache
 def tasks(lesson: str) -> list[Task]:
     """The exercises of a lesson."""
     return tasks_of(build.teacher_edition(build.read_lesson(SOURCES[lesson])))
@@ -49,7 +50,7 @@ OWN = [
 @cache
 def exercise_of(lesson: str, number: int) -> tuple[Callable[..., str], str, str, str]:
     """The check of an exercise, the name of its answer, its solution with marks, and what runs before it."""
-    cells = build.read_lesson(SOURCES[lesson]).cells
+    cells = cells_of(SOURCES[lesson])
     task = tasks(lesson)[number - 1]
     return (
         task.check(),

@@ -95,9 +95,15 @@ def functions_of(solution: str) -> dict[str, str]:
 
 
 @cache
+def cells_of(lesson: Path) -> list[NotebookNode]:
+    """Return the cells of a lesson: to read them takes a tenth of a second, and hundreds of answers need them."""
+    return [*build.read_lesson(lesson).cells]
+
+
+@cache
 def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
     """Return the imports of a lesson, and its exercises in order."""
-    cells = [cell for cell in build.read_lesson(lesson).cells if is_code(cell)]
+    cells = [cell for cell in cells_of(lesson) if is_code(cell)]
     imports = "\n".join(cell.source for cell in cells if is_imports(cell))
     pairs = [(cell, below) for cell, below in pairwise(cells) if is_exercise(cell)]
     return imports, [
@@ -107,7 +113,7 @@ def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
 
 def read_project(lesson: Path) -> Exercise | None:
     """Return the program from a blank file that a lesson asks for, and its check; None if it asks for none."""
-    cells = [cell.source for cell in build.read_lesson(lesson).cells if is_project(cell)]
+    cells = [cell.source for cell in cells_of(lesson) if is_project(cell)]
     return Exercise(without_solutions(cells[0]), without_marks(cells[0]), cells[1]) if cells else None
 
 
