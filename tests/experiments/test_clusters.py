@@ -8,6 +8,7 @@ import joblib
 import pandas as pd
 import pytest
 
+from edugym import QLearning, profile
 from tests.experiments.experiments import small
 
 distributed = pytest.importorskip("distributed", reason="`pip install distributed` brings Dask")
@@ -28,3 +29,15 @@ def test_dask_gives_what_threads_give() -> None:
         elsewhere.append(small(20_000, jobs=None).table)
     for table in elsewhere:
         pd.testing.assert_frame_equal(table, small(20_000).table)
+
+
+def test_a_profile_is_the_same_too() -> None:
+    """On Dask as in threads."""
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster),
+        joblib.parallel_config(backend="dask"),
+    ):
+        elsewhere = profile({"Q": QLearning.create}, challenges=["Boulder", "Golf"], repetitions=3, jobs=None).runs
+    here = profile({"Q": QLearning.create}, challenges=["Boulder", "Golf"], repetitions=3).runs
+    pd.testing.assert_frame_equal(elsewhere, here, check_exact=True)
