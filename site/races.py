@@ -320,9 +320,9 @@ DIVER = Race(
         f"print(run.returns[:, 0] * (run.returns[:, 1] >= -{objectives.LIMIT}))",
     ),
     episodes=1,
-    answer="A price makes one number of value and steps. From a concavity of 0.5 on, no price prefers the one that "
-    "takes seven steps: with every price a deeper one or the first is worth more. The distance looks at value and "
-    "steps one by one.",
+    answer="A price makes one number of value and steps. From a concavity of 0.5 on, no price prefers the "
+    "treasure that takes seven steps: with every price a deeper one or the first is worth more. The distance looks "
+    "at value and steps one by one.",
 )
 RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES, DIVER)
 """One for each environment that has a lesson, in the order of the lessons."""
