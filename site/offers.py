@@ -60,14 +60,17 @@ class Agent(NamedTuple):
 
     @property
     def takes(self) -> tuple[str, ...]:
-        """Which of the page's sliders set this agent: R-max plans from its own, and Adam's rate has another scale."""
+        """Which of the page's sliders set this agent.
+
+        R-max plans from settings of its own, Adam's learning rate has another scale, and whole returns no discount.
+        """
         if self.kind is edugym.RMax:
             return ()
         given = {**self.kind._field_defaults, **self.settings}
         explores = isinstance(given.get("exploration"), edugym.EpsilonGreedy)
         known = {
             "learning_rate": "learning_rate" in given and self.kind is not edugym.DQN,
-            "discount": "discount" in given,
+            "discount": "discount" in given and not given.get("whole_returns"),
             "epsilon": explores,
         }
         return tuple(name for name, takes in known.items() if takes)

@@ -54,6 +54,23 @@ def test_the_code_for_readers_makes_the_agents(race: Race) -> None:
         assert np.shape(pasted.Q) == np.shape(raced.Q)
 
 
+SLIDERS = {"learning_rate": 0.3, "discount": 0.7, "epsilon": 0.2}
+
+
+@each_race
+def test_every_agent_takes_the_sliders_that_it_says(race: Race) -> None:
+    """The page makes it with these settings, so Python must take them; a kernel has a slot for each."""
+    mdp = race.mdp(race.strength.first)
+    for agent in race.agents:
+        moved = {name: SLIDERS[name] for name in agent.takes}
+        given = {**agent.settings, **{name: value for name, value in moved.items() if name != "epsilon"}}
+        if "epsilon" in moved:
+            given["exploration"] = edugym.EpsilonGreedy(moved["epsilon"])
+        made = agent.kind.create(agent.view.seen(mdp), **given)
+        assert all(getattr(made, name) == value for name, value in moved.items() if name != "epsilon")
+        assert "epsilon" not in moved or made.exploration.epsilon == moved["epsilon"]
+
+
 @each_race
 @pytest.mark.parametrize("k", [0, pytest.param(-1, marks=pytest.mark.slow)])
 def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
