@@ -31,7 +31,7 @@ def test_the_wheel_has_every_file_and_the_students_notebooks(tmp_path: Path) -> 
     inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(("edugym/", "edugym_course/"))}
     sources = [path for path in (ROOT / "src").rglob("*") if path.is_file() and path.suffix != ".pyc"]
     sources = [path for path in sources if "answers" not in path.parts and not path.name[0].isdigit()]
-    sources = [path for path in sources if path.name not in ("figures.txt", "frames.txt")]
+    sources = [path for path in sources if path.name not in ("report.txt", "cells.txt")]
     expected = {path.relative_to(ROOT / "src").as_posix() for path in sources}
     notebooks = {f"edugym_course/lab/notebooks/{path.name}" for path in (ROOT / "notebooks").glob("*.ipynb")}
     assert notebooks

@@ -16,26 +16,29 @@ from matplotlib import pyplot
 from matplotlib.lines import Line2D
 from rules import is_code, without_marks
 
+from edugym.experiments import repeat as repeating
 from edugym.experiments.figures import Sheet
 from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
-from edugym.games.train_players import train_players
-from edugym.objectives.train_vectors import train_vectors
+from edugym.games.train_players import GameRun, train_players
+from edugym.objectives.train_vectors import VectorRun, train_vectors
 from edugym.system.packages import OURS
+from edugym.training.run import Run
 from edugym.training.train import train
 from edugym_course.grading.challenge import Challenge
 from edugym_course.lessons import load_experiments
 from edugym_course.lessons.dimensionality import networks
 from edugym_course.notebook.prediction import Prediction
 from edugym_course.report import Report
+from tests.course.lessons import records
 from tests.course.lessons.few_runs import (
     ANY_RETURN,
     SOLVED_OR_NOT,
     few_profiles,
     few_runs,
-    made_up_run,
+    random_run,
     short_match,
     short_vectors,
 )
@@ -52,26 +55,47 @@ LEFT_OUT = (
 
 
 @contextlib.contextmanager
-def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
-    """Yield a lesson's module whose agents train in `runs` runs for `most` steps at most, with made-up returns."""
-    module: Any = load_experiments(lesson)
-    made_up = partial(made_up_run, returns=RETURNS.get(lesson, ANY_RETURN), most=most)
-    instead_of = (
-        ("train", train, made_up),
-        ("train_players", train_players, partial(short_match, most=most)),
-        ("train_vectors", train_vectors, partial(short_vectors, most=most)),
-    )
+def short_training(lesson: str, runs: int = 2, most: int = 50, calls: dict[str, None] | None = None) -> Iterator[Any]:
+    """Yield a lesson's module whose agents train in `runs` runs for `most` steps at most, with made-up returns.
 
-    def seldom(*arguments: Any, **how: Any) -> Results:
-        return few_runs(*arguments, most=runs, **how | {"jobs": 1})
+    `calls` takes what was asked for, each once.
+    """
+    module: Any = load_experiments(lesson)
+    returns, asked = RETURNS.get(lesson, ANY_RETURN), {} if calls is None else calls
+    made_up = partial(random_run, returns=returns, most=most)
+
+    def single(environment: Any, agent: Any, n_steps: int, **how: Any) -> Run:
+        asked[records.run(environment, agent, {"steps": n_steps, **how})] = None
+        return made_up(environment, agent, n_steps, **how)
+
+    def match(game: Any, agents: Any, n_steps: int, **how: Any) -> GameRun:
+        asked[records.match(game, agents, {"steps": n_steps, **how})] = None
+        return short_match(game, agents, n_steps, most=most, **how)
+
+    def vectors(environment: Any, agent: Any, n_steps: int, **how: Any) -> VectorRun:
+        asked[records.run(environment, agent, {"steps": n_steps, **how})] = None
+        return short_vectors(environment, agent, n_steps, most=most, **how)
+
+    def seldom(environment: Any, agents: Any, n_steps: int, **how: Any) -> Results:
+        results = few_runs(environment, agents, n_steps, most=runs, **how | {"jobs": 1})
+        asked.update(dict.fromkeys(records.experiment(results, {"steps": n_steps, **how})))
+        return results
 
     def seldom_climbed(agents: Any, **how: Any) -> Profile:
+        asked[f"profile, {records.arguments(how)}: {', '.join(agents)}"] = None
         return few_profiles(agents, most=runs, **how | {"jobs": 1})
 
     with contextlib.ExitStack() as stack:
         stack.enter_context(warnings.catch_warnings(action="ignore"))
         for found in [one for name, one in sys.modules.items() if name.partition(".")[0] in OURS]:
-            for name, real, instead in (("repeat", repeat, seldom), ("profile", profile, seldom_climbed), *instead_of):
+            replaced = (
+                ("train", train, made_up if found is repeating else single),
+                ("repeat", repeat, seldom),
+                ("train_players", train_players, match),
+                ("profile", profile, seldom_climbed),
+                ("train_vectors", train_vectors, vectors),
+            )
+            for name, real, instead in replaced:
                 if vars(found).get(name) is real:
                     stack.enter_context(patch.object(found, name, instead))
         stack.enter_context(patch.object(networks, "train_network", side_effect=ImportError))
@@ -80,14 +104,14 @@ def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
         yield module
 
 
-def short_report(lesson: str, seed: int = 1, **short: int) -> Report:
+def short_report(lesson: str, seed: int = 1, **short: Any) -> Report:
     """Return the claims and the figures of a lesson's report."""
     with short_training(lesson, **short) as module:
         report: Report = module.report(repetitions=short.get("runs", 2), seed=seed, jobs=1)
         return report
 
 
-def sheets_of_cells(lesson: str, **short: int) -> list[Sheet]:
+def sheets_of_cells(lesson: str, **short: Any) -> list[Sheet]:
     """Return the figures that the cells of a lesson show, and its sliders where they start; checks are not made."""
     shown: list[Any] = []
     namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
