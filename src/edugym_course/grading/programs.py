@@ -211,8 +211,9 @@ def _require_policy(call: str, policy: Any) -> None:
     if isinstance(policy, type) or not callable(policy):
         kind = f"the class {policy.__name__}" if isinstance(policy, type) else f"of the type {type(policy).__name__}"
         raise WrongAnswer(
-            f"{call} should return a function from a state to an action, but what it returns is {kind}: for a table Q"
-            " that is `lambda state: int(Q[state].argmax())`"
+            f"{call} should return a function from a state to an action, but what it returns is {kind}: for a table of"
+            " action values that is `lambda state: int(Q[state].argmax())`, and for an array with an action for each"
+            " state `lambda state: actions[state]`"
         )
 
 

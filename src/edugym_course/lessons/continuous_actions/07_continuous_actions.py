@@ -52,7 +52,7 @@ env.scene()
 # | states | two angles, whether the box is held, the step | |
 # | observations | seven numbers from −1 to 1 | elbow $x, y$; wrist $x, y$; magnet $x, y$; 1 if the box is held |
 # | actions | $\mathcal{A} = [-1, 1]^2$, or $n \times n$ bins | how far shoulder and elbow turn, as a share of 12 degrees |
-# | dynamics | both angles change by the action times 12 degrees; the step that picks up the box leaves the arm where it is | deterministic |
+# | dynamics | both angles change by the action times 12 degrees; in the step that picks up the box the arm does not turn | deterministic |
 # | | the episode *terminates* | if the box is delivered, if the arm hits something, or after 150 steps |
 # | reward | 1 for picking up the box | |
 # | | 2 for delivering it, and up to 2 more | 2 in the middle of the container, 0 where the box only just fits |
@@ -106,8 +106,9 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 #
 # **Measured.** Four bins, by a little. On the left every dot is a place where the box can be let go, and the ring is
 # the one nearest to the middle. (The green lines are where the box only just fits.) By and large more bins mean more
-# places. But five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart. Four turn it by 4 or 12, so
-# they are 4 degrees apart. (Only every second pair of angles can be reached; that still leaves more.)
+# places. But five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart. Four turn it by 4 or 12,
+# so they are 4 degrees apart. (Both joints have then turned an even number of such steps, or both an odd number. So
+# half of the pairs of angles can be reached: still more than with steps of 6 degrees.)
 #
 # With two bins the box can be let go at four places, all more than half of the way from the middle to the edge. No
 # learning can mend that: an agent with bins is at best as good as its bins.
@@ -117,9 +118,9 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # ## The idea: learn the policy itself
 #
 # Q-learning chooses the action with the largest value. With real actions that is a search at every step, for the
-# largest of infinitely many values. **Bins** make the actions few. Or the agent learns the policy itself: it draws its actions from a
-# **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, and learns which of them did well. It needs
-# no $Q$. All agents of this lesson do that; bins only change what they choose from.
+# largest of infinitely many values. **Bins** make the actions few. Or the agent learns the policy itself: it draws its
+# actions from a **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, and learns which of them did
+# well. It needs no $Q$. All agents of this lesson do that; bins only change what they choose from.
 #
 # ### The policy gradient, in three lines
 # Take one decision first: the agent draws an action $A$ from $\pi(a \mid \theta)$ and gets the reward $R$, whose mean
@@ -187,9 +188,9 @@ source(follow_log_gradient)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: cutting the observation into cells
-# The last line below says into how many cells each of the seven numbers of the observation is cut; 1 cell leaves a number
-# out. (The last number is 0 or 1, but its range goes from −1 to 1. Of two cells the upper one would hold both, so it has
-# three.) Two bends of the elbow can give the same wrist; the table cannot tell them apart.
+# The last line below says into how many cells each of the seven numbers of the observation is cut; 1 cell leaves a
+# number out. (The last number is 0 or 1, but its range goes from −1 to 1. With two cells both 0 and 1 would lie in the
+# upper one, so it has three.) Two bends of the elbow can give the same wrist; the table cannot tell them apart.
 
 # %%
 source(methods.in_a_table)
@@ -229,12 +230,12 @@ source(release.estimates)
 
 # %% [markdown]
 # Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
-# $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum over
-# a fine grid of actions, and take *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same
-# with $\ln \sigma$. (± is the 95 % interval.)
+# $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum
+# over a fine grid of actions, and take *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the
+# same with $\ln \sigma$. (± is the 95 % interval.)
 #
-# The figure has 1 000 actions and $b = 0$, and shows how far off such a mean can be. The line in its left panel is the
-# reward, the filled curve the density of the policy.
+# The figure has 1 000 actions and $b = 0$; with the sliders below it you see how far off such a mean can be. The line
+# in its left panel is the reward, the filled curve the density of the policy.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
@@ -246,9 +247,9 @@ for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
 display(figures.gradient_figure())
 
 # %% [markdown]
-# They agree. Move the sliders: when is the estimate good, and when is it wild? (Above all when $\sigma$ is small and $b$ is
-# far from $J$: with $\mu = \sigma = 0.1$ the baseline $b = J$ takes away more than nine tenths of the noise, as the next
-# aside measures.)
+# They agree. Move the sliders: when is the estimate good, and when is it wild? (Above all when $\sigma$ is small and
+# $b$ is far from $J$: with $\mu = \sigma = 0.1$ the baseline $b = J$ takes away more than nine tenths of the noise, as
+# the next aside measures.)
 
 
 # %%
@@ -309,19 +310,19 @@ for alpha in (0.01, 0.03, 0.1):
 
 # %% [markdown]
 # Look at $\alpha = 0.01$ first. Without a baseline they begin well. But when $\sigma$ has shrunk to about 0.1, they are
-# thrown out of the container, sooner or later all of them. Many come back and leave again. The scores
+# thrown out of the container, sooner or later all of them. Some are inside again in the end. The scores
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves.
 #
 # That is so for small steps. With $\alpha = 0.03$ all policies leave at some time, whatever their kind. Of those with a
 # baseline 92 are inside again in the end, and as many of those whose $\sigma$ stays at 0.2 or above; without either it
-# is 12. With $\alpha = 0.1$ a baseline does not help any more: 96 are outside in the end. So it allows larger steps,
-# and not any step.
+# is 12. With $\alpha = 0.1$ a baseline does not help any more: with it 96 are outside in the end, without it 87. So it
+# allows larger steps, and not any step.
 
 # %% [markdown]
 # ### The picture to remember
-# In the left panel of the next figure one policy learns, with a baseline. It starts wide and beside the middle.
-# It moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
+# In the left panel of the next figure one policy learns, with a baseline. It starts wide and beside the middle. It
+# moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
 # turns from exploring into placing exactly.
 
 
@@ -355,9 +356,9 @@ pictures.tile_coding()
 
 # %% [markdown] tags=["aside"]
 # ### Aside: tile coding in code
-# The code finds the tile of each grid `k`. `shift` displaces the grid, by another share of a tile in each coordinate; so a
-# place near the upper edge may be in one tile more, hence `+ 1`. The number of a tile is put together from its places in
-# all coordinates, as 352 is from its digits: $(3 \cdot 10 + 5) \cdot 10 + 2$.
+# The code finds the tile of each grid `k`. `shift` displaces the grid, by another share of a tile in each coordinate;
+# so a place near the upper edge may be in one tile more, hence `+ 1`. The number of a tile is put together from its
+# places in all coordinates, as 352 is from its digits: $(3 \cdot 10 + 5) \cdot 10 + 2$.
 
 # %%
 source(TileCoding.see)
@@ -395,10 +396,12 @@ source(GaussianActorCritic.learn)
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# The dotted lines are the best possible returns. (The lines of 9 bins and of real numbers lie nearly on each other.)
+# The dotted lines are the best possible returns. (Those of 9 bins and of real numbers lie nearly on each other: 9 bins
+# *can* do almost as well. Whether they *learn* it is another question.)
 #
-# The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. `repeat` makes each agent
-# 20 times, trains it, and plays a greedy episode every 4 000 steps. (Further down `methods.learn_all` does all this.)
+# The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. `repeat` makes
+# each agent 20 times, trains it, and plays a greedy episode every 4 000 steps. (Further down `methods.learn_all` does
+# all this.)
 #
 # **Predict.** Which of the four needs the fewest steps to a return of 3.5, on average over the runs?
 
@@ -432,9 +435,9 @@ first.measured(min(soon, key=soon.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Three bins are first by far, and the more bins, the later: three bins for two joints make 9 actions, nine
-# make 81. But three bins cannot get more than 4.31: twelve of the 20 runs reach it, and the other eight stop at 4.07.
-# Five and nine end above them on average.
+# **Measured.** Three bins are first by far, and the more bins, the later. (Three bins for two joints make 9 actions,
+# nine make 81; that this is the reason is our guess.) But three bins cannot get more than 4.31: twelve of the 20 runs
+# reach it, and the other eight stop at 4.07. Five and nine end above them on average.
 #
 # The continuous agent needs about as many steps as 5 bins. Why is open: it differs in its actions, its features, its
 # algorithm and its settings. (For a fair comparison with real numbers see the aside on PPO.) </details>
@@ -453,8 +456,9 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 #
 # Choose the bins and cells of the table, the spread $\sigma$ of the Gaussian policy, the learning rates and the width
 # of the container. (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE, `actor_rate`
-# is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (mostly its greedy
-# arm does not pick up the box), or at 0 (it never delivers it). What is too small a $\sigma$, what too large?
+# is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (in most evaluations
+# the arm does not pick up the box), and others with which it stays at 0 (it picks up the box and never delivers it).
+# What is too small a $\sigma$, what too large?
 #
 # <details><summary>What we found</summary>
 #
@@ -510,11 +514,12 @@ figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 source(clipped_gain)
 
 # %% [markdown]
-# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `advantage` is what stands for $\delta$ (GAE: the mean of the
-# $n$-step errors of all depths, weighted by $\lambda = 0.95$ as in the λ-return of lesson 3), and `clip` is 0.2.) With bins the network puts out a softmax for each joint,
-# without bins the mean of a Gaussian, and $\sigma$ is learned too. *All the rest is the same*: networks, learning rate
-# 0.001 (falling to 0), $\gamma = 0.999$, 128 copies, rounds of 64 steps, 6 epochs of 8 minibatches, 393 216 steps. A
-# run takes several seconds, so these are stored results of ten seeds.
+# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `advantage` is what stands for $\delta$ (GAE: the mean of
+# the $n$-step errors of all depths, weighted by $\lambda = 0.95$ as in the λ-return of lesson 3), and `clip` is 0.2.)
+# With bins the network puts out a softmax for each joint, without bins the mean of a Gaussian, and $\sigma$ is learned
+# too. *All the rest is the same*: networks, learning rate 0.001 (falling to 0), $\gamma = 0.999$, 128 copies, rounds of
+# 64 steps, 6 epochs of 8 minibatches, 393 216 steps. A run takes several seconds, so these are stored results of ten
+# seeds.
 #
 # While it learns, PPO draws its actions. These returns are in the left panel of the next figure. The right panel shows
 # the same policies when they always take the likeliest bins, or the mean of the Gaussian.
@@ -558,8 +563,9 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # exclude 0. Against real numbers the interval just contains 0. So "fewer actions are learned sooner" is shown for 3
 # bins against more bins here, and for nothing else.
 #
-# With drawn actions 3 bins end no lower on average. One continuous run and one with 9 bins never learn to deliver, and
-# they pull the means down. Drawing actions may cost exactness too; we did not test this.
+# With drawn actions 3 bins end no lower on average. One continuous run and one with 9 bins never learn to deliver (we
+# looked at the single runs), and they pull the means down. Drawing actions may cost exactness too; we did not test
+# this.
 #
 # In the right panel the runs spread widely. Three of the ten continuous policies end at 0 there: the arm holds the box
 # until time is up. Bins fail there too: the printed lines count even more runs below 1 with 9 bins. Nothing in this
@@ -614,8 +620,8 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # Three bins lose little more than what is no longer possible for them.
 # </details>
 #
-# Move the slider until three bins cannot deliver the box at all. (The best return is then 0, for holding the box until time
-# is up.)
+# Move the slider until three bins cannot deliver the box at all. (The best return is then 0, for holding the box until
+# time is up.)
 
 
 # %%
@@ -651,8 +657,8 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 #
 # **Measured.** None. They start narrow: hardly any action reaches the rich container, and those in between hit the
 # wall. So they place the box exactly, in the wrong container. The bins start everywhere, and all of them find the rich
-# container. But they cannot reach its middle, so they stop below 4. Real numbers give exactness, and bins a policy that
-# can have several peaks. </details>
+# container. But they cannot reach its middle, so they stop below 4. So here the wide start decides. (Bins can also hold
+# a policy with several peaks; in this task nothing needs one.) </details>
 #
 # Does a wider start help the Gaussian? Does another first $\mu$?
 
@@ -678,7 +684,7 @@ sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 
 # of 4 by 4 fields with four holes. Here it is not slippery. The only reward is 1 at the goal; a hole ends the episode
 # with 0.
 #
-# **Predict.** REINFORCE with a baseline starts with $\theta = 0$ and $V = 0$. It falls into holes in many episodes
+# **Predict.** REINFORCE with a baseline starts with $\theta = 0$ and $V = 0$. It falls into holes in some episodes
 # before it first reaches the goal. What has it learned from these episodes?
 
 # %%
@@ -783,7 +789,8 @@ display(figures.climb_race(my_scores))
 # $G_t = R_{t+1} + \gamma G_{t+1}$ with $G_n = 0$. Then, for each step $t$ in order (the check accepts the reverse order
 # too; the race shows the difference):
 #
-# - $\delta = G_t - V(S_t)$, with $V(S_t)$ as it is when the turn of step $t$ comes (the steps before it have changed $V$);
+# - $\delta = G_t - V(S_t)$, with $V(S_t)$ as it is when the turn of step $t$ comes (the steps before it have changed
+#   $V$);
 # - move $V(S_t)$ by $\alpha^w \delta$;
 # - move every preference of the state by $\alpha^\theta \gamma^t \delta\, (1\{a = A_t\} - \pi(a \mid S_t))$.
 #
@@ -900,8 +907,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: REINFORCE with a baseline and a Gaussian
-# policy that learns its $\sigma$ too, and its loop, some 40 lines. Each state has a mean $\mu(s)$, a $\ln \sigma(s)$ and a
-# value $V(s)$ of its own, in three arrays. At the end of an episode, for each of its steps $t$:
+# policy that learns its $\sigma$ too, and its loop, some 40 lines. Each state has a mean $\mu(s)$, a $\ln \sigma(s)$
+# and a value $V(s)$ of its own, in three arrays. At the end of an episode, for each of its steps $t$:
 #
 # $$
 # \begin{aligned}
@@ -913,23 +920,24 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # \end{aligned}
 # $$
 #
-# On the right are the $\mu$ and the $\sigma$ from which $A_t$ was drawn. After each step keep $\sigma$ between 0.2 and 2: we saw
-# what happens to narrower policies.
+# On the right are the $\mu$ and the $\sigma$ from which $A_t$ was drawn. After each step keep $\sigma$ between 0.2 and
+# 2: we saw what happens to narrower policies.
 #
-# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
-# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns its
-# mean $\mu$. All else is up to you: functions, classes, any names.
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment,
+# episode after episode, and learns from each episode that ends (drop the last one if time cuts it off). In the end it
+# returns its *policy*: a function that takes a state and returns its mean $\mu$. All else is up to you: functions,
+# classes, any names.
 #
-# - States are whole numbers from 0, and `environment.observation_space.n` says how many there are. An action is one real
-#   number, as large or small as you like.
+# - States are whole numbers from 0, and `environment.observation_space.n` says how many there are. An action is one
+#   real number, as large or small as you like.
 # - Take $\alpha^\theta = 0.005$, $\alpha^w = 0.1$, $\gamma = 0.8$, and begin with $\mu = 0$, $\sigma = 1$ and $V = 0$.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # In the check an arm lets go of three boxes, one after another, each over a container whose middle it does not know. A
 # box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. Your program
-# draws its actions, so none of them is right or wrong. But its own steps tell, by the equations, from which Gaussians it
-# should have drawn them. The check looks whether its actions lie there, and whether those of a usual mistake fit them
-# better. It sees the steps, and no line of your program. So when it names a mistake, this is the likely cause.
+# draws its actions, so none of them is right or wrong. But its own steps tell, by the equations, from which Gaussians
+# it should have drawn them. The check looks whether its actions lie there, and whether those of a usual mistake fit
+# them better. It sees the steps, and no line of your program. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program
@@ -983,18 +991,19 @@ check(project_7, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With continuous actions no agent can try them all. We can
-# choose a few: then the best of these few is the most that we can get, and with $m$ joints there are $n^m$ of them. Or we
-# learn a stochastic policy itself: draw an action from $\pi(a \mid s, \theta)$, and move $\theta$ along
-# $(G - b)\, \nabla \ln \pi$, towards actions that did better than expected. For a Gaussian this moves the mean towards good
-# actions, and makes the policy narrow when good ones are near. It places exactly, but it has one peak and sees only what
-# is near it.
+# choose a few: then the best of these few is the most that we can get, and with $m$ joints there are $n^m$ of them. Or
+# we learn a stochastic policy itself: draw an action from $\pi(a \mid s, \theta)$, and move $\theta$ along $(G - b)\,
+# \nabla \ln \pi$, towards actions that did better than expected. For a Gaussian this moves the mean towards good
+# actions, and makes the policy narrow when good ones are near. It places exactly, but it has one peak and sees only
+# what is near it.
 #
 # ### Limits
-# There are more ways out, which we did not try: search among drawn actions for the largest $Q$ (QT-Opt), give $Q$ a form
-# whose largest value is known (NAF), follow its slope with a deterministic policy (DDPG, TD3). Trashbot has two joints; the growth
-# of $n^m$ was computed and not felt. (Bins need not be crossed: PPO has a softmax for each joint, $nm$ outputs instead of
-# $n^m$.) The agents were tuned by trials of a few settings, so the fast experiment ranks these agents and not all. And
-# the clock is not in the observation, and the wrist does not tell the bend of the elbow, so the task is not quite Markov.
+# There are more ways out, which we did not try: search among drawn actions for the largest $Q$ (QT-Opt), give $Q$ a
+# form whose largest value is known (NAF), follow its slope with a deterministic policy (DDPG, TD3). Trashbot has two
+# joints; the growth of $n^m$ was computed and not felt. (Bins need not be crossed: PPO has a softmax for each joint,
+# $nm$ outputs instead of $n^m$.) The agents were tuned by trials of a few settings, so the fast experiment ranks these
+# agents and not all. And the clock is not in the observation, and the wrist does not tell the bend of the elbow, so the
+# task is not quite Markov.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.
@@ -1003,8 +1012,8 @@ check(project_7, my_program)
 #   gradient, REINFORCE, baselines, actor-critic), 13.7 (policies for continuous actions).
 # - Williams (1992), *Simple statistical gradient-following algorithms for connectionist reinforcement learning*:
 #   REINFORCE.
-# - Silver, Lever, Heess, Degris, Wierstra and Riedmiller (2014), *Deterministic policy gradient algorithms*; Lillicrap et
-#   al. (2016), *Continuous control with deep reinforcement learning*: DDPG.
+# - Silver, Lever, Heess, Degris, Wierstra and Riedmiller (2014), *Deterministic policy gradient algorithms*; Lillicrap
+#   et al. (2016), *Continuous control with deep reinforcement learning*: DDPG.
 # - Gu, Lillicrap, Sutskever and Levine (2016), *Continuous deep Q-learning with model-based acceleration*: NAF;
 #   Kalashnikov et al. (2018), *QT-Opt*: the search for the largest $Q$ by the cross-entropy method.
 # - Schulman, Wolski, Dhariwal, Radford and Klimov (2017), *Proximal policy optimization algorithms*.

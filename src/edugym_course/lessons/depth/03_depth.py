@@ -1010,8 +1010,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its
 # loop, some 40 lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the
-# episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended, all
-# pairs have the rewards that there are.
+# episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended (by
+# `terminated` or by `truncated`), all pairs have the rewards that there are.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -1019,7 +1019,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
-# - Take $n = 3$, $\alpha = 0.5$, $\gamma = 0.99$, $\varepsilon = 0.1$ and first values of 0.
+# - Take $n = 3$, $\alpha = 0.5$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program in small worlds of its own and in Study with eight days and numbered states. It sees the
@@ -1039,7 +1039,7 @@ def choose_action(values, epsilon, rng):
 
 def my_program(environment, n_steps, seed):
     """Learn by n-step SARSA for `n_steps` steps, and return the greedy policy."""
-    n, alpha, gamma, epsilon = 3, 0.5, 0.99, 0.1
+    n, alpha, gamma, epsilon = 3, 0.5, 0.8, 0.1
     rng = np.random.default_rng(seed)
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 

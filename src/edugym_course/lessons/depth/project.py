@@ -5,15 +5,19 @@ from functools import partial
 from typing import Any
 
 import gymnasium
+import numpy as np
 
 from edugym.adapters.fitting import tabular
 from edugym.agents.n_step_sarsa import NStepSARSA
+from edugym.agents.strategies import EpsilonGreedy
+from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.programs import Environment
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.grading.programs import Environment, run_program
+from edugym_course.grading.replay import TRIAL, Learner, Rule, SmallWorld, mistakes_of_loops
 from edugym_course.lessons.depth.targets import EPSILON
 
-N_STEPS, N, LEARNING_RATE, DISCOUNT = 5_000, 3, 0.5, 0.99
+N_STEPS, N, LEARNING_RATE, DISCOUNT = 5_000, 3, 0.5, 0.8
+"""A discount far below 1, so that a program whose powers of γ are wrong takes other actions."""
 
 
 def agent(
@@ -21,6 +25,59 @@ def agent(
 ) -> NStepSARSA:
     """Make an agent with the settings of the project."""
     return NStepSARSA.create(shape, n=n, learning_rate=learning_rate, discount=discount)
+
+
+class FromDefinition:
+    """n-step SARSA from lists, with a mistake in its target.
+
+    Args:
+        shape: that of the table.
+        largest: whether the largest value of the state after n steps stands in the place of that of the action taken.
+        bootstrap: the weight of this value.
+        from_start: whether the power of γ of a reward is that of its place in the episode.
+        last_only: whether at the end of an episode only the pair of n steps before is learned.
+    """
+
+    def __init__(
+        self,
+        shape: tuple[int, int],
+        *,
+        largest: bool = False,
+        bootstrap: float = DISCOUNT**N,
+        from_start: bool = False,
+        last_only: bool = False,
+    ) -> None:
+        """Begin with zeros."""
+        self.Q = np.zeros(shape)
+        self._largest, self._bootstrap, self._from_start, self._last_only = largest, bootstrap, from_start, last_only
+        self.forget_episode()
+
+    def act(self, state: int, rng: Random) -> int:
+        """Choose an action by ε-greedy."""
+        return EpsilonGreedy(EPSILON).choose(self.Q, state, rng)
+
+    def forget_episode(self) -> None:
+        """Begin an episode."""
+        self._pairs: list[tuple[int, int]] = []
+        self._rewards: list[float] = []
+
+    def learn(
+        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
+    ) -> None:
+        """Learn the pairs whose rewards are complete."""
+        self._pairs.append((state, action))
+        self._rewards.append(reward)
+        steps = len(self._pairs)
+        after = (
+            0.0 if terminated else float(self.Q[next_state].max() if self._largest else self.Q[next_state, next_action])
+        )
+        for tau in range(max(steps - N, 0), steps if terminated and not self._last_only else steps - N + 1):
+            first = tau if self._from_start else 0
+            rewards = enumerate(self._rewards[tau : tau + N])
+            target = sum(DISCOUNT ** (first + k) * reward for k, reward in rewards) + self._bootstrap * after
+            self.Q[self._pairs[tau]] += LEARNING_RATE * (target - self.Q[self._pairs[tau]])
+        if terminated:
+            self.forget_episode()
 
 
 def study() -> Environment:
@@ -40,6 +97,21 @@ RULE = Rule(
             partial(agent, n=math.inf)
         ),
         "the target has the next reward alone": Learner(partial(agent, n=1, discount=0.0)),
+        "after the rewards comes the largest value of S_τ+n, and it should be that of the action taken there, A_τ+n:"
+        " with the maximum the target is the uncorrected one of this lesson": Learner(
+            partial(FromDefinition, largest=True)
+        ),
+        "no value comes after the n rewards: γⁿ Q(S_τ+n, A_τ+n) is missing": Learner(
+            partial(FromDefinition, bootstrap=0.0)
+        ),
+        "at the end of an episode only one pair is learned, and the others that are left have rewards to learn from"
+        " too": Learner(partial(FromDefinition, last_only=True)),
+        "the value after the n rewards is not discounted: it is γⁿ Q(S_τ+n, A_τ+n)": Learner(
+            partial(FromDefinition, bootstrap=1.0)
+        ),
+        "the rewards are discounted from the start of the episode, and they should be from step τ: the first reward of"
+        " a target has the weight 1": Learner(partial(FromDefinition, from_start=True)),
+        "nothing is discounted: γ is 0.8 in the text": Learner(partial(agent, discount=1.0)),
         "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
     },
     EPSILON,
@@ -52,5 +124,6 @@ STUDY = Race(study, N_STEPS, program_of(agent), episodes=20)
 
 def project_3(answer: Any, seed: int) -> str:
     """Check a program with n-step SARSA."""
+    run_program(answer, SmallWorld(seed), TRIAL, seed)  # its episodes are truncated: does the program begin a new one?
     RULE.check(answer, seed)
     return f"Right: n rewards, and then a value. {compare_with_ours(answer, STUDY, seed)}"

@@ -117,9 +117,9 @@ figures.size_sheet()
 
 # %% [markdown]
 # The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
-# line of the network counts weights, all others rows. The two lowest lines lie close together: only 195 boards can be
-# seen while the ball falls, one for each state that can occur. So a table could hold rows for those boards alone. A
-# *hashed* table does: it gives a row to each board when it is seen for the first time.
+# line of the network counts weights, all others rows. The line of the boards that can be seen lies close to that of the
+# positions: only 195 boards can be seen while the ball falls, one for each state that can occur. So a table could hold
+# rows for those boards alone. A *hashed* table does: it gives a row to each board when it is seen for the first time.
 #
 # ### Features: rows that share
 # In a table each row is learned alone. To learn about many states at once, describe a state by some numbers, its
@@ -132,17 +132,17 @@ figures.size_sheet()
 #
 # The weights are learned like this. Call the target $y = R + \gamma \max_a \hat q(S', a, w)$ ($R$ alone if $S'$ is
 # terminal). We want the squared error $\frac{1}{2} \left[ y - \hat q(S, A, w) \right]^2$ to become smaller. Its
-# derivative with respect to a weight $w_{iA}$ of the action taken is $-\left[ y - \hat q(S, A, w) \right] x_i(S)$ if we take $y$ for
-# a constant; for other actions it is 0. So a step of size $\alpha$ down the slope is
+# derivative with respect to a weight $w_{iA}$ of the action taken is $-\left[ y - \hat q(S, A, w) \right] x_i(S)$ if we
+# take $y$ for a constant; for other actions it is 0. So a step of size $\alpha$ down the slope is
 #
 # $$
 # w_{iA} \leftarrow w_{iA} + \alpha \left[ y - \hat q(S, A, w) \right] x_i(S) \qquad \text{for all } i
 # $$
 #
 # But $y$ is no constant: it depends on $w$ as well, through the value of $S'$. That part of the derivative is left out.
-# Hence the name *semi-gradient* (section 9.3). In the code, each computation of a value leaves the features of its state
-# in `features`. The target needs the value of $S'$, so it comes first, and then the value of $S$, whose features
-# `follow_gradient` finds there. (`at_once`, by which the step is divided, is 1 here.)
+# Hence the name *semi-gradient* (section 9.3). In the code, each computation of a value also writes the features of its
+# state into `features`. So the value of $S'$ is computed first, for the target, and the value of $S$ last: then the
+# features of $S$ stand there, and `follow_gradient` uses them. (`at_once`, by which the step is divided, is 1 here.)
 
 # %%
 source(LinearQLearning.learn)
@@ -173,13 +173,13 @@ source(dqn.forward)
 # DQN (section 16.5) learns $\theta$ by the same idea, with three additions:
 #
 # - **A memory.** The latest 10 000 transitions $(S, A, R, S')$ are kept, each with a note whether $S'$ is terminal.
-#   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from many times, and those in a batch
-#   have little to do with each other.
-# - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up to
-#   date every 100 updates. (An aside below shows why.)
+#   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from many times, and those in a
+#   batch have little to do with each other.
+# - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up
+#   to date every 100 updates. (An aside below shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
-#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (The sign of the error is the other one
-#   here, as we go *down* the slope of the loss.)
+#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This error is the value less the
+#   target, and not the target less the value, since we go *down* the slope of the loss.)
 #
 # Learning starts after 200 steps. Adam chooses the step for each weight.
 #
@@ -189,15 +189,16 @@ source(dqn.forward)
 # $$
 #
 # If $S'$ is terminal, $y = R$. In the code `self.target` is $\theta^-$, the old *weights*, and `target` is $y$. `batch`
-# holds the places in the memory that were drawn. `act` draws them, since it is the only method that gets random numbers.
+# holds the places in the memory that were drawn. `act` draws them, since it is the only method that gets random
+# numbers.
 
 # %%
 source(DQN, "learn", "add_gradient")
 
 # %% [markdown] tags=["aside"]
 # ### Aside: the rest of the agent
-# These lines say how it acts, how it remembers, when an update is due, and how the old weights become new.
-# The memory is written from its beginning again when it is full, hence `%`. (Weights, like counters, stand in arrays, since the
+# These lines say how it acts, how it remembers, when an update is due, and how the old weights become new. The memory
+# is written from its beginning again when it is full, hence `%`. (Weights, like counters, stand in arrays, since the
 # fields of a `NamedTuple` are fixed: `self.steps[0]` is a number.)
 
 # %%
@@ -234,12 +235,14 @@ frames("Catch", choose, seed=2)
 # | network | DQN, 64 hidden units, Adam with learning rate 0.001; 5 repetitions, so its bands are wide |
 # | evaluation | 30 greedy episodes at each point |
 #
-# A line in the figures is the mean over the repetitions, and the band its 95 % confidence interval, which can pass above 1.
+# A line in the figures is the mean over the repetitions, and the band its 95 % confidence interval, which can pass
+# above 1.
 #
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
 #
-# The cell after the next is the whole experiment, once for positions and once for boards. (`methods.learn` makes this call
-# too.)
+# The cell after the next is the whole experiment, once for positions and once for boards. Both calls of `repeat` have
+# the same seeds, so run 7 of one table sees the same balls as run 7 of the other. (`methods.learn`, further down, calls
+# `repeat` in the same way.)
 #
 # **Predict.** How fast does the table of boards learn, compared with the table of positions?
 
@@ -270,8 +273,8 @@ slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Exactly as fast. For a table the names of its rows mean nothing: "position (2, 3, 1)" and "the board with
-# these two ones" are two names of the same row. So it is wrong that "a table cannot read pixels".
+# **Measured.** Exactly as fast. For a table the names of its rows mean nothing: "position (2, 3, 1)" and "the board
+# with these two ones" are two names of the same row. So it is wrong that "a table cannot read pixels".
 # </details>
 #
 # Now the pixels get noisy, in three ways. The first pixel takes one of 16 levels at random, at every step. Or all
@@ -305,8 +308,8 @@ sees.measured(sees.options[sum(int(means[methods.PIXELS] > 0.5) for means in lis
 # %% [markdown]
 # ## Your turn
 #
-# What decides how fast the table learns? Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Change
-# $\varepsilon$, $\alpha$ and $\gamma$. Which matters? (10 repetitions of 20 000 steps.)
+# What decides how fast the table learns? Left: the size of the board. Right: the levels of one noisy pixel, on the
+# usual board. Change $\varepsilon$, $\alpha$ and $\gamma$. Which matters? (10 repetitions of 20 000 steps.)
 
 
 # %%
@@ -321,10 +324,10 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# None of the three matters much; the columns and the levels do. On five columns without noise every setting that we
+# The columns and the levels matter most. On five columns without noise every setting of the other three that we
 # tried came to 1 within 3 000 steps. One reason may be that only the column of the ball is random: an outcome that was
-# seen once stays true, so a large $\alpha$ does no harm. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended
-# somewhat lower, at 0.71 and 0.77 instead of 0.85. </details>
+# seen once stays true, so a large $\alpha$ does no harm there. With 16 levels it does some: $\alpha = 1$ ended at 0.71
+# and $\varepsilon = 1$ at 0.77, instead of 0.85. </details>
 
 # %% [markdown] tags=["aside"]
 # ### Aside: turn the knobs of the network
@@ -370,12 +373,12 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # $$
 #
 # The episode ended, so the target is $y = R = 1$. Action 0 was taken, so the error is $\delta = 0.5 - 1 = -0.5$, and
-# its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is 0,
-# since the loss does not contain it.
+# its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is
+# 0, since the loss does not contain it.
 #
-# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step with
-# it, in the first layer and then in the
-# second one. Its counters, such as `updates`, are arrays with one number, so that machine code can change them.)
+# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step
+# with it, in the first layer and then in the second one. Its counters, such as `updates`, are arrays with one number,
+# so that machine code can change them.)
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?
 
@@ -479,8 +482,8 @@ unseen.measured(len(generalises))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run of
-# ten: see the aside.)
+# no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run
+# of ten: see the aside.)
 # </details>
 #
 # ### The picture that explains it
@@ -516,10 +519,10 @@ for row in touched:
 # the test, it is multiplied by random weights, as they were drawn at the start.
 #
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
-# network on pixels shares much between boards that have most pixels in common, as with noise. But a ball in column 1 and
-# a ball in column 2 light different pixels, so no weight that reads the ball is shared. Ball minus paddle shares all that
-# matters, and there a person has done the work. So has whoever chose the network of the next aside, a CNN in which no
-# weight belongs to a column: it catches the withheld balls.
+# network on pixels shares much between boards that have most pixels in common, as with noise. But a ball in column 1
+# and a ball in column 2 light different pixels, so no weight that reads the ball is shared. Ball minus paddle shares
+# all that matters, and there a person has done the work. So has whoever chose the network of the next aside, a CNN in
+# which no weight belongs to a column: it catches the withheld balls.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the paddle goes instead
@@ -542,9 +545,10 @@ for column in tasks.WITHHELD:
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle ends in the middle.
 #
-# Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 nearly half of its runs learn
-# the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values. Weights
-# exist that catch every ball: try to find them. In 60 runs with each of four learning rates Q-learning found none.
+# Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 nearly half of its runs
+# learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
+# Weights exist that catch every ball: try to find them. In 60 runs with each of four learning rates Q-learning found
+# none.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: can a network share more?
@@ -960,8 +964,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ### From a blank file: a network that catches
 # Write a program with a network that plays Catch from pixels: the whole of it, in plain Python with NumPy and
-# Gymnasium, with no agent of this package. The state $S$ is an image with pixels $x$. With the network and the target of this
-# lesson, the derivatives of the squared error $\frac{1}{2} \delta^2$ of one transition are, by the chain rule,
+# Gymnasium, with no agent of this package. The state $S$ is an image with pixels $x$. With the network and the target
+# of this lesson, the derivatives of the squared error $\frac{1}{2} \delta^2$ of one transition are, by the chain rule,
 #
 # $$
 # \text{by } W_2[A, j]: \; \delta\, h_j, \qquad
@@ -970,25 +974,26 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # Here $\delta = Q(S, A; \theta) - y$. The derivatives by the biases $b_2[A]$ and $b_1[j]$ are $\delta$ and $g_j$. With
 # a batch of images as the rows of a matrix, each of these is one line of NumPy. (The notebook with the solutions has a
-# program in NumPy, and beside it the same in PyTorch, which finds the gradient itself. Your program may use PyTorch, too.)
+# program in NumPy, and beside it the same in PyTorch, which finds the gradient itself. Your program may use PyTorch,
+# too.)
 #
-# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode
-# after episode, and learns the values of actions. In the end it returns its *policy*, a function from an image to the
-# best action. All else is up to you: a memory or none, Q-learning or SARSA, any optimiser.
+# **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment,
+# episode after episode, and learns the values of actions. In the end it returns its *policy*, a function from an image
+# to the best action. All else is up to you: a memory or none, Q-learning or SARSA, any optimiser.
 #
-# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1. The actions are the whole numbers
-#   from 0 to `environment.action_space.n - 1`.
-# - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random. Adam with a learning
-#   rate of 0.001 is a good choice, with a batch of 32 from memory at every step. So is plain gradient descent with 0.05,
-#   from each step once.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch needs
-#   `torch.manual_seed(seed)` besides.)
+# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1. The actions are the whole
+#   numbers from 0 to `environment.action_space.n - 1`.
+# - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random. Adam with a
+#   learning rate of 0.001 is a good choice, with a batch of 32 from memory at every step. So is plain gradient descent
+#   with 0.05, from each step once.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch
+#   needs `torch.manual_seed(seed)` besides.)
 #
 # The check first gives your program four riddles, each in three runs of 2 000 steps. A riddle is a task with six images
-# that asks for one part of the method. Then the program learns Catch in three runs of 10 000 steps, on a board of 5 by 5
-# pixels that is darkened by a new factor at every step. The policy of the middle run has to catch 70 % of the balls. The
-# check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. And a mistake
-# that does no harm in these tasks, it does not find.
+# that asks for one part of the method. Then the program learns Catch in three runs of 10 000 steps, on a board of 5 by
+# 5 pixels that is darkened by a new factor at every step. The policy of the middle run has to catch 70 % of the balls.
+# The check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. It
+# cannot find a mistake that does no harm in these tasks.
 
 # %% tags=["project"]
 my_program = ...  # your program

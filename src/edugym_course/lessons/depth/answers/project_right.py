@@ -7,7 +7,8 @@ def my_program(environment, n_steps, seed):
         episode, over = [], False
         while not over and t < n_steps:
             a = rng.integers(Q.shape[1]) if rng.random() < 0.1 else Q[s].argmax()
-            s2, r, over, _, _ = environment.step(a)
+            s2, r, terminated, truncated, _ = environment.step(a)
+            over = terminated or truncated
             episode.append((s, a, r))
             s, t = s2, t + 1
         if not over:
@@ -15,7 +16,7 @@ def my_program(environment, n_steps, seed):
         for tau in range(len(episode)):
             G, weight = 0.0, 1.0
             for _, _, r in episode[tau : tau + 3]:
-                G, weight = G + weight * r, 0.99 * weight
+                G, weight = G + weight * r, 0.8 * weight
             if tau + 3 < len(episode):
                 G += weight * Q[episode[tau + 3][:2]]
             s, a, _ = episode[tau]
@@ -39,7 +40,8 @@ def my_program(environment, n_steps, seed):
     while t < n_steps:
         S, A, R, over = [s], [choose(Q[s], rng)], [], False
         while not over:
-            s, r, over, truncated, _ = environment.step(A[-1])
+            s, r, terminated, truncated, _ = environment.step(A[-1])
+            over = terminated or truncated
             t += 1
             S.append(s)
             A.append(choose(Q[s], rng))
@@ -47,9 +49,9 @@ def my_program(environment, n_steps, seed):
             for tau in range(len(R)) if over else [len(R) - n]:
                 if tau < 0 or (over and tau < len(R) - n):
                     continue
-                G = sum(0.99**k * r for k, r in enumerate(R[tau : tau + n]))
+                G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
                 if not over:
-                    G += 0.99**n * Q[S[tau + n], A[tau + n]]
+                    G += 0.8**n * Q[S[tau + n], A[tau + n]]
                 Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
         s, _ = environment.reset()
     return lambda s: int(Q[s].argmax())

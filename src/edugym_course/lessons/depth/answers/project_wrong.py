@@ -25,9 +25,9 @@
 # %% the next reward
 # says: the target has the next reward alone
 # in: three steps later
-# - G = sum(0.99**k * r for k, r in enumerate(R[tau : tau + n]))
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # - if not over:
-# -     G += 0.99**n * Q[S[tau + n], A[tau + n]]
+# -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
 # + G = R[tau]
 
 # %% slow
@@ -40,17 +40,17 @@
 # says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
 # in: three steps later
 # - if not over:
-# -     G += 0.99**n * Q[S[tau + n], A[tau + n]]
-# + G += 0.99**n * Q[S[min(tau + n, len(S) - 1)], A[min(tau + n, len(S) - 1)]]
+# -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8**n * Q[S[min(tau + n, len(S) - 1)], A[min(tau + n, len(S) - 1)]]
 
 # %% no value
-# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
+# says: no value comes after the n rewards: γⁿ Q(S_τ+n, A_τ+n) is missing
 # in: three steps later
 # - if not over:
-# -     G += 0.99**n * Q[S[tau + n], A[tau + n]]
+# -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
 
 # %% only the last pair at the end
-# says: pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
+# says: at the end of an episode only one pair is learned, and the others that are left have rewards to learn from too
 # in: three steps later
 # - for tau in range(len(R)) if over else [len(R) - n]:
 # + for tau in [len(R) - n]:
@@ -74,3 +74,37 @@
 # in: three steps later
 # - s, _ = environment.reset()
 # + environment.reset()
+
+# %% the largest value
+# says: after the rewards comes the largest value of S_τ+n, and it should be that of the action taken there, A_τ+n: with the maximum the target is the uncorrected one of this lesson
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8**n * Q[S[tau + n]].max()
+
+# %% a value that is not discounted
+# says: the value after the n rewards is not discounted: it is γⁿ Q(S_τ+n, A_τ+n)
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += Q[S[tau + n], A[tau + n]]
+
+# %% discounted from the start of the episode
+# says: the rewards are discounted from the start of the episode, and they should be from step τ: the first reward of a target has the weight 1
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8 ** (tau + k) * r for k, r in enumerate(R[tau : tau + n]))
+
+# %% no discount
+# says: nothing is discounted: γ is 0.8 in the text
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# - if not over:
+# -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G = sum(R[tau : tau + n])
+# + if not over:
+# +     G += Q[S[tau + n], A[tau + n]]
+
+# %% an end that is cut off is no end
+# says: takes a step after the end of an episode
+# in: three steps later
+# - over = terminated or truncated
+# + over = terminated

@@ -344,11 +344,12 @@ def _told_update(step: Step, found: Any) -> str:
     """Return the first part of the sentence: what was expected in which case, and what came."""
     right = right_update(step)
     i, a = differing(right, found)[0]
-    what = f"to {digits(right[i, a], found[i, a])}" if right[i, a] != step.w[i, a] else "nowhere"
+    change = f"go from {step.w[i, a]:g} to {digits(right[i, a], found[i, a])}"
+    change = change if right[i, a] != step.w[i, a] else f"stay at {step.w[i, a]:g}"
     ended = "the episode over" if step.terminated else f"next features {in_brackets(step.x_next)} with the values "
     ended += "" if step.terminated else in_brackets(step.x_next @ step.w)
     return (
         f"with α = {step.alpha:g}, γ = {step.gamma:g}, features {in_brackets(step.x)}, action {step.action} of the"
-        f" value {step.x @ step.w[:, step.action]:g}, reward {step.reward:g} and {ended}, w[{i}, {a}] should go from"
-        f" {step.w[i, a]:g} {what}, but is {digits(found[i, a], right[i, a])}"
+        f" value {step.x @ step.w[:, step.action]:g}, reward {step.reward:g} and {ended}, w[{i}, {a}] should {change},"
+        f" but is {digits(found[i, a], right[i, a])}"
     )
