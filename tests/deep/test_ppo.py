@@ -10,11 +10,13 @@ from torch import Tensor
 from torch.distributions import Categorical, Normal
 from torch.nn import functional
 
-from edugym import MDPEnv
+from edugym import MDPEnv, QLearning, profile
 from edugym.deep import PPO
 from edugym.deep.actor_critic import ActorCritic, Gaussian, Softmax
 from edugym.deep.curves import Curve, copies
 from edugym.deep.ppo import Adam, advantages_of, normalised
+from edugym.experiments.profiles.ladders import LADDERS
+from edugym.experiments.profiles.own_training import trains_itself
 from tests.adapters.playing.tasks import Walk
 from tests.deep.test_curves import measured
 from tests.messages import named
@@ -308,3 +310,11 @@ def test_it_learns_cart_pole() -> None:
     before, after = np.transpose([ppo.train(120_000, seed=seed, **how).returns for seed in range(2)])
     assert before.max() < 100
     assert after.min() > 475
+
+
+def test_it_can_be_profiled() -> None:
+    """It trains itself, though it has a method `learn`; a table does not."""
+    short = next(ladder for ladder in LADDERS if ladder.name == "Catch")._replace(strengths=(4,), n_steps=4_096)
+    found = profile({"PPO": PPO.create}, challenges=[short], repetitions=2, jobs=1)
+    assert found.score("PPO", "Catch").n == 2
+    assert not trains_itself(QLearning.create((3, 2)))

@@ -20,7 +20,7 @@ Points = tuple[list[int], list[float]]
 
 def trains_itself(agent: Any) -> bool:
     """Whether an agent is trained by a method of its own, not by `edugym.train`."""
-    return hasattr(agent, TRAIN) and not hasattr(agent, "learn")
+    return hasattr(agent, TRAIN) and not hasattr(agent, "act")  # a step of its own training may be called `learn`
 
 
 def curves(
