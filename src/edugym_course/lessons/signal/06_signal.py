@@ -317,12 +317,10 @@ sliders(
 # |---|---|
 # | none ($\tau = 0.05$, $L = 1$, $H = 4$, $\alpha = 0.02$, $\gamma = 0.5$) | 3 000 |
 # | $\gamma = 0$; 0.9 | 3 190; 2 950 |
-# | $L = 2$; 3; 4 | 2 410; 780; 280 |
 # | $H = 8$; 3 | 3 080; −720 |
 #
-# It need not look ahead. Synonyms ($H = 8$) cost nothing here, and ambiguous words ($H = 3$) cost everything. With
-# $\alpha = 0.02$ longer messages hurt. With $\alpha = 0.2$ four words help: Q-learning gets 3 410. (The vote gets 5 060
-# from them.) Why is the next question.
+# It need not look ahead. Synonyms ($H = 8$) cost nothing in the end (further down an aside shows that they cost time), and
+# ambiguous words ($H = 3$) cost everything. What longer messages do is the next question.
 # </details>
 
 # %% [markdown]
@@ -439,7 +437,7 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # about each need. Here it never tells the two needs of a word apart.
 #
 # Tossing a coin between the two meanings is better: each need is met now and then. Where the state is hidden and nothing
-# is remembered, a random policy can be better than every one that is not (Singh, Jaakkola and Jordan, 1994). With a
+# is remembered, a random policy can be better than every deterministic one (Singh, Jaakkola and Jordan, 1994). With a
 # known state that never happens. So bits alone do not say what a message is worth. What counts is which mistakes it
 # leaves.
 # </details>
