@@ -2,10 +2,12 @@
 
 import math
 import random
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
+from edugym import FrameStack
 from edugym.exact.checking import FALSE_ALARM, divergence, global_randomness
 from edugym.exact.model import finite_model
 from tests.compiled.cells import SLIPPERY, WALK, cell
@@ -48,6 +50,13 @@ def test_a_silently_wrong_model_is_refused(line: str, code: str, reason: str) ->
     """Whatever hides from the branching shows in real steps."""
     with pytest.raises(ValueError, match=f"Walk has no finite model: .*{reason}"):
         finite_model(cell(slip(line, code))["Walk"](4))
+
+
+def test_a_wrapper_of_the_package_hides_nothing() -> None:
+    """Only what is the package's own throughout is not compared."""
+    walk = cell(slip(MOVE, "return min(4, state + 1) if type(rng.random()) is float else 0"))["Walk"](4)
+    with pytest.raises(ValueError, match=r"FrameStack has no finite model: .*a real step leads to"):
+        finite_model(cast(Any, FrameStack.create(walk, 2)))
 
 
 def test_correct_models_are_not_refused() -> None:
