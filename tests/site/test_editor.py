@@ -172,9 +172,9 @@ def test_of_another_task_no_game_is_shown() -> None:
     assert not any(map(len, games))
 
 
-@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+@pytest.mark.parametrize("race", [race for race in RACES if not race.measure], ids=lambda race: race.environment)
 def test_games_are_pictures_of_the_page(race: Race) -> None:
-    """Every moment of a game is one that the page can draw."""
+    """Every moment of a game is one that the page can draw. Where rewards are vectors, the page has no editor."""
     mdp, where = race.mdp(race.strength.first), MAPS[race.environment]
     entry = playground.menu(race)["agents"][-1]
     scene = scenery(where, mdp)

@@ -75,15 +75,13 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
     except Exception as error:  # Numba has no one class for all that can be wrong
         raise CompilationError(_reason(error, code)) from error
     machine_code = _find_or_build(numba, loop, signature, code)
-    kinds = tuple(map(_kinds, arguments))
-    last = arguments  # most arguments of a loop stay the same objects, whose parts need no second look
+    kinds = _kinds(arguments)
     namesake = False  # whether Numba's fast path confuses a class with another of the same name
 
     def run(*given: Any) -> Any:
-        nonlocal last, namesake
+        nonlocal namesake
         arguments = _with_located(given, streams)
-        if not namesake and all(map(_fits, given, last, kinds)):
-            last = given
+        if not namesake and _kinds(given) == kinds:
             try:
                 return machine_code(*arguments)
             except TypeError as error:
@@ -102,11 +100,6 @@ def _kinds(value: Any) -> Any:
     if isinstance(value, tuple):
         return type(value), *map(_kinds, tuple.__iter__(value))
     return type(value)
-
-
-def _fits(value: Any, known: Any, kinds: Any) -> bool:
-    """Whether a value is one of these kinds, as `known` is."""
-    return value is known or bool(_kinds(value) == kinds)
 
 
 def _with_located(arguments: tuple[Any, ...], streams: list[int]) -> tuple[Any, ...]:

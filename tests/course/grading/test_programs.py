@@ -116,8 +116,9 @@ WRONG: dict[str, tuple[Any, str]] = {
     ),
     "a table": (
         partial(plays, policy=np.zeros((2, 2))),
-        "should return a function from a state to an action, but what it returns is of the type ndarray: for a table Q"
-        " that is `lambda state: int(Q[state].argmax())`",
+        "should return a function from a state to an action, but what it returns is of the type ndarray: for a table of"
+        " action values that is `lambda state: int(Q[state].argmax())`, and for an array with an action for each state"
+        " `lambda state: actions[state]`",
     ),
     "a class as a policy": (partial(plays, policy=SmallWorld), "what it returns is the class SmallWorld"),
     "both": (reads_both, "reset gives two things: state, info = environment.reset()"),

@@ -82,8 +82,8 @@ for k in range(8):
 # V_{\text{weighted}} = \frac{\sum_i \rho_i\, G_i}{\sum_i \rho_i}
 # $$
 #
-# The dynamics are in both probabilities of the night, and cancel. The ordinary estimate has no bias if $b$ takes every action that
-# $\pi$ takes. The weighted one has a little, and much less variance. A third one weighs each reward only by the actions *before* it
+# The probabilities of a night under $\pi$ and under $b$ have the same factors $p(s' \mid s, a)$, which cancel. The ordinary estimate has no bias if $b$ takes every action that
+# $\pi$ takes. The weighted one has a little, and often much less variance. A third one weighs each reward only by the actions *before* it
 # (*per decision*), since what is done later changes nothing of it.
 #
 # Our $b$ agrees with $\pi$ in two steps of three: in half of them on purpose, and else in one of three by luck. In all eight
@@ -98,7 +98,7 @@ for k in range(8):
 # $$
 #
 # Where $Q$ is right, what stands in the parentheses is 0 on average, and the weights have little to multiply. Where it is wrong, the data put
-# it right. It has no bias, whatever $Q$ is, under the same condition as above.
+# it right. Under the same condition as above it has no bias, whatever $Q$ is, if $Q$ does not come from the same nights.
 
 # %%
 for method in methods.ESTIMATORS:
@@ -108,7 +108,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 
 # %% [markdown]
 # The number after ± is the standard error. The last number is the *effective* number of nights, $(\sum \rho)^2 / \sum \rho^2$: here those whose weight is not 0. Of 1 000 nights
-# 44 say something about the best clock.
+# 44 follow the best clock to their end. (The last two estimates also use the beginnings of nights that leave it later.)
 #
 # ### Learn from the data alone
 # *Fitted Q-iteration* is Q-learning without interaction. It goes through all steps of the log-book at once, again and again:
@@ -130,7 +130,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 # $$
 #
 # It is a bonus for exploring with the sign turned round: who may explore goes where little is known, and
-# who may not keeps away. In the package both are the same lines; `fitted_q_iteration` has a penalty of 0, and `unseen` is 0.
+# who may not keeps away. In the package one function does both: for `fitted_q_iteration` the penalty is 0, and `unseen` is 0.
 
 # %%
 source(fitted_values)
@@ -139,7 +139,7 @@ source(fitted_values)
 # ## The experiment: whose log-book?
 #
 # Two clocks have kept a log-book of 300 nights. One presses random buttons (share 0); its nights are worth −9 on average. The other is nearly perfect
-# (share 0.97); its nights are worth 9.7. This is the whole experiment, once:
+# (share 0.97); its nights are worth 9.7. These are the data of one repetition:
 
 # %%
 for share in (0.0, 0.97):
@@ -153,7 +153,7 @@ for share in (0.0, 0.97):
 # |---|---|
 # | data | 300 nights of a clock with a share from 0 to 0.97 |
 # | fitted Q as it is | what was never tried is worth 0 |
-# | with pessimism | $c = 1$, and the lowest return is −42: eight rings, and oversleeping |
+# | with pessimism | $c = 1$, and the lowest return is −42: eight rings, and oversleeping (a bound; no night is as bad) |
 # | promised and kept | the learned $V$ of the first state; the exact return of the greedy policy |
 # | repetitions | 100, each with other nights; bands are 95 % intervals |
 #
@@ -180,9 +180,9 @@ whose.measured(whose.options[0 if random_kept > good_kept + 0.5 else 1 if good_k
 #
 # **Measured.** From the random clock: what is learned from its nights keeps 10.1, all but the best. The nearly perfect clock, whose nights are
 # worth 9.7, teaches one that keeps 5.8, and promises 13.4, more than any clock can be worth. From a share of
-# 0.6 on, the better the clock, the larger the gap. With pessimism it is the other way round: 10.3 from the good log-book, and it promises a little less than it keeps.
+# 0.6 on, the better the clock, the larger the gap. With pessimism the promise lies a little below what is kept, and what is learned from the good log-book keeps 10.3.
 #
-# So "more data is better data" is wrong twice. It matters *what the data cover*; and the value that offline Q-learning reports is not what
+# So "data of a better clock are better data" is wrong. It matters *what the data cover*. And the value that offline Q-learning reports is not what
 # you get.
 # </details>
 
@@ -205,7 +205,7 @@ sliders(one_setting, n_nights=[30, 100, 300, 1000], penalty=[0.0, 0.3, 1.0, 3.0,
 #
 # With 30 nights, fitted Q as it is promises too much whoever wrote the log-book: then even random buttons leave much untried. With
 # pessimism and a good log-book 30 nights are enough. A larger penalty promises less and less. What is kept from a good
-# log-book stays the same; what is kept from random nights gets less, since there nothing is known well.
+# log-book stays the same; what is kept from random nights gets less. (A guess: with so large a penalty no action there was tried often enough.)
 # </details>
 
 # %% [markdown]
@@ -225,7 +225,7 @@ for state in ((5, 2), (6, 2), (7, 2)):
 print(f"promised {learned.start:.1f}, kept {policy_evaluation(model, learned.greedy_policy()).start:.1f}")
 
 # %% [markdown]
-# At $(6, 2)$ the good clock has always chimed. That brings −0.7 by the data. Nobody has tried to stay quiet there, so it keeps
+# At $(6, 2)$ the good clock has always chimed. Its value is −0.7 by the data (in truth it is lower still). Nobody has tried to stay quiet there, so it keeps
 # its 0, and 0 is more. The maximum takes it. At $(5, 2)$ somebody stayed quiet once, and got 2; the target adds the 0 of the
 # next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps.
 #
@@ -238,9 +238,9 @@ for method in ("ordinary", "per decision", "doubly robust"):
     print(f"{method:13} {found.value:5.2f} ± {found.standard_error:.2f}, as from {found.effective_episodes:.0f} nights")
 
 # %% [markdown]
-# They cannot: $b$ hardly takes the actions that this policy takes, so the condition does not hold. The doubly robust estimate even
+# They cannot. The condition holds, since $b$ takes every action now and then; but nights as this policy plays them are so rare that these 300 contain none. The doubly robust estimate even
 # repeats the promise, with a standard error of 0, since no step of the data corrects the values it was given. But one number does warn: these
-# estimates rest on *no* night. Look at the effective number before you look at the estimate.
+# estimates rest on *no* whole night. Look at the effective number before you look at the estimate.
 
 # %% [markdown]
 # ## Predict, then check
@@ -344,7 +344,7 @@ cost.measured(cost.options[(0 if gain > 0.15 else 3 if gain < -0.15 else 1) if l
 # ### How many nights count?
 # A night of 12 steps. The log-book has again 1 000 nights of a clock with share 0.5, and we judge the best clock.
 #
-# **Predict.** How many of the 1 000 nights count? (Of nights of 8 steps it was about 39.)
+# **Predict.** How many of the 1 000 nights count? (Of nights of 8 steps 39 were to be expected, and there were 44.)
 
 # %%
 counting = predict("Of 1000 nights of 12 steps there count ...", unit="nights")
@@ -359,8 +359,8 @@ counting.measured(longer.effective.mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 8. Each further step takes a third of what is left: the number of nights that an estimate needs grows exponentially with the length of
-# a night. So on a long task importance sampling of whole episodes is hopeless unless $b$ is close to $\pi$. That is one reason for values, in spite of their
-# bias. The figure shows how far each estimate is off on nights of 8 steps:
+# a night. So on a long task importance sampling of whole episodes is hopeless unless $b$ is close to $\pi$. This is one reason to learn values instead,
+# although they are biased. The figure shows how far each estimate is off on nights of 8 steps:
 # </details>
 
 # %%
@@ -515,8 +515,8 @@ check(project_16, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - A policy that never acted can be judged by the data of another one; of 1 000 nights about 39 counted, and of longer nights 8.
-# - Fitted Q learned a better clock from random nights than from those of a nearly perfect clock, which leave most actions untried.
+# - A policy that never acted can be judged by the data of another one; of 1 000 nights 44 counted, and of longer nights about 8.
+# - Fitted Q learned a better clock from random nights than from those of a nearly perfect clock, which leave many actions untried.
 # - It promised 13.4 and kept 5.8: the maximum takes what nobody has tried, as long as that looks better than it is.
 # - With the lowest value for what was never tried, and a penalty for what was tried seldom, it kept 10.3, more than the data gathered.
 # - Where the data covered everything, pessimism gained nothing and promised too little.
@@ -524,9 +524,9 @@ check(project_16, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Data say something about a policy only where they do what it does. Importance
 # sampling weighs episodes by the ratio of the two policies, and its variance grows with every step; a doubly robust estimate
-# corrects values by the data, and needs less luck. Who learns from data and takes the largest value goes where the values are too
+# corrects values by the data. Who learns from data and takes the largest value goes where the values are too
 # high: to actions that were seldom tried, or never. So I count how often something was tried, and expect the worst of what I do
-# not know. Then I get what I was promised.
+# not know. Then I get what I was promised, or more.
 #
 # ### Limits
 # The behaviour policy is known here, and every state is seen as it is. If the log-book does not say with which probability an action was taken, it must be
