@@ -241,7 +241,7 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert "default-src 'none'" in text
     assert "prefers-color-scheme: dark" in text
     written = Path("out/report.md").read_text(encoding="utf-8")
-    assert ", of the others | –" in written  # the one that can enter Trashbot
+    assert " (one of the others) | –" in written  # the one that can enter Trashbot
     for says in ("QLearning, Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
         assert says in written
         assert says in text
@@ -331,10 +331,10 @@ def test_the_report_names_those_to_take() -> None:
     assert report.said(alone, "Boulder").take == "nobody"
     for profile, beside, expected in (
         (found, alone, "Q"),
-        (alone, found, "Q, of the others"),
+        (alone, found, "Q (one of the others)"),
         (found, found, "Q"),
         (alone, alone, "nobody"),
-        (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q, of the others"),  # nobody here has entered
+        (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q (one of the others)"),  # nobody here has entered
     ):
         assert report.score_table(profile, beside)[1][0][1] == expected
     for blank, expected in (({}, "?"), ({"Q": {"Boulder": "it is afraid"}}, "–")):  # not measured, cannot enter

@@ -129,9 +129,15 @@ def best_agents(profile: Profile, challenge: str) -> list[str]:
     return [best, *(a for a in often if a != best and paired_difference(runs[best], runs[a]).low <= 0)]
 
 
+def others_of(profile: Profile, beside: Profile | None, challenge: str) -> dict[str, float]:
+    """The scores of the agents of another profile that have none in this one."""
+    here = scores_of(profile, challenge)
+    return {agent: score for agent, score in scores_of(beside, challenge).items() if agent not in here}
+
+
 def better_beside(profile: Profile, challenge: str, beside: Profile | None) -> str | None:
     """The best agent of another profile, if it is good and surely better than all here: their intervals lie apart."""
-    others = scores_of(beside, challenge)
+    others = others_of(profile, beside, challenge)
     if beside is None or not others:
         return None
     best = max(others, key=lambda agent: others[agent])
@@ -174,11 +180,11 @@ def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[s
     for challenge in profile.challenges:
         about = said(profile, challenge)
         scores = [score_or_reason(profile, agent, challenge) for agent in profile.agents]
-        others = scores_of(beside, challenge)
+        others = others_of(profile, beside, challenge)
         best = max(others, key=lambda agent: others[agent]) if others else ""
         known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
         better = better_beside(profile, challenge, beside)
-        take = f"{better}, of the others" if better else about.take
+        take = f"{better} (one of the others)" if better else about.take
         rows.append([f"{challenge} ({about.isolates})", take, *scores, *known])
     return ["challenge", "take", *profile.agents, *(["best of the others"] if beside else [])], rows
 
@@ -247,6 +253,13 @@ TAKE = (
 )
 
 
+MARKS = (
+    "In the table, – says that an agent cannot enter a challenge, and ? that it was not measured there."
+    f" A score a little above 1 is luck: the best play is known on average. Steps to {NEARLY} are those after which a"
+    " run first scores that much, the median over the runs; it may lose it again."
+)
+
+
 GREY = (
     "Grey marks are other agents, at their defaults: those of EduGym, and those of Stable-Baselines3 (SB3) where they"
     " were measured."
@@ -264,7 +277,17 @@ def markdown(profile: Profile, beside: Profile | None = None) -> str:
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
-    lines = ["# What the agents master", "", INTRODUCTION, "", TAKE, "", *table(*score_table(profile, beside))]
+    lines = [
+        "# What the agents master",
+        "",
+        INTRODUCTION,
+        "",
+        TAKE,
+        "",
+        *table(*score_table(profile, beside)),
+        MARKS,
+        "",
+    ]
     lines += ["![Radar, scores with intervals, and ladders](profile.svg)", "", "## The challenges", ""]
     for challenge in profile.challenges:
         about = said(profile, challenge)
@@ -324,6 +347,7 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 <h2>Which agent to take</h2>
 <p>{escape(TAKE)} The ladders below say up to which strength of the challenge it is good.</p>
 {table(*score_table(profile, beside))}
+<p class="soft">{escape(MARKS)}</p>
 <h2>The challenges</h2>
 <div class="figures ladders">
 {chr(10).join(challenges)}
@@ -339,9 +363,7 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 def figure(panel: Panel, says: str) -> str:
     """A panel as SVG within the page, whose ink is that of the page."""
     sheet = Sheet("panel", [[panel]]).draw()
-    sheet.set_size_inches(
-        *(SMALLER * sheet.get_size_inches())
-    )  # so that its text is larger: pages fit it to their width
+    sheet.set_size_inches(*(SMALLER * sheet.get_size_inches()))  # for larger text: pages fit it to their width
     drawn = to_bytes(sheet, "svg").decode()
     svg = re.sub(r"^.*?(?=<svg)", "", drawn, flags=re.DOTALL)
     svg = re.sub(r' (width|height)="[^"]*pt"', "", svg, count=2)
