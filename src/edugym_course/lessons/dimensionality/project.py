@@ -74,7 +74,8 @@ RIDDLES = (
         Move(1.0, GOOD),
         Move(-1.0, GOOD),
         "the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the"
-        " weights of the action that was taken, and is each image stored with its own action and reward?",
+        " weights of the action that was taken? Is each image stored with its own action and reward? And is R alone the"
+        " target where `terminated` is True?",
     ),
     Riddle(
         Move(0.0, GOOD, terminated=False),
@@ -181,8 +182,9 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> None:
 def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if found.is_one:
         return (
-            "It takes the same action for every image: are its values NaN, since a learning rate is too large or a"
-            " minus sign is missing? Or are all first weights 0, so that no pixel counts?"
+            "It takes the same action for every image: are its values NaN, since a learning rate is too large, a"
+            " minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all"
+            " first weights 0, so that no pixel counts?"
         )
     if found.trained > SOLVED:
         return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"

@@ -1,5 +1,5 @@
 # %% up the slope
-# says: It takes the same action for every image: are its values NaN, since a learning rate is too large or a minus sign is missing? Or are all first weights 0, so that no pixel counts?
+# says: It takes the same action for every image: are its values NaN, since a learning rate is too large, a minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all first weights 0, so that no pixel counts?
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
@@ -19,7 +19,7 @@
 # + delta = -r - Q[a] if terminated else -r + 0.9 * q(x2)[1][a2] - Q[a]
 
 # %% too fast
-# says: It takes the same action for every image: are its values NaN, since a learning rate is too large or a minus sign is missing? Or are all first weights 0, so that no pixel counts?
+# says: It takes the same action for every image: are its values NaN, since a learning rate is too large, a minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - W += 0.05 * delta * np.outer(g, x)
 # + W += 5.0 * delta * np.outer(g, x)
@@ -37,7 +37,7 @@
 # + self.W[0] -= 0.002 * x.T @ back / len(x)
 
 # %% weights of 0
-# says: It takes the same action for every image: are its values NaN, since a learning rate is too large or a minus sign is missing? Or are all first weights 0, so that no pixel counts?
+# says: It takes the same action for every image: are its values NaN, since a learning rate is too large, a minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -81,7 +81,7 @@
 
 # %% all actions
 # says: In this riddle,
-# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken, and is each image stored with its own action and reward?
+# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken? Is each image stored with its own action and reward? And is R alone the target where `terminated` is True?
 # in: a memory in arrays
 # - d = np.where(np.arange(q.shape[1]) == a[:, None], q - y[:, None], 0.0).clip(-1, 1)
 # + d = (q - y[:, None]).clip(-1, 1)
