@@ -91,8 +91,10 @@ def doubly_robust(dataset: Dataset, policy: Any, Q: Any, discount: float = 1.0, 
 
         V_DR <- V(S) + ρ (R + γ V_DR - Q(S, A))
 
-    and then the mean over episodes. It has no bias, whatever Q is, where b takes every action that π takes; and where Q
-    is the true one and the task has no chance, it has no variance either. `fitted_q_evaluation` gives such a Q.
+    and then the mean over episodes. Where b takes every action that π takes, it has no bias, whatever Q is, as long as
+    Q does not come from the same episodes; and where Q is the true one and the task has no chance, it has no variance
+    either. `fitted_q_evaluation` gives a Q. Fitted to the same episodes it can be wrong without a sign of it: where no
+    step of the data tries what π does, nothing corrects Q, and the standard error is 0.
 
     Args:
         dataset: the episodes.
