@@ -10,6 +10,7 @@ import pytest
 from edugym import Profile
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS
+from edugym_course import agent_profiles
 
 FILE = Path(__file__).parents[1] / "docs" / "agents.py"
 LADDER = LADDERS[0]._replace(strengths=(8, 10))
@@ -61,3 +62,12 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
     assert "made from earlier code: good: Golf; blank: everywhere" in page
     assert "measured with torch 1" in page
     assert "Roadrunner has no ladder yet." in page
+
+
+def test_versions_of_agents_that_were_measured_apart(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One line where all were measured with the same; else each line has its agents."""
+    versions = {"SARSA": "edugym 1", "QLearning": "edugym 1"}
+    monkeypatch.setattr(agent_profiles, "_about", lambda: {"versions": versions})
+    assert agent_profiles.made_with() == "edugym 1"
+    versions["DQN"] = "edugym 2"
+    assert agent_profiles.made_with() == "edugym 2 (DQN); edugym 1 (QLearning, SARSA)"

@@ -571,12 +571,14 @@ for trace_decay in (0.0, 0.5, 0.8, 1.0):
     print(f"λ = {trace_decay:<3g}", *(f"{share:5.2f}" for share in traces.weights(trace_decay, days=10)))
 
 # %% [markdown]
-# So $\lambda = 0$ is $n = 1$, and $\lambda = 1$ is Monte Carlo. *SARSA(λ)* learns by this target, and it need not wait for
-# the end of the episode. Every pair of a state and an action has an *eligibility trace*, which is set to 1 when the pair is visited and
-# shrinks by the factor $\gamma \lambda$ with each step. Each one-step error moves *all* pairs, each as far as its trace says.
-# (This is so but for small changes of the values within an episode.)
+# So $\lambda = 0$ is $n = 1$, and $\lambda = 1$ is Monte Carlo. *SARSA(λ)* learns by this target, and it need not wait
+# for the end of the episode. Every pair of a state and an action has an *eligibility trace*. It is set to 1 when the
+# pair is visited, and shrinks by the factor $\gamma \lambda$ with each step. Each one-step error moves *all* pairs, each
+# as far as its trace says. (If the values stayed the same within an episode, the sum of these moves would be exactly
+# one step towards the λ-return. They change a little.)
 #
-# **Predict.** Over the first 500 episodes, averaged over the learning rates 0.03, 0.1 and 0.3: which has the highest return?
+# **Predict.** Over the first 500 episodes, averaged over the learning rates 0.03, 0.1 and 0.3: which has the highest
+# return?
 
 # %%
 all_at_once = predict("The highest return has ...", ["n = 1", "n = 3", "n = 5", "Monte Carlo", "λ = 0.8"])
@@ -595,9 +597,9 @@ all_at_once.measured(highest)
 #
 # **Measured.** λ = 0.8. The line of $\lambda = 0$ lies exactly on that of $n = 1$, and the line of $\lambda = 1$ on that of
 # Monte Carlo, but for ties that rounding breaks. With a single rate some $n$ may do as well as $\lambda = 0.8$. But every
-# $n$ has a rate that does not suit it, and $\lambda = 0.8$ does well with all three. We guess that it has some of both: the exam's
-# reward reaches the first day in one episode, as with Monte Carlo, and most of the target still bootstraps. With the
-# noisier rewards of $\sigma = 1$ its lead over Monte Carlo is gone.
+# $n$ has a rate that does not suit it, and $\lambda = 0.8$ does well with all three. We guess that it has some of both:
+# the exam's reward reaches the first day in one episode, as with Monte Carlo, and most of the target still bootstraps.
+# With the noisier rewards of $\sigma = 1$ its lead over Monte Carlo is gone.
 # </details>
 #
 # Here $\lambda$ is a slider beside $n$:
