@@ -3,9 +3,9 @@
 Q-learning with three ways to explore climbs walls of height 10, 30 and 100 for 20 000 steps. Settings: discount 0.9;
 learning rate 0.5; ε = 0.1 for ε-greedy and for the novelty reward, which is 1/√n(s') for entering s' for the n-th time;
 20 random steps from each goal for Go-Explore; two grips at every height; episodes of at most 10 times the height; 30
-repetitions, each with its own layout, which is the same for every method; one greedy evaluation episode for each point.
-"Optimism" is greedy Q-learning with all values at 1 and learning rate 1. Reasons are tested on walls of height 100, 60
-and 30, too.
+repetitions (90 where optimism returns more than Go-Explore), each with its own layout, which is the same for every
+method; one greedy evaluation episode for each point. "Optimism" is greedy Q-learning with all values at 1 and learning
+rate 1. Reasons are tested on walls of height 100, 60 and 30, too.
 
 A run *solves* the wall when its last greedy episode reaches the top. A method solves the wall when the share of runs
 that solve it is above one half with 95 % confidence; it does not solve the wall when the share is below one half.
@@ -42,7 +42,14 @@ from edugym_course.lessons.exploration.methods import (
     paper_methods,
     visits_of,
 )
-from edugym_course.lessons.exploration.optimism import WALLS, compare_optimists, optimism_claims
+from edugym_course.lessons.exploration.optimism import (
+    LEAD_RUNS,
+    LEAD_WALL,
+    WALLS,
+    compare_leaders,
+    compare_optimists,
+    optimism_claims,
+)
 from edugym_course.lessons.exploration.stalling import CAUSES, HOPE, frontier_lines, stalling_claims, watch_frontier
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
@@ -86,6 +93,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         (height, n_grips): compare_optimists(height, n_grips, **how(f"optimism_{height}_{n_grips}"))
         for height, n_grips in WALLS
     }
+    leaders = compare_leaders(LEAD_WALL, **how("leaders", repetitions=LEAD_RUNS * how.repetitions))
     far = {(height, bonus): far_sighted(height, bonus, **how()) for height in FAR_HEIGHTS for bonus in (1.0, 0.1)}
     forks = compare_on_fork(methods={NOVELTY: METHODS[NOVELTY]}, **how("fork"))
     greedy = {
@@ -95,7 +103,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     }
     watched = {highest: watch_frontier(methods={**METHODS, **CAUSES}, **how())}
     watched |= {height: watch_frontier(height, methods=CAUSES, **how()) for height in CAUSE_HEIGHTS}
-    return by_height, searches, climbs, greedy, far, watched, optimism, forks
+    return by_height, searches, climbs, greedy, far, watched, optimism, leaders, forks
 
 
 def judge(
@@ -106,6 +114,7 @@ def judge(
     far: Mapping[tuple[int, float], Results],
     watched: Mapping[int, Results],
     optimism: Mapping[tuple[int, int], Results],
+    leaders: Results,
     forks: Results,
 ) -> Report:
     """Return claims and figures."""
@@ -117,7 +126,7 @@ def judge(
         *slip_claims(greedy),
         *stalling_claims(watched),
         *far_sighted_claims(far),
-        *optimism_claims(optimism),
+        *optimism_claims(optimism, leaders),
         *fork_claims(forks, by_height[HEIGHTS[-1]]),
     ]
     return Report(claims, figures(by_height, watched[HEIGHTS[-1]], forks))

@@ -27,6 +27,9 @@ from edugym_course.lessons.exploration.methods import (
 
 WALLS = ((100, 2), (100, 3), (30, 3))
 """Heights and numbers of grips."""
+LEAD_WALL, LEAD_RUNS = (100, 3), 3
+"""The wall on which optimism returns more than Go-Explore, and how many times as many runs show it: with 30 runs the
+interval of this difference is as wide as the difference."""
 
 
 class ByTheLastDigit(QLearning):
@@ -76,14 +79,25 @@ def compare_optimists(height: int, n_grips: int, **how: Any) -> Results:
     return compare(height, methods=OPTIMISTS, n_grips=n_grips, **how)
 
 
+def compare_leaders(wall: tuple[int, int], **how: Any) -> Results:
+    """Train optimism and Go-Explore only, so that many runs cost little; further arguments as in `compare`."""
+    height, n_grips = wall
+    return compare(height, methods={name: OPTIMISTS[name] for name in (OPTIMISM, GO_EXPLORE)}, n_grips=n_grips, **how)
+
+
 def named(wall: tuple[int, int]) -> str:
     """Return how claims call a wall."""
     height, n_grips = wall
     return f"height {height} with {n_grips} grips"
 
 
-def optimism_claims(optimism: Mapping[tuple[int, int], Results]) -> list[Claim]:
-    """Return the claims on optimism beside Go-Explore: what it needs, who is ahead, and what limits it."""
+def optimism_claims(optimism: Mapping[tuple[int, int], Results], leaders: Results) -> list[Claim]:
+    """Return the claims on optimism beside Go-Explore: what it needs, who is ahead, and what limits it.
+
+    Args:
+        optimism: for each wall, the results of `compare_optimists`.
+        leaders: the results of `compare_leaders` on the high wall with more grips.
+    """
     from_0 = {wall: f"With values that start at 0 the same agent does not solve {named(wall)}" for wall in optimism}
     solves = {wall: f"Optimism solves {named(wall)}, without returning first and without a bonus" for wall in optimism}
     ahead = {
@@ -141,7 +155,7 @@ def optimism_claims(optimism: Mapping[tuple[int, int], Results]) -> list[Claim]:
         Claim(
             f"Averaged over training, optimism returns more than Go-Explore: {named(three)}",
             "return averaged over training, optimism less Go-Explore",
-            optimism[three].difference(OPTIMISM, GO_EXPLORE, over="training"),
+            leaders.difference(OPTIMISM, GO_EXPLORE, over="training"),
             Above(0.02),
         ),
         Claim(

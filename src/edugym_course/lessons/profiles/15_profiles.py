@@ -18,7 +18,7 @@ from edugym import QLearning, RMax
 from edugym.experiments.profiles.ladders import LADDERS, Bounds
 from edugym.experiments.profiles.profile import profile
 from edugym_course.lessons.profiles import figures, methods
-from edugym_course.notebook import predict, sliders, source
+from edugym_course.notebook import play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: ten ladders
@@ -40,6 +40,13 @@ gym.make("edugym/Boulder-v0", height=boulder.strengths[0]).unwrapped.scene()
 
 # %%
 gym.make("edugym/Boulder-v0", height=boulder.strengths[-1]).unwrapped.scene()
+
+# %% [markdown]
+# Climb the first rung yourself, seeing only what an agent sees. At each height one of the two grips holds, and it is the same one in every episode.
+# How many episodes do you need to reach the top? Then think of 100 levels.
+
+# %%
+play("Boulder", height=boulder.strengths[0], blind=True)
 
 # %% [markdown]
 # On each rung an agent trains for a fixed number of steps, from the beginning: what it has learned on one rung is forgotten on the next. Then it
