@@ -75,8 +75,9 @@ def test_exploration() -> None:
     quarter = methods.N_STEPS / 4
     of_one_wall, by_digit = [0.5, 0.5, -quarter], [-0.1875, 0.375, 0.0]
     assert optimism.first(results, methods.GO_EXPLORE) == [3 * quarter, 4 * quarter]
-    claims = optimism.optimism_claims(dict.fromkeys(optimism.WALLS, results))
-    assert measured(claims) == [*of_one_wall * 3, 0.5, 0.5, -0.375, -0.375, 1.0, *by_digit * 2]
+    leaders = made_up({methods.OPTIMISM: [{0: 0.75, 10: 0.75}] * 2, methods.GO_EXPLORE: [{0: 0.5, 10: 0.5}] * 2})
+    claims = optimism.optimism_claims(dict.fromkeys(optimism.WALLS, results), leaders)
+    assert measured(claims) == [*of_one_wall * 3, 0.5, 0.5, -0.375, 0.25, 1.0, *by_digit * 2]
     assert {one for claim in claims for one in claim.tested_by} <= {claim.statement for claim in claims}
 
 
