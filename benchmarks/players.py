@@ -6,8 +6,8 @@ import numpy as np
 
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import QLearning
+from edugym.adapters.parallel_env import GameEnv
 from edugym.games import MinimaxQ, Soccer, table_shape, train_players
-from edugym.games.parallel_env import GameEnv
 
 ALPHA, GAMMA, EPSILON = 0.1, 0.9, 0.1
 

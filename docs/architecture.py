@@ -50,7 +50,8 @@ def layers() -> list[list[str]]:
     contracts = tomllib.loads(text)["tool"]["importlinter"]["contracts"]
     [library] = [contract for contract in contracts if contract.get("containers") == ["edugym"]]
     floors = [[f"edugym.{name.strip()}" for name in layer.split("|")] for layer in library["layers"]]
-    return [["edugym_course"], *floors]
+    folders = [[name for name in floor if (ROOT / "src" / name.replace(".", "/")).is_dir()] for floor in floors]
+    return [["edugym_course"], *filter(None, folders)]
 
 
 def rooms() -> list[Room]:

@@ -14,7 +14,7 @@ import numpy as np
 from gymnasium.wrappers import FlattenObservation
 
 import edugym as eg
-from edugym import agents
+from edugym import agents, games, objectives
 from edugym.adapters.fitting import tabular
 from edugym.checks.contract import takes_vectors
 
@@ -124,11 +124,12 @@ STRATEGIES: dict[str, Callable[[Any], Any]] = {
 
 
 def package_classes(method: str) -> Iterator[type]:
-    """Every NamedTuple class in `edugym.agents` that has such a method."""
+    """Every NamedTuple class in `edugym.agents` that has such a method, and that `edugym.train` trains."""
+    others = {*games.__all__, *objectives.__all__}
     for module in pkgutil.iter_modules(agents.__path__, "edugym.agents."):
         for thing in vars(importlib.import_module(module.name)).values():
             mine = isinstance(thing, type) and thing.__module__ == module.name
-            if mine and issubclass(thing, tuple) and hasattr(thing, method):
+            if mine and issubclass(thing, tuple) and hasattr(thing, method) and thing.__name__ not in others:
                 yield thing
 
 

@@ -39,13 +39,7 @@ ROOMS = {
     "grading": "edugym_course.grading",
 }
 """Public modules besides `edugym` itself, by the names that the table has for them."""
-OF_OBJECTIVES = ("chebyshev_q_learning", "lagrangian_q_learning", "pareto_q_learning", "weighted")
-CALLED_BY_LOOPS = (
-    "edugym.agents.",
-    "edugym.games.",
-    "edugym.mdp.",
-    *(f"edugym.objectives.{module}" for module in OF_OBJECTIVES),
-)
+CALLED_BY_LOOPS = ("edugym.agents.", "edugym.envs.games.", "edugym.mdp.")
 """Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
 what the gates have looked at."""
 MADE_BY_LIBRARY = {

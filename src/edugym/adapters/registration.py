@@ -71,7 +71,8 @@ def in_snake_case(name: str) -> str:
 
 
 def _find_all() -> tuple[Entry, ...]:
-    files = (module.name for module in pkgutil.iter_modules([str(Path(__file__).parents[1] / "envs")]))
+    found = pkgutil.iter_modules([str(Path(__file__).parents[1] / "envs")])
+    files = (module.name for module in found if module.name != "games")  # a folder: games of two players
     return tuple(Entry("".join(map(str.capitalize, file.split("_"))), f"edugym.envs.{file}") for file in files)
 
 

@@ -15,11 +15,11 @@ from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
-from edugym.games.train_players import GameRun, train_players
-from edugym.objectives.train_vectors import VectorRun, train_vectors
 from edugym.training import train as training
 from edugym.training.run import Run
 from edugym.training.train import train
+from edugym.training.train_players import GameRun, train_players
+from edugym.training.train_vectors import VectorRun, train_vectors
 from edugym_course.notebook.prediction import Comparison, Prediction
 from tests.course.lessons.records import run as run_in_words
 

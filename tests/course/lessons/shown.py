@@ -22,11 +22,11 @@ from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
-from edugym.games.train_players import GameRun, train_players
-from edugym.objectives.train_vectors import VectorRun, train_vectors
 from edugym.system.packages import OURS
 from edugym.training.run import Run
 from edugym.training.train import train
+from edugym.training.train_players import GameRun, train_players
+from edugym.training.train_vectors import VectorRun, train_vectors
 from edugym_course.grading.challenge import Challenge
 from edugym_course.lessons import load_experiments
 from edugym_course.lessons.dimensionality import networks

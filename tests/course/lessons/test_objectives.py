@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.objectives.train_vectors import VectorRun
+from edugym.training.train_vectors import VectorRun
 from edugym_course.lessons.objectives import experiments, methods, project
 from tests.course.lessons.made_up import measured
 

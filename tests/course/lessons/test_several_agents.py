@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from edugym import games
-from edugym.games.soccer import EAST, NORTH, STAND, WEST, Field
+from edugym.envs.games.soccer import EAST, NORTH, STAND, WEST, Field
 from edugym_course.lessons.several_agents import exercises, experiments, methods, project
 from edugym_course.lessons.several_agents.turns import FieldInTurn
 from tests.course.lessons.made_up import finals, made_up, measured

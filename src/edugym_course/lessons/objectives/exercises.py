@@ -6,8 +6,8 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from edugym.exact.points import supported
 from edugym.mdp.protocol import Reals
-from edugym.objectives.points import supported
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.choices import action_of

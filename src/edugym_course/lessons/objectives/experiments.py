@@ -13,11 +13,11 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from edugym.exact.points import supported
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.experiments.results.statistics import exactly, mean_interval, share_interval
-from edugym.objectives.points import supported
-from edugym.objectives.train_vectors import VectorRun
+from edugym.training.train_vectors import VectorRun
 from edugym_course.lessons.objectives import figures
 from edugym_course.lessons.objectives.methods import (
     LIMIT,

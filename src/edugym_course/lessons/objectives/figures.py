@@ -9,7 +9,7 @@ from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import With
 from edugym.experiments.figures.sheet import Sheet
 from edugym.mdp.protocol import Reals
-from edugym.objectives.train_vectors import VectorRun
+from edugym.training.train_vectors import VectorRun
 from edugym_course.lessons.objectives.methods import (
     LIMIT,
     TIME_WEIGHTS,

@@ -5,17 +5,17 @@ from typing import Any
 import numpy as np
 
 from edugym.adapters.registration import make_mdp
+from edugym.agents.chebyshev_q_learning import ChebyshevQLearning
+from edugym.agents.lagrangian_q_learning import LagrangianQLearning
+from edugym.agents.pareto_q_learning import ParetoQLearning
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy, Greedy
 from edugym.envs.diver import Diver
+from edugym.exact.constrained import ConstrainedOptimum, constrained_optimum
+from edugym.exact.front import exact_front
 from edugym.mdp.protocol import Reals
-from edugym.objectives.chebyshev_q_learning import ChebyshevQLearning
-from edugym.objectives.constrained import ConstrainedOptimum, constrained_optimum
-from edugym.objectives.exact_front import exact_front
-from edugym.objectives.lagrangian_q_learning import LagrangianQLearning
-from edugym.objectives.pareto_q_learning import ParetoQLearning
-from edugym.objectives.train_vectors import VectorRun, train_vectors
-from edugym.objectives.weighted import Weighted
+from edugym.mdp.weighted import Weighted
+from edugym.training.train_vectors import VectorRun, train_vectors
 
 N_TREASURES = 9
 N_STEPS = 20_000

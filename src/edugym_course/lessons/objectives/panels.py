@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from edugym.exact.points import supported
 from edugym.experiments.figures.panel import on_axes
 from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, dress, stroke
 from edugym.mdp.protocol import Reals
-from edugym.objectives.points import supported
 from edugym.rendering.palette import INK
 
 if TYPE_CHECKING:

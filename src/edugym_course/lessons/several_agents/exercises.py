@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from edugym.games.zero_sum import solve_zero_sum
+from edugym.exact.zero_sum import solve_zero_sum
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer

@@ -14,11 +14,11 @@ from typing import Any
 
 import numpy as np
 
+from edugym.exact.game_model import exploitability
 from edugym.experiments.figures.sheet import Sheet, in_pairs
 from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.experiments.results.statistics import exactly, mean_interval
 from edugym.experiments.results.tables import Results
-from edugym.games.model import exploitability
 from edugym_course.lessons.several_agents.figures import exploited, learning
 from edugym_course.lessons.several_agents.methods import (
     ALONE,

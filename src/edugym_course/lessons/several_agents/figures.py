@@ -7,15 +7,15 @@ import numpy as np
 
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
+from edugym.envs.games.matrix_games import PrisonersDilemma
+from edugym.exact.game_model import game_model
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import With, on_axes
 from edugym.experiments.figures.sheet import Sheet, in_pairs
 from edugym.experiments.figures.style import REFERENCE, dress, format_steps, stroke
 from edugym.experiments.results.tables import Results
-from edugym.games.matrix_games import PrisonersDilemma
-from edugym.games.model import game_model
-from edugym.games.protocol import table_shape
+from edugym.mdp.markov_game import table_shape
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.several_agents import methods
 

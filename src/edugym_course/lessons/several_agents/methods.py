@@ -8,20 +8,20 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.agents.fictitious_play import FictitiousPlay
+from edugym.agents.fixed_player import FixedPlayer
+from edugym.agents.minimax_q import MinimaxQ
 from edugym.agents.q_learning import QLearning
 from edugym.agents.tables import best_value, epsilon_greedy_action, greedy_action, one_step_target
+from edugym.envs.games.matrix_games import MatchingPennies, PrisonersDilemma, RockPaperScissors, matrix_game
+from edugym.envs.games.soccer import Soccer
+from edugym.exact.game_model import GameModel, exploitability, game_model
+from edugym.exact.shapley import GameValues, minimax_value_iteration
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.results.tables import Results
-from edugym.games.fictitious_play import FictitiousPlay
-from edugym.games.fixed_player import FixedPlayer
-from edugym.games.matrix_games import MatchingPennies, PrisonersDilemma, RockPaperScissors, matrix_game
-from edugym.games.minimax_q import MinimaxQ
-from edugym.games.model import GameModel, exploitability, game_model
-from edugym.games.protocol import table_shape
-from edugym.games.shapley import GameValues, minimax_value_iteration
-from edugym.games.soccer import Soccer
-from edugym.games.train_players import train_players
+from edugym.mdp.markov_game import table_shape
 from edugym.mdp.protocol import Random, Reals
+from edugym.training.train_players import train_players
 from edugym_course.lessons.several_agents.turns import SoccerInTurns
 
 ALONE, MINIMAX, FICTITIOUS, TAUGHT = "Q-learning, each alone", "minimax Q-learning", "fictitious play", "taught"

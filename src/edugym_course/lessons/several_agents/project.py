@@ -12,11 +12,11 @@ import numpy as np
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
+from edugym.adapters.parallel_env import PLAYERS, GameEnv
 from edugym.checks.parameters import in_short
+from edugym.exact.game_model import GameModel, game_model
+from edugym.exact.shapley import minimax_value_iteration
 from edugym.exact.value_iteration import value_iteration
-from edugym.games.model import GameModel, game_model
-from edugym.games.parallel_env import PLAYERS, GameEnv
-from edugym.games.shapley import minimax_value_iteration
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from gymnasium import spaces
 
-from edugym.games.soccer import Field, Soccer
+from edugym.envs.games.soccer import Field, Soccer
 from edugym.mdp.protocol import Random
 
 

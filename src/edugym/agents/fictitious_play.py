@@ -4,7 +4,7 @@ from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.settings import Discount, LearningRate, Probability, Table, new, shows_settings
 from edugym.agents.tables import one_step_target, random_action, replaces, tied
-from edugym.games.protocol import a_player, n_actions, table_shape
+from edugym.mdp.markov_game import a_player, n_actions, table_shape
 from edugym.mdp.protocol import Random, Reals
 
 

@@ -12,7 +12,7 @@ from hypothesis.extra import numpy as arrays
 from edugym import finite_model, make_mdp, value_iteration
 from edugym.envs.diver import Diver
 from edugym.objectives import exact_front, pareto_front, supported
-from tests.objectives.tasks import Graph, loop
+from tests.exact.graphs import Graph, loop
 
 
 @st.composite

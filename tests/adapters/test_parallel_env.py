@@ -12,7 +12,7 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
 from edugym import games
-from edugym.games.parallel_env import PLAYERS
+from edugym.adapters.parallel_env import PLAYERS
 from edugym.mdp.protocol import Random
 from tests.messages import named
 

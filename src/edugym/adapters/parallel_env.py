@@ -9,11 +9,11 @@ from gymnasium.error import ResetNeeded
 from gymnasium.utils import seeding
 
 from edugym.adapters.actions import checked_action
+from edugym.checks.games import CheckedGame
 from edugym.checks.mdps import CHECKED_STEPS
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
-from edugym.games.checking import CheckedGame
-from edugym.games.protocol import require_game, scene_of
+from edugym.mdp.markov_game import require_game, scene_of
 from edugym.system.extras import require
 from edugym.system.packages import is_own
 

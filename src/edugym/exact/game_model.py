@@ -5,14 +5,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
+from edugym.checks.games import CheckedGame
 from edugym.checks.parameters import in_short
 from edugym.exact.model import MAX_STATES, finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
-from edugym.games.checking import CheckedGame
-from edugym.games.policies import checked_policies, checked_policy, uniform_policy
-from edugym.games.protocol import a_player, n_actions, require_game
+from edugym.mdp.markov_game import a_player, n_actions, require_game
+from edugym.mdp.player_policies import checked_policies, checked_policy, uniform_policy
 from edugym.mdp.protocol import Random, Reals
 from edugym.system.packages import is_own
 

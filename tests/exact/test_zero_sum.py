@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edugym import games
-from edugym.games.soccer import EAST, GOAL, NORTH, SOUTH, STAND, WEST, Field
+from edugym.envs.games.soccer import EAST, GOAL, NORTH, SOUTH, STAND, WEST, Field
 from edugym.rendering.ansi import to_text
-from tests.games.test_games import Tag
+from tests.exact.test_games import Tag
 from tests.messages import named
 
 STEPS = {NORTH: (-1, 0), SOUTH: (1, 0), EAST: (0, 1), WEST: (0, -1), STAND: (0, 0)}

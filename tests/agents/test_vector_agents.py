@@ -22,8 +22,8 @@ from edugym.objectives import (
     train_vectors,
 )
 from tests.agents.cases import same
+from tests.exact.graphs import loop
 from tests.messages import named
-from tests.objectives.tasks import loop
 
 DIVER = edugym.make_mdp("Diver")
 RNG = np.random.default_rng(0)

@@ -7,11 +7,11 @@ import numpy as np
 from edugym.agents.settings import Discount, Part, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action
+from edugym.agents.vector_tables import OfActions
 from edugym.checks.parameters import an_array
+from edugym.exact.points import pareto_front
+from edugym.mdp.multi_objective import table_shape
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.objectives.points import pareto_front
-from edugym.objectives.protocol import table_shape
-from edugym.objectives.tables import OfActions
 
 DIGITS = 9
 """Vectors that agree in so many digits after the point count as one."""
@@ -111,7 +111,7 @@ class ParetoQLearning(NamedTuple):
         """A new agent for a task.
 
         Args:
-            environment: a task with several objectives (see `edugym.objectives.protocol`), or the shape (n_states,
+            environment: a task with several objectives (see `edugym.mdp.multi_objective`), or the shape (n_states,
                 n_actions, n_objectives).
             **settings: the fields of the class that have a default.
 

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.games.policies import checked_policy, draw_from
-from edugym.games.protocol import a_player, scene_of
+from edugym.mdp.markov_game import a_player, scene_of
+from edugym.mdp.player_policies import checked_policy, draw_from
 from edugym.mdp.protocol import Random, Reals
 from edugym.rendering.scene import Scene
 

@@ -5,10 +5,10 @@ from typing import Annotated, Any, NamedTuple
 from edugym.agents.settings import Counter, Discount, LearningRate, Part, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action, one_step_target
+from edugym.agents.vector_tables import OfActions, OfObjectives, VectorValues, vector_of_best
+from edugym.mdp.multi_objective import table_shape
 from edugym.mdp.protocol import Random, Reals
-from edugym.objectives.protocol import table_shape
-from edugym.objectives.tables import OfActions, OfObjectives, VectorValues, vector_of_best
-from edugym.objectives.weighted import weights_for
+from edugym.mdp.weighted import weights_for
 
 
 @shows_settings
@@ -116,7 +116,7 @@ class ChebyshevQLearning(NamedTuple):
         """A new agent for a task.
 
         Args:
-            environment: a task with several objectives (see `edugym.objectives.protocol`), or the shape (n_states,
+            environment: a task with several objectives (see `edugym.mdp.multi_objective`), or the shape (n_states,
                 n_actions, n_objectives).
             weights: a number of 0 or more for each objective, not all 0; by default 1 for each.
             **settings: the fields of the class that have a default, and `initial_value`, by default 0.

@@ -10,21 +10,21 @@ import numpy as np
 
 from edugym.checks.agents import checked_agent
 from edugym.checks.contract import IN_GAMES, Contract, forget_episode, learner
+from edugym.checks.games import CheckedGame
 from edugym.checks.mdps import CHECKED_STEPS
 from edugym.checks.parameters import in_short, number_of_steps, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.compiled.execution import executable
-from edugym.games.against import against
-from edugym.games.checking import CheckedGame
-from edugym.games.guard import guarded
-from edugym.games.learned_policy import learned_policy
-from edugym.games.loops import GameLog, play, start
-from edugym.games.player_contract import player_contract
-from edugym.games.policies import uniform_policy
-from edugym.games.protocol import require_game
+from edugym.mdp.against import against
+from edugym.mdp.game_guard import guarded
+from edugym.mdp.markov_game import require_game
+from edugym.mdp.player_policies import uniform_policy
 from edugym.mdp.protocol import Integers, Reals
 from edugym.system.interrupts import Interrupted
 from edugym.system.packages import is_own
+from edugym.training.game_loops import GameLog, play, start
+from edugym.training.learned_policy import learned_policy
+from edugym.training.player_contract import player_contract
 from edugym.training.steps import take_steps
 from edugym.training.trainers import NO_LIMIT, Chunk
 

@@ -4,7 +4,7 @@ from typing import Any
 
 from edugym.checks.contract import IN_GAMES, Contract, contract_of, tables_of
 from edugym.checks.interfaces import class_name
-from edugym.games.protocol import a_player, table_shape
+from edugym.mdp.markov_game import a_player, table_shape
 
 
 def player_contract(game: Any, player: int, agent: Any) -> Contract:

@@ -2,8 +2,8 @@
 
 from typing import Any, NamedTuple
 
-from edugym.games.policies import checked_policy, draw_from
-from edugym.games.protocol import a_player
+from edugym.mdp.markov_game import a_player
+from edugym.mdp.player_policies import checked_policy, draw_from
 from edugym.mdp.protocol import Random, Reals
 
 

@@ -8,13 +8,13 @@ from edugym.checks.agents import checked_agent
 from edugym.checks.contract import Contract, actor
 from edugym.checks.parameters import whole_number
 from edugym.compiled.execution import executable
-from edugym.games.against import against
-from edugym.games.loops import count_actions
-from edugym.games.player_contract import player_contract
-from edugym.games.policies import checked_policy, uniform_policy
-from edugym.games.protocol import table_shape
+from edugym.mdp.against import against
+from edugym.mdp.markov_game import table_shape
+from edugym.mdp.player_policies import checked_policy, uniform_policy
 from edugym.mdp.protocol import Reals
 from edugym.system.interrupts import deferring_signals
+from edugym.training.game_loops import count_actions
+from edugym.training.player_contract import player_contract
 
 MOST_DRAWS = 1_000_000
 

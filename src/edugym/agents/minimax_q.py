@@ -6,9 +6,9 @@ import numpy as np
 
 from edugym.agents.settings import Discount, LearningRate, Part, Probability, Table, new, shows_settings
 from edugym.agents.tables import one_step_target, random_action
-from edugym.games.policies import draw_from, uniform_policy
-from edugym.games.protocol import a_player, n_actions, table_shape
-from edugym.games.zero_sum import solve_state, workspace
+from edugym.exact.zero_sum import solve_state, workspace
+from edugym.mdp.markov_game import a_player, n_actions, table_shape
+from edugym.mdp.player_policies import draw_from, uniform_policy
 from edugym.mdp.protocol import Integers, Random, Reals
 
 

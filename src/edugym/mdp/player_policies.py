@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from edugym.checks.parameters import in_short
-from edugym.games.protocol import table_shape
+from edugym.mdp.markov_game import table_shape
 from edugym.mdp.protocol import Random, Reals
 
 

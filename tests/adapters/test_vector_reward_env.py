@@ -12,7 +12,7 @@ from gymnasium.error import ResetNeeded
 import edugym
 from edugym.envs.diver import Diver
 from edugym.objectives import VectorRewardEnv, exact_front
-from tests.objectives.tasks import loop
+from tests.exact.graphs import loop
 
 ID = "edugym.objectives:edugym/MODiver-v0"
 

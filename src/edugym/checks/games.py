@@ -3,12 +3,12 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.random import Generator as Random
 
 from edugym.checks.interfaces import class_name
 from edugym.checks.mdps import refuse_change
 from edugym.checks.parameters import in_short
 from edugym.checks.values import fits, is_finite_number, kept
-from edugym.mdp.protocol import Random
 
 
 class CheckedGame(NamedTuple):

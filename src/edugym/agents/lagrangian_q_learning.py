@@ -7,10 +7,10 @@ import numpy as np
 from edugym.agents.settings import Discount, LearningRate, Part, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action, one_step_target
+from edugym.agents.vector_tables import OfActions, OfObjectives, VectorValues, vector_of_best
 from edugym.checks.parameters import an_array, at_least, in_short
+from edugym.mdp.multi_objective import table_shape
 from edugym.mdp.protocol import Random, Reals
-from edugym.objectives.protocol import table_shape
-from edugym.objectives.tables import OfActions, OfObjectives, VectorValues, vector_of_best
 
 
 @shows_settings
@@ -108,7 +108,7 @@ class LagrangianQLearning(NamedTuple):
         """A new agent for a task.
 
         Args:
-            environment: a task with several objectives (see `edugym.objectives.protocol`), or the shape (n_states,
+            environment: a task with several objectives (see `edugym.mdp.multi_objective`), or the shape (n_states,
                 n_actions, n_objectives).
             limits: for each objective but the first, what its mean return is to be at least.
             initial_values: the first value of all Q(s, a), a number for each objective; by default 0. High ones make

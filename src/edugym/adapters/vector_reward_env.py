@@ -6,9 +6,9 @@ import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.registration import make_mdp
 from edugym.adapters.specification import filled
-from edugym.envs.diver import Diver
-from edugym.objectives.protocol import require_objectives, vector
+from edugym.mdp.multi_objective import require_objectives, vector
 
 MO_DIVER = "edugym/MODiver-v0"
 """The id of Diver with vectors as rewards; Gymnasium knows it once `edugym.objectives` is imported."""
@@ -25,7 +25,7 @@ class VectorRewardEnv(MDPEnv[Any]):
     nothing of that library. Everything else is as in `edugym.MDPEnv`.
 
     Args:
-        mdp: a task with several objectives (see `edugym.objectives.protocol`).
+        mdp: a task with several objectives (see `edugym.mdp.multi_objective`).
         render_mode: `"human"` (a window), `"rgb_array"` (pixels), `"ansi"` (characters) or None.
 
     Attributes:
@@ -75,4 +75,4 @@ class MODiverEnv(VectorRewardEnv):
         Raises:
             ValueError: a parameter is not as `Diver` says.
         """
-        super().__init__(Diver.create(concavity, max_steps=max_steps), render_mode)
+        super().__init__(make_mdp("Diver", concavity=concavity, max_steps=max_steps), render_mode)

@@ -6,10 +6,10 @@ import numpy as np
 
 from edugym.checks.parameters import between
 from edugym.exact.model import finite_model
+from edugym.exact.points import pareto_front
 from edugym.exact.tables import FiniteModel
+from edugym.mdp.multi_objective import require_objectives, vector
 from edugym.mdp.protocol import Reals
-from edugym.objectives.points import pareto_front
-from edugym.objectives.protocol import require_objectives, vector
 
 DIGITS = 9
 """Returns that agree in so many digits after the point count as one: the order of a sum changes the last digits."""
@@ -40,7 +40,7 @@ def exact_front(mdp: Any, discount: float = 1.0) -> Front:
     nothing changes. (A policy that tosses a coin at the start of an episode has a mean return between two points.)
 
     Args:
-        mdp: a finite task without chance, with a method `rewards` (see `edugym.objectives.protocol`), such as `Diver`.
+        mdp: a finite task without chance, with a method `rewards` (see `edugym.mdp.multi_objective`), such as `Diver`.
         discount: γ, from 0 to 1.
 
     Raises:

@@ -6,9 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.checks.parameters import an_array, in_short
+from edugym.mdp.multi_objective import require_objectives
 from edugym.mdp.protocol import Random, Reals
 from edugym.mdp.wrapper import wrapper
-from edugym.objectives.protocol import require_objectives
 
 
 @wrapper

@@ -5,10 +5,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.compiled.execution import executable
+from edugym.exact.game_model import GameModel, require_game_model
 from edugym.exact.values import sweep_until_settled
-from edugym.games.model import GameModel, require_game_model
-from edugym.games.protocol import n_actions
-from edugym.games.zero_sum import solve_states, workspace
+from edugym.exact.zero_sum import solve_states, workspace
+from edugym.mdp.markov_game import n_actions
 from edugym.mdp.protocol import Reals
 
 USUAL_SWEEPS = 200

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 import edugym
 from edugym import games
 from edugym.compiled import execution
-from edugym.games.against import Met
-from edugym.games.matrix_games import MatrixGame
+from edugym.envs.games.matrix_games import MatrixGame
+from edugym.mdp.against import Met
 from edugym.mdp.protocol import Random
 from edugym.rendering.ansi import to_text
 from tests.messages import named

@@ -2,16 +2,16 @@
 
 import gymnasium
 
-from edugym.objectives.chebyshev_q_learning import ChebyshevQLearning
-from edugym.objectives.constrained import ConstrainedOptimum, constrained_optimum
-from edugym.objectives.exact_front import Front, exact_front
-from edugym.objectives.lagrangian_q_learning import LagrangianQLearning
-from edugym.objectives.pareto_q_learning import ParetoQLearning
-from edugym.objectives.points import pareto_front, supported
-from edugym.objectives.protocol import table_shape
-from edugym.objectives.train_vectors import VectorRun, train_vectors
-from edugym.objectives.vector_reward_env import MO_DIVER, MODiverEnv, VectorRewardEnv
-from edugym.objectives.weighted import Weighted
+from edugym.adapters.vector_reward_env import MO_DIVER, MODiverEnv, VectorRewardEnv
+from edugym.agents.chebyshev_q_learning import ChebyshevQLearning
+from edugym.agents.lagrangian_q_learning import LagrangianQLearning
+from edugym.agents.pareto_q_learning import ParetoQLearning
+from edugym.exact.constrained import ConstrainedOptimum, constrained_optimum
+from edugym.exact.front import Front, exact_front
+from edugym.exact.points import pareto_front, supported
+from edugym.mdp.multi_objective import table_shape
+from edugym.mdp.weighted import Weighted
+from edugym.training.train_vectors import VectorRun, train_vectors
 
 __all__ = [
     "ChebyshevQLearning",

@@ -15,15 +15,15 @@ from edugym.checks.mdps import checked_mdp
 from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.compiled.execution import executable
+from edugym.mdp.multi_objective import require_objectives, vector
 from edugym.mdp.protocol import Integers, Reals
 from edugym.mdp.task import table_size
-from edugym.objectives.loops import Episodes, off_policy, play_episodes, start
-from edugym.objectives.protocol import require_objectives, vector
 from edugym.system.interrupts import Interrupted
 from edugym.system.memory import require_memory
 from edugym.system.packages import is_own
 from edugym.training.steps import take_steps
 from edugym.training.trainers import EVALUATION_LIMIT, NO_LIMIT, Chunk, streams
+from edugym.training.vector_loops import Episodes, off_policy, play_episodes, start
 
 MOST_EPISODES = 1_000_000
 """The most evaluation episodes of one point of a learning curve."""
