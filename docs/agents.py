@@ -43,10 +43,13 @@ dash: the agent cannot enter; the reasons are below. A question mark: it is not 
 BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
 interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 WITHOUT_LADDER = {
+    "Casino": """: the best policy goes home and gets 0, a policy that always goes in gets -0.1, and one that acts at
+random -0.01, with a standard deviation of up to 1. So a score would be mostly luck. What counts there is how often an
+agent goes in while it learns ([its page](environments/casino.md)).""",
     "Diver": """: its reward is a vector, and no single return says how good an agent is there. What counts is how
 many of the nine treasures it can find. Agents that learn a weighted sum can find 9, 8, 6, 4 and 2 of them at the
 concavities 0, 0.25, 0.5, 0.75 and 1, whatever the weights; Chebyshev and Pareto Q-learning find all nine ([several
-objectives](several-objectives.md))."""
+objectives](several-objectives.md)).""",
 }
 """Why an environment has none, after its name."""
 

@@ -33,6 +33,7 @@ FRAMES = 31
 
 # The players of the animations in which Q-learning on the observations would not show the task.
 ACTORS: dict[str, Callable[[Any], Any]] = {
+    "Casino": lambda env: lambda observation: 6 if observation else 0,
     "Catch": lambda env: (
         lambda observation: 1 + (env.state.ball_x > env.state.paddle_x) - (env.state.ball_x < env.state.paddle_x)
     ),
@@ -88,8 +89,8 @@ def index() -> str:
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
     new = (
-        "The first nine are those of the paper. Two are new, for what the paper leaves out: Switches for goals, and"
-        " Diver for several objectives."
+        "The first nine are those of the paper. Three are new: Switches for goals, Diver for several objectives,"
+        " and Casino for maximisation bias."
     )
     more = f"For users of the original code: [what has changed]({ORIGINAL})."
     return "\n".join(["# The environments", "", new, "", *head, *rows, "", more, ""])

@@ -32,6 +32,7 @@ from edugym.agents.hindsight import NoHindsight as NoHindsight
 from edugym.agents.hindsight_dqn import HindsightDQN as HindsightDQN
 from edugym.agents.hindsight_q_learning import HindsightQLearning as HindsightQLearning
 from edugym.agents.linear_q_learning import LinearQLearning as LinearQLearning
+from edugym.agents.maxmin_q_learning import MaxminQLearning as MaxminQLearning
 from edugym.agents.n_step_sarsa import NStepSARSA as NStepSARSA
 from edugym.agents.off_policy_evaluation import Estimate as Estimate
 from edugym.agents.off_policy_evaluation import doubly_robust as doubly_robust
@@ -62,6 +63,8 @@ from edugym.agents.traces import Dutch as Dutch
 from edugym.agents.traces import Replacing as Replacing
 from edugym.agents.tree_backup import TreeBackup as TreeBackup
 from edugym.exact.finite_horizon import finite_horizon as finite_horizon
+from edugym.exact.maximisation import expected_choice as expected_choice
+from edugym.exact.maximisation import expected_maximum as expected_maximum
 from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
 from edugym.exact.policy_evaluation import policy_evaluation as policy_evaluation

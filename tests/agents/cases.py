@@ -89,6 +89,8 @@ DESCRIBED: dict[str, Case] = {
     "RiskSensitiveQLearning, neutral": _halves(eg.RiskSensitiveQLearning, risk=0),
     "RiskSensitiveQLearning, averse": _case(eg.RiskSensitiveQLearning, risk=-2),
     "RiskSensitiveQLearning, seeking": _case(eg.RiskSensitiveQLearning, risk=1),
+    "MaxminQLearning": _case(eg.MaxminQLearning),
+    "MaxminQLearning, one table": _halves(eg.MaxminQLearning, n_tables=1),
     "NStepSARSA": _halves(eg.NStepSARSA, n=3),
     "Monte Carlo": _case(eg.NStepSARSA, n=math.inf, longest=25),
     "TreeBackup": _halves(eg.TreeBackup, n=3),

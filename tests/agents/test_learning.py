@@ -16,6 +16,7 @@ NOTHING = 5e-324
 
 LIMITS: dict[str, tuple[Any, dict[str, Any], float, float]] = {
     "Double Q-learning": (eg.DoubleQLearning, {"learning_rate": 0.005}, 1.0, 0.0),
+    "Maxmin Q-learning, four tables": (eg.MaxminQLearning, {"learning_rate": 0.005}, 1.0, 0.0),
     "Tree backup": (eg.TreeBackup, {"learning_rate": 0.001}, 1.0, 0.0),
     "SARSA": (eg.SARSA, {}, 0.3, 0.3),
     "Q-learning": (eg.QLearning, {}, 0.3, 0.0),

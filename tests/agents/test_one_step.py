@@ -99,6 +99,56 @@ def test_double_q_learning_does_not_take_noise_for_value() -> None:
     assert hope(eg.DoubleQLearning).high < 0
 
 
+THREE = [[[1, 2], [3, 5]], [[4, 6], [8, 4]], [[2, 3], [7, 9]]]
+
+
+@pytest.mark.parametrize(
+    ("turn", "terminated", "value", "smallest"),
+    [
+        (0, False, 2 + 0.5 * (1 + 0.9 * 4 - 2), 3),  # the minima of state 1 are [3, 4]; now Q₃ has the least, 3
+        (1, False, 6 + 0.5 * (1 + 0.9 * 4 - 6), 2),
+        (2, True, 3 + 0.5 * (1 - 3), 2),
+        (1, True, 6 + 0.5 * (1 - 6), 2),
+        (0, True, 2 + 0.5 * (1 - 2), 1.5),
+    ],
+)
+def test_update_of_maxmin_q_learning(turn: int, terminated: bool, value: float, smallest: float) -> None:
+    """The box changes one entry of one of three tables, and the minimum; α = 0.5, γ = 0.9."""
+    tables = np.array(THREE, float)
+    agent = eg.MaxminQLearning(tables.min(axis=0), tables.copy(), np.array([turn]), 0.5, 0.9)
+    agent.learn(0, 1, 1.0, 1, terminated)
+    tables[turn, 0, 1] = value
+    assert pytest.approx(tables, rel=1e-15) == agent.tables
+    assert np.array_equal(agent.Q, agent.tables.min(axis=0))
+    assert agent.Q[0, 1] == pytest.approx(smallest)
+
+
+@given(st.integers(1, 5), st.integers(0, 10**6), st.floats(0.01, 1), st.floats(0, 1))
+def test_maxmin_q_learning_agrees_with_numpy(n_tables: int, seed: int, alpha: float, gamma: float) -> None:
+    """To 1e-12, over fifty random steps, with tables that the agent has drawn."""
+    rng = np.random.default_rng(seed)
+    agent = eg.MaxminQLearning.create((4, 3), n_tables=n_tables, learning_rate=alpha, discount=gamma, initial_value=2)
+    Q = np.full((n_tables, 4, 3), 2.0)
+    for _ in range(50):
+        s, n, reward, end = rng.integers(4), rng.integers(4), rng.normal(), bool(rng.random() < 0.2)
+        a = agent.act(int(s), rng)
+        i = agent.turn[0]
+        agent.learn(int(s), a, reward, int(n), end)
+        Q[i, s, a] = (1 - alpha) * Q[i, s, a] + alpha * (reward + (0 if end else gamma * Q.min(axis=0)[n].max()))
+    assert np.abs(agent.tables - Q).max() < 1e-12
+    assert np.abs(agent.Q - Q.min(axis=0)).max() < 1e-12
+
+
+def test_every_table_has_its_turn() -> None:
+    """Each of five in a fifth of the steps, within five standard deviations."""
+    agent, rng = eg.MaxminQLearning.create((2, 2), n_tables=5), np.random.default_rng(0)
+    turns = []
+    for _ in range(4_000):
+        agent.act(0, rng)
+        turns.append(int(agent.turn[0]))
+    assert np.bincount(turns) / 4_000 == pytest.approx(0.2, abs=5 * 0.4 / 4_000**0.5)
+
+
 @pytest.mark.parametrize("risk", [-2.0, 0.0, 0.7])
 @pytest.mark.parametrize(
     ("reward", "terminated", "delta"),

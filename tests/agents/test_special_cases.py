@@ -18,6 +18,7 @@ SPECIAL: list[tuple[Any, dict[str, Any], Any]] = [
     (eg.TreeBackup, {"n": 1}, eg.QLearning),
     (eg.TreeBackup, {"n": 1, "target_policy": eg.EpsilonGreedy(0.1)}, eg.ExpectedSARSA),
     (eg.RiskSensitiveQLearning, {"risk": 0}, eg.QLearning),
+    (eg.MaxminQLearning, {"n_tables": 1}, eg.QLearning),
     (eg.NStepSARSA, {"n": 1}, eg.SARSA),
     (eg.LinearQLearning, {"features": ONE_HOT}, eg.QLearning),
     (eg.SemiGradientSARSA, {"features": ONE_HOT}, eg.SARSA),

@@ -206,6 +206,8 @@ CALLS: dict[str, Callable[[], Case]] = {
     "divergence": lambda: Case(
         edugym.divergence, {"model": known().model, "policy": [1] * 4, "reference": [[0.5, 0.5]] * 4},
         named={"policy": "reference"}),
+    "expected_choice": lambda: Case(edugym.expected_choice, {"payoffs": [[1.0, -1.0]] * 2, "n_tries": 2}),
+    "expected_maximum": lambda: Case(edugym.expected_maximum, {"payoffs": [[1.0, -1.0]] * 2, "n_tries": 2}),
     "fit_rewards": lambda: Case(
         edugym.fit_rewards, {"first": [[[1, 0]]], "second": [[[0, 1]]], "prefers_first": [True]},
         {"prior": "2.5"}, {"first": "second", "prefers_first": "comparisons"}),
