@@ -43,6 +43,8 @@ dash: the agent cannot enter; the reasons are below. A question mark: it is not 
 BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
 interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 WITHOUT_LADDER = {
+    "Bandit": """: there every agent that explores ends with the best arm, sooner or later, and plays it greedily. What
+counts is the regret, what learning has cost until then, and a score after the training does not show it.""",
     "Casino": """: the best policy goes home and gets 0, a policy that always goes in gets -0.1, and one that acts at
 random -0.01, with a standard deviation of up to 1. So a score would be mostly luck. What counts there is how often an
 agent goes in while it learns ([its page](environments/casino.md)).""",

@@ -15,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from edugym import EpsilonGreedy, QLearning, train
@@ -31,8 +32,10 @@ PAGES = Path(__file__).parent / "environments"
 ORIGINAL = "../coming-from-the-original-edugym.md"
 FRAMES = 31
 
+rng = np.random.default_rng(0)
 # The players of the animations in which Q-learning on the observations would not show the task.
 ACTORS: dict[str, Callable[[Any], Any]] = {
+    "Bandit": lambda env: lambda observation: env.state if rng.random() < 0.4 else int(rng.integers(10)),
     "Casino": lambda env: lambda observation: 6 if observation else 0,
     "Catch": lambda env: (
         lambda observation: 1 + (env.state.ball_x > env.state.paddle_x) - (env.state.ball_x < env.state.paddle_x)
@@ -89,8 +92,8 @@ def index() -> str:
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
     new = (
-        "The first nine are those of the paper. Three are new: Switches for goals, Diver for several objectives,"
-        " and Casino for maximisation bias."
+        "Nine are those of the paper. Four are new: Switches for goals, Diver for several objectives, Casino for"
+        " maximisation bias, and Bandit, the simplest of all, for the beginning of exploration."
     )
     more = f"For users of the original code: [what has changed]({ORIGINAL})."
     return "\n".join(["# The environments", "", new, "", *head, *rows, "", more, ""])
@@ -116,7 +119,7 @@ def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
 
 
 def montage(
-    pictures: dict[str, Scene], columns: int = 6, side: int = 240, gap: int = 16, text: int = 26
+    pictures: dict[str, Scene], columns: int = 7, side: int = 240, gap: int = 16, text: int = 26
 ) -> Image.Image:
     """Arrange all pictures in rows, each scaled to fit a square, with its name below."""
     rows = -(-len(pictures) // columns)

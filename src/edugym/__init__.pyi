@@ -26,6 +26,7 @@ from edugym.agents.fitted_q import fitted_q_iteration as fitted_q_iteration
 from edugym.agents.fitted_q import pessimistic_q_iteration as pessimistic_q_iteration
 from edugym.agents.gaussian_actor_critic import GaussianActorCritic as GaussianActorCritic
 from edugym.agents.go_explore import GoExplore as GoExplore
+from edugym.agents.gradient_bandit import GradientBandit as GradientBandit
 from edugym.agents.hindsight import FinalGoal as FinalGoal
 from edugym.agents.hindsight import FutureGoals as FutureGoals
 from edugym.agents.hindsight import NoHindsight as NoHindsight
@@ -45,6 +46,7 @@ from edugym.agents.q_learning import QLearning as QLearning
 from edugym.agents.r_max import RMax as RMax
 from edugym.agents.reinforce import REINFORCE as REINFORCE
 from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning as RiskSensitiveQLearning
+from edugym.agents.sample_average import SampleAverage as SampleAverage
 from edugym.agents.sarsa import SARSA as SARSA
 from edugym.agents.sarsa_lambda import SARSALambda as SARSALambda
 from edugym.agents.saving import load as load
@@ -57,6 +59,7 @@ from edugym.agents.strategies import Greedy as Greedy
 from edugym.agents.strategies import LinearDecay as LinearDecay
 from edugym.agents.strategies import ScheduledEpsilonGreedy as ScheduledEpsilonGreedy
 from edugym.agents.strategies import Softmax as Softmax
+from edugym.agents.thompson_sampling import ThompsonSampling as ThompsonSampling
 from edugym.agents.tile_coding import TileCoding as TileCoding
 from edugym.agents.traces import Accumulating as Accumulating
 from edugym.agents.traces import Dutch as Dutch
@@ -69,6 +72,9 @@ from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
 from edugym.exact.policy_evaluation import policy_evaluation as policy_evaluation
 from edugym.exact.policy_iteration import policy_iteration as policy_iteration
+from edugym.exact.regret import action_gaps as action_gaps
+from edugym.exact.regret import lai_robbins as lai_robbins
+from edugym.exact.regret import regret as regret
 from edugym.exact.regularised import divergence as divergence
 from edugym.exact.regularised import regularised_iteration as regularised_iteration
 from edugym.exact.regularised import regularised_policy as regularised_policy

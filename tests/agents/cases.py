@@ -122,6 +122,7 @@ STRATEGIES: dict[str, Callable[[Any], Any]] = {
     "exponential decay": lambda environment: eg.ScheduledEpsilonGreedy.create(eg.ExponentialDecay(1.0, 0.05, 0.99)),
     "softmax": lambda environment: eg.Softmax(0.3),
     "ucb": lambda environment: eg.UCB.create(environment, 0.5),
+    "thompson": lambda environment: eg.ThompsonSampling.create(environment, 0.5),
 }
 
 

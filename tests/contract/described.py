@@ -32,6 +32,7 @@ class Parameters:
         layout: parameters with which the layout seed makes a difference, to the task or to its model.
         random: whether what happens depends on the seed of `reset`. With the default parameters 40 steps of play must
             show it.
+        endless: whether no state is terminal, so that only the step limit ends an episode.
         informed: an action from `info` and the environment, for tasks of which random play alone would see little.
     """
 
@@ -41,6 +42,7 @@ class Parameters:
     finite: tuple[Keywords, ...] = ()
     layout: Keywords = field(default_factory=dict)
     random: bool = True
+    endless: bool = False
     informed: Callable[[dict[str, Any], Any], Any] | None = None
 
 

@@ -215,6 +215,9 @@ CALLS: dict[str, Callable[[], Case]] = {
         edugym.preference, {"first_return": 1.0, "second_return": 0.0},
         {"noise": POSITIVE, "first_return": f"{NUMBER} array", "second_return": f"{NUMBER} array"},
         {"first_return": "second_return"}),
+    "regret": lambda: Case(
+        edugym.regret, {"model": edugym.finite_model(edugym.make_mdp("Bandit")), "actions": [0, 1]},
+        {"actions": "[]"}),
     "regularised_iteration": lambda: Case(
         edugym.regularised_iteration, {"model": known().model, "reference": [[0.5, 0.5]] * 4, "penalty": 1.0},
         {"penalty": "2.5"}),
@@ -315,11 +318,15 @@ CALLS: dict[str, Callable[[], Case]] = {
         edugym.TabularObservation(gymnasium.make("FrozenLake-v1")).observation, {"observation": 1},
         {"observation": "0"}),
     "TileCoding.create": lambda: Case(edugym.TileCoding.create, {"environment": (2, 1)}),
+    "ThompsonSampling.create": lambda: Case(
+        edugym.ThompsonSampling.create, {"environment": (4, 2)}, {"spread": NOT_NEGATIVE}),
     "UCB.create": lambda: Case(edugym.UCB.create, {"environment": (4, 2)}, {"c": NOT_NEGATIVE}),
     "Values.value": lambda: Case(edugym.value_iteration(known().model).value, {"state": 0}),
+    "action_gaps": lambda: Case(edugym.action_gaps, {"model": edugym.finite_model(edugym.make_mdp("Bandit"))}),
     "check_mdp": lambda: Case(edugym.check_mdp, {"mdp": known().walk}, {"n_steps": "0"}),
     "finite_horizon": lambda: Case(edugym.finite_horizon, {"model": known().model, "horizon": 3}),
     "finite_model": lambda: Case(edugym.finite_model, {"mdp": known().walk}),
+    "lai_robbins": lambda: Case(edugym.lai_robbins, {"probabilities": [0.5, 0.4]}),
     "load": lambda: Case(
         edugym.load, {"path": known().folder / "agent.npz"}, {"kinds": "[] agent_class task_class"}),
     "make_environment": lambda: Case(lambda name: edugym.make_environment(name), {"name": "Boulder"}),
