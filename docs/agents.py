@@ -16,9 +16,10 @@ from textwrap import fill
 
 from edugym import Profile
 from edugym.adapters.registration import in_course_order
-from edugym.experiments.profiles.pictures import written
-from edugym.experiments.profiles.report import TAKE, best_agents, listed, method, repetitions_of, said, with_margin
+from edugym.experiments.profiles.report import TAKE, method, repetitions_of, take_table, with_margin
 from edugym.experiments.profiles.scores import HALF
+from edugym.experiments.profiles.verdicts import best_agents, listed
+from edugym.experiments.profiles.words import written
 from edugym_course import agent_profiles, one_table
 
 CHALLENGE = Path(__file__).parent / "class-challenge.md"
@@ -66,7 +67,8 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
     """
     names = profile.challenges
     links = {name: f"[{name}](environments/{name.lower()}.md)" for name in names}
-    take = [[f"{links[name]}: {said(profile, name).isolates}", said(profile, name).take] for name in names]
+    heading, take = take_table(profile)
+    take = [[problem, links[name], *rest] for problem, name, *rest in take]
     scores = [
         [agent, str(repetitions_of(profile, agent)), *(score(profile, agent, name) for name in names)]
         for agent in profile.agents
@@ -91,7 +93,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             "",
             fill(f"{TAKE} {STRENGTH}", 120),
             "",
-            *table(["", "take"], take),
+            *table(heading, take),
             "",
             "## Scores",
             "",

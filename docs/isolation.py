@@ -23,7 +23,7 @@ from edugym import DiscreteActions, Discretised, FrameStack, Hashed, Interval, Q
 from edugym.experiments.figures.style import dress, to_bytes
 from edugym.experiments.fingerprints import versions
 from edugym.experiments.profiles.ladders import LADDERS
-from edugym.experiments.profiles.report import rounded
+from edugym.experiments.profiles.words import rounded
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym.system.files import write_whole

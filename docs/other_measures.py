@@ -25,7 +25,7 @@ from edugym import (
 )
 from edugym.experiments.configuration import planned_runs
 from edugym.experiments.profiles.ladders import LADDERS, bounds_of, exact_bounds
-from edugym.experiments.profiles.report import rounded
+from edugym.experiments.profiles.words import rounded
 from edugym.mdp.protocol import Reals
 from edugym.training.trainers import trainer
 from edugym_course import agent_profiles

@@ -15,7 +15,8 @@ from repository import REPOSITORY
 
 import edugym
 from edugym import Profile
-from edugym.experiments.profiles.report import best_agents, outcome, with_margin
+from edugym.experiments.profiles.report import with_margin
+from edugym.experiments.profiles.verdicts import best_agents, outcome
 from edugym_course import agent_profiles
 
 PAGE = """\
@@ -116,7 +117,7 @@ def _fares(name: str) -> Iterator[str]:
             says = f"it cannot enter: {why}." if why else "it is not measured."
             yield f":::{{container}} ladder\n{link}, {about.challenge}: {says}\n:::"
             continue
-        words = f"it {outcome(stored, name, challenge).of_one} ({about.strength})."
+        words = f"it {outcome(stored, name, challenge).of_one}."
         best = _best(challenge)
         beside = "No agent of the package does better." if name in best else f"The best is {best[0]}."
         picture = ladder(stored, name, challenge, f"{challenge}: {words} {beside}")

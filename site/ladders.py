@@ -4,8 +4,9 @@ from html import escape
 from typing import NamedTuple
 
 from edugym import Interval, Profile
-from edugym.experiments.profiles.pictures import scores_of, written
+from edugym.experiments.profiles.pictures import scores_of
 from edugym.experiments.profiles.scores import HALF
+from edugym.experiments.profiles.words import written
 
 WIDTH, HEIGHT = 320, 170
 LEFT, RIGHT, TOP, BOTTOM = 34, 306, 10, 124

@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from edugym import Profile
-from edugym.experiments.profiles import report
+from edugym.experiments.profiles import report, verdicts
 from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.tuning import tuned_profile, with_untuned
 from edugym.system.files import check_writable
@@ -62,7 +62,7 @@ def profile_and_report(
         path = call_interruptibly(report.write, found, output, beside)
     shutil.rmtree(output / UNFINISHED, ignore_errors=True)
     _print_table(*report.score_table(found, beside))
-    said = [f"{name}. {report.said(found, name).sentence}" for name in found.challenges]
+    said = [f"{name}. {verdicts.said(found, name, beside).sentence}" for name in found.challenges]
     if not agents:
         said.append(f"Made again: {', '.join(stale) or 'none'}.")
         if old := {} if libraries else agent_profiles.stale_of_libraries():

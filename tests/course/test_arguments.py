@@ -16,7 +16,7 @@ from matplotlib import pyplot
 import edugym
 from edugym import Ladder, Profile, make_mdp, repeat
 from edugym.experiments.profiles import profile as profiles
-from edugym.experiments.profiles import report
+from edugym.experiments.profiles import report, verdicts
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.pictures import OTHERS, Dots, Rungs
 from edugym.experiments.profiles.scores import COLUMNS
@@ -228,8 +228,8 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(profiles, "LADDERS", (LOW, ARM._replace(strengths=(0.9,), n_steps=10)))
     done = run("profile", "QLearning", "mine.py:Table", "--repetitions", "2", "--output", "out")
     assert done.exit_code == 0, done.output
-    assert "Height of the wall: QLearning masters 3" in done.output
-    assert "Width of the container: QLearning and Table cannot enter." in done.output
+    assert "masters even the rung 3 (height of the wall)" in " ".join(done.output.split())
+    assert "QLearning and Table cannot enter." in done.output
     files = sorted(path.name for path in Path("out").iterdir())
     assert files == ["profile.png", "profile.svg", "report.html", "report.md", "runs.csv"]
     text = Path("out/report.html").read_text(encoding="utf-8")
@@ -241,7 +241,7 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert "default-src 'none'" in text
     assert "prefers-color-scheme: dark" in text
     written = Path("out/report.md").read_text(encoding="utf-8")
-    assert " (one of the others) | –" in written  # the one that can enter Trashbot
+    assert " (one of the others) | it breaks at a container" in written  # the one that can enter Trashbot
     for says in ("QLearning, Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
         assert says in written
         assert says in text
@@ -312,10 +312,12 @@ def test_ctrl_c_keeps_what_is_done(at: str, tmp_path: Path, monkeypatch: pytest.
 def test_dots_name_the_agents_beside_them_only_where_there_are_some() -> None:
     """The legend has an entry for each agent, and one for all of those beside."""
     found = edugym.profile({"Q": edugym.QLearning.create}, challenges=[LOW], repetitions=2)
-    for beside, labels in ((None, ["Q"]), (found, [OTHERS, "Q"])):
-        for drawn in (Dots(found, beside), Rungs(found, "Boulder", beside)):
+    beside = Profile(found.runs.assign(agent="R"), (LOW,), ("R",))
+    for others, labels in ((None, ["Q"]), (beside, [OTHERS, "Q"])):
+        for drawn in (Dots(found, others), Rungs(found, "Boulder", others)):
             assert sorted(drawn.draw().get_legend_handles_labels()[1]) == sorted(labels)
-    others = Profile(found.runs, (LOW._replace(strengths=(2,)),), ("Q",))
+    assert Rungs(found, "Boulder", found).draw().get_legend_handles_labels()[1] == ["Q"]  # who is here is no other
+    others = Profile(beside.runs, (LOW._replace(strengths=(2,)),), ("R",))
     assert Rungs(found, "Boulder", others).draw().get_legend_handles_labels()[1] == ["Q"]
     pyplot.close("all")
 
@@ -324,11 +326,11 @@ def test_the_report_names_those_to_take() -> None:
     """The best, and those whose difference from it may be chance; none where all fail; one beside if it is better."""
     agents = {"Q": edugym.QLearning.create, "nothing": lambda environment: lambda observation: 0}
     found = edugym.profile(agents, challenges=[LOW], repetitions=3)
-    assert report.best_agents(found, "Boulder") == ["Q"]
-    assert report.said(found, "Boulder").take == "Q"
+    assert verdicts.best_agents(found, "Boulder") == ["Q"]
+    assert verdicts.said(found, "Boulder").take == "Q"
     alone = edugym.profile({"nothing": agents["nothing"]}, challenges=[LOW], repetitions=3)
-    assert report.best_agents(alone, "Boulder") == []
-    assert report.said(alone, "Boulder").take == "nobody"
+    assert verdicts.best_agents(alone, "Boulder") == []
+    assert verdicts.said(alone, "Boulder").take == "nobody"
     for profile, beside, expected in (
         (found, alone, "Q"),
         (alone, found, "Q (one of the others)"),
@@ -336,11 +338,11 @@ def test_the_report_names_those_to_take() -> None:
         (alone, alone, "nobody"),
         (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q (one of the others)"),  # nobody here has entered
     ):
-        assert report.score_table(profile, beside)[1][0][1] == expected
+        assert report.take_table(profile, beside)[1][0][2] == expected
     for blank, expected in (({}, "?"), ({"Q": {"Boulder": "it is afraid"}}, "–")):  # not measured, cannot enter
-        assert report.score_table(Profile(found.runs[:0], (LOW,), ("Q",), blank))[1][0][2] == expected
+        assert report.score_table(Profile(found.runs[:0], (LOW,), ("Q",), blank))[1][0][1] == expected
     chance = found.runs.assign(score=found.runs["score"] - 0.01 * (found.runs["repetition"] == 0))
-    assert report.better_beside(Profile(chance, (LOW,), ("Q", "nothing")), "Boulder", found) is None
+    assert verdicts.better_beside(Profile(chance, (LOW,), ("Q", "nothing")), "Boulder", found) is None
 
 
 def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -454,7 +456,7 @@ def test_who_has_fewer_repetitions_is_named_only_if_surely_better(scores: tuple[
     ]
     runs = pandas.DataFrame(rows).reindex(columns=list(COLUMNS))
     found = Profile(runs, (LOW._replace(strengths=(2,)),), ("often", "few"))
-    assert report.best_agents(found, "Boulder") == take
+    assert verdicts.best_agents(found, "Boulder") == take
     assert "Fewer times: few 2." in report.method(found)
 
 

@@ -13,6 +13,7 @@ import pytest
 
 import edugym
 from edugym import Interrupted, Ladder, Profile, QLearning, profile
+from edugym.checks.parameters import whole_number
 from edugym.experiments.configuration import planned_runs
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
@@ -183,6 +184,33 @@ def test_an_agent_may_train_itself(tmp_path: Path) -> None:
     assert found.runs["return"].tolist() == [0.0] * 4
     assert found.runs["steps"].tolist() == [400] * 4
     assert found.score("own", "Walks").n == 2
+
+
+def test_who_trains_itself_and_refuses_a_rung_is_blank_there() -> None:
+    """Networks may need more steps than a rung has; the other challenges and the other agents go on."""
+
+    class Learner(NamedTuple):
+        environment: Any
+
+        def train(self, n_steps: int, *, evaluate_every: int, evaluation_episodes: int, seed: int) -> Run:
+            whole_number("n_steps", n_steps, 300)
+            steps = np.array([0, n_steps])
+            return Run(steps, np.zeros(2), np.zeros(2), steps, self, seed, 0.0, True)
+
+    few = WALKS._replace(
+        name="Few",
+        strengths=(400, 200),
+        n_steps=None,
+        strength="steps",
+        make=lambda steps, layout_seed: walk(3, layout_seed),
+    )
+    agents = {"own": lambda environment: Learner(environment), "Q": QLearning.create}
+    found = profile(agents, challenges=[few, WALKS], repetitions=2, jobs=1)
+    assert list(found.blank["own"]) == ["Few"]
+    assert found.blank["own"]["Few"].startswith("the rung 200 (steps): n_steps must be")
+    assert found.blank["Q"] == {}
+    assert found.score("own", "Few").n == 0
+    assert found.score("own", "Walks").n == found.score("Q", "Few").n == 2
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from edugym.checks.parameters import (
 from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.value_iteration import value_iteration
+from edugym.experiments.profiles.words import NO_WORDS, WORDS, Words, written
 from edugym.mdp.task import task_of
 from edugym.training.train import MOST_EPISODES
 
@@ -57,6 +58,7 @@ class Ladder(NamedTuple):
         bounds: called with a strength, it gives the `Bounds` of the rung; None takes them from the exact model.
         one_layout: whether the bounds are those of any layout, so that the exact model of one is enough.
         source: where the best play comes from.
+        words: the same for readers who do not know the environment.
     """
 
     name: str
@@ -69,6 +71,7 @@ class Ladder(NamedTuple):
     bounds: Callable[[float], Bounds] | None = None
     one_layout: bool = False
     source: str = EXACT
+    words: Words = NO_WORDS
 
 
 def checked(ladder: Ladder) -> Ladder:
@@ -79,6 +82,10 @@ def checked(ladder: Ladder) -> Ladder:
     """
     for name in ("name", "challenge", "strength", "source"):
         a_text(name, getattr(ladder, name))
+    if not isinstance(ladder.words, Words):
+        raise ValueError(f"words must be Words, but is {in_short(ladder.words)}")
+    for name, text in ladder.words._asdict().items():
+        a_text(f"words.{name}", text)
     needed = "a tuple of one or more finite numbers, each of them once"
     strengths: list[Any] = several("strengths", ladder.strengths, object, needed)
     finite = all(isinstance(strength, int | float) and math.isfinite(strength) for strength in strengths)
@@ -119,6 +126,11 @@ def _check_function(name: str, function: Any, named: dict[str, Any]) -> None:
 def steps_of(ladder: Ladder, strength: float) -> int:
     """The training steps of a rung."""
     return int(strength) if ladder.n_steps is None else ladder.n_steps
+
+
+def rung_in_words(ladder: Ladder, strength: float) -> str:
+    """A rung in words, such as "a wall of height 14"."""
+    return (ladder.words.rung or f"the rung {{}} ({ladder.strength})").replace("{}", written(strength))
 
 
 def bounds_of(ladder: Ladder, strength: float, layout_seed: int) -> Bounds:
@@ -266,7 +278,8 @@ TRASHBOT: Mapping[float, Bounds] = MappingProxyType(
 
 
 def _ladder(name: str, strength: str, strengths: tuple[float, ...], make: Callable[..., Any], **rest: Any) -> Ladder:
-    return Ladder(name, find(name).challenge, strength, strengths, make, **rest)
+    words = WORDS.get(name, NO_WORDS)
+    return Ladder(name, find(name).challenge, strength, strengths, make, words=words, **rest)
 
 
 LADDERS: tuple[Ladder, ...] = (

@@ -14,8 +14,18 @@ if TYPE_CHECKING:
 TRAIN = "train"
 """The method of an agent that trains itself: train(n_steps, *, evaluate_every, evaluation_episodes, seed) -> Run."""
 
+
+class Refused(Exception):
+    """An agent did not train on a rung, for a reason that is told in a sentence."""
+
+
 Points = tuple[list[int], list[float]]
 """The steps and the returns of a learning curve."""
+
+
+def reason(error: Exception) -> str:
+    """What an error says, with its kind where it is not one of the sentences of this package."""
+    return str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
 
 
 def trains_itself(agent: Any) -> bool:
@@ -40,6 +50,9 @@ def curves(
         how: the arguments of the agent's method `train`, but for the seed.
         jobs: the number of processes, as in `repeat`.
         kept_at: the file for the run of a seed, or None.
+
+    Raises:
+        Refused: the agent cannot be trained so, as where it needs more steps.
     """
     import joblib
     import pandas
@@ -60,8 +73,10 @@ def _run(
     make: Callable[[Any], Any], task: Callable[..., Any], repetition: Repetition, how: dict[str, Any], path: Path | None
 ) -> tuple[int, Points]:
     """Do one run, and keep it."""
-    agent = make(task(layout_seed=repetition.layout_seed))
-    run = agent.train(**how, seed=repetition.seed)
+    try:
+        run = make(task(layout_seed=repetition.layout_seed)).train(**how, seed=repetition.seed)
+    except Exception as error:  # a student's agent may fail in any way where it does not fit
+        raise Refused(reason(error)) from error
     points = run.steps.tolist(), run.returns.tolist()
     if path is not None:
         write_whole(path, json.dumps(points).encode())

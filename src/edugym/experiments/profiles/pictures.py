@@ -9,6 +9,7 @@ from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.profiles.scores import HALF, Profile
+from edugym.experiments.profiles.words import written
 from edugym.rendering.palette import INK
 
 if TYPE_CHECKING:
@@ -18,6 +19,12 @@ MARKERS = "osD^vPX"
 """The marks of the first, second, ... agent; after the last one the first comes again."""
 OTHERS = "other agents"
 """What the legend calls the agents beside a profile."""
+NAMED = "line of "
+"""The id of a line, before the name of its agent; a page shows the name to whoever rests on the line."""
+LOWEST = -0.25
+"""The lowest score that a ladder shows."""
+NEAR, MOST_ENDS = 0.1, 3
+"""Grey lines that end so near to each other have one name, and so many ends are named."""
 RINGS = (0.25, 0.5, 0.75, 1.0)
 
 
@@ -135,28 +142,51 @@ class Rungs(NamedTuple):
         ladder = self.profile.ladder(self.challenge)
         x = np.arange(len(ladder.strengths))
         if self.beside and self.beside.ladder(self.challenge).strengths == ladder.strengths:
-            others = [self.beside.rungs(agent, self.challenge) for agent in scores_of(self.beside, self.challenge)]
-            for number, rungs in enumerate(others):
-                means = [rung.estimate for rung in rungs]
-                ax.plot(x, means, color=INK, linewidth=0.6, alpha=0.35, label=None if number else OTHERS)
+            scores, ends = scores_of(self.beside, self.challenge), {}
+            others = [agent for agent in scores if agent not in self.profile.agents]
+            for number, agent in enumerate(sorted(others, key=lambda agent: -scores[agent])):
+                means = [rung.estimate for rung in self.beside.rungs(agent, self.challenge)]
+                look: dict[str, Any] = {"color": INK, "linewidth": 0.6, "alpha": 0.35, "gid": f"{NAMED}{agent}"}
+                ax.plot(x, means, label=None if number else OTHERS, **look)
+                ends[agent] = means[-1]
+            for name, end in named_ends(ends):
+                ax.text(x[-1] + 0.12, max(end, LOWEST), name, va="center", fontsize=7, alpha=0.8, color=INK)
+            ax.set_xlim(-0.3, 1.5 * x[-1])
         for index, agent in enumerate(self.profile.agents):
             rungs = self.profile.rungs(agent, self.challenge)
             if any(rung.n == 0 for rung in rungs):
                 continue
             low, high = np.array([[rung.low, rung.high] for rung in rungs]).T
-            look = stroke(index)
+            line = stroke(index)
             means = [rung.estimate for rung in rungs]
-            mark: dict[str, Any] = {"marker": MARKERS[index % len(MARKERS)], "markersize": 4}
-            ax.plot(x, means, color=look.color, linestyle=look.linestyle, linewidth=1.6, label=agent, **mark)
+            mark: dict[str, Any] = {"marker": MARKERS[index % len(MARKERS)], "markersize": 4, "gid": f"{NAMED}{agent}"}
+            ax.plot(x, means, color=line.color, linestyle=line.linestyle, linewidth=1.6, label=agent, **mark)
             finite = np.isfinite(low) & np.isfinite(high)
-            ax.fill_between(x, low, high, where=finite, color=look.color, alpha=0.16, linewidth=0)
+            ax.fill_between(x, low, high, where=finite, color=line.color, alpha=0.16, linewidth=0)
         ax.axhline(HALF, **REFERENCE)
         dress(ax, ladder.strength, "score", self.title)
         ax.set_xticks(x, [written(strength) for strength in ladder.strengths])
-        ax.set_ylim(-0.25, 1.1)
+        ax.set_ylim(LOWEST, 1.1)
         if place.alone and ax.get_legend_handles_labels()[1]:
             add_legend(ax)
         return ax
+
+
+def named_ends(ends: dict[str, float]) -> list[tuple[str, float]]:
+    """The names of lines and where they stand: where several lines end, the first and how many more there are.
+
+    Args:
+        ends: the height at which the line of each agent ends, those first that are to be named.
+    """
+    found: list[tuple[list[str], float]] = []
+    for agent, end in ends.items():
+        for names, height in found:
+            if abs(end - height) < NEAR:
+                names.append(agent)
+                break
+        else:
+            found.append(([agent], end))
+    return [(f"{names[0]} + {len(names) - 1}" if names[1:] else names[0], end) for names, end in found[:MOST_ENDS]]
 
 
 def scores_of(profile: Profile | None, challenge: str) -> dict[str, float]:
@@ -165,13 +195,6 @@ def scores_of(profile: Profile | None, challenge: str) -> dict[str, float]:
         return {}
     scores = {agent: profile.score(agent, challenge) for agent in profile.agents}
     return {agent: score.estimate for agent, score in scores.items() if score.n}
-
-
-def written(strength: float) -> str:
-    """A strength as a reader likes it: at most three digits, and a space between thousands."""
-    if abs(strength) >= 1000:
-        return f"{strength:,.0f}".replace(",", "\N{NO-BREAK SPACE}")
-    return f"{strength:.3g}"
 
 
 def picture(profile: Profile, beside: Profile | None = None) -> Sheet:

@@ -17,8 +17,8 @@ from edugym.checks.contract import METHODS, contract_of
 from edugym.checks.parameters import a_path, in_short, true_or_false, whole_number
 from edugym.experiments.configuration import Repetition, planned_runs
 from edugym.experiments.fingerprints import deep_versions, fingerprint
-from edugym.experiments.profiles.ladders import LADDERS, Ladder, bounds_of, checked, steps_of
-from edugym.experiments.profiles.own_training import TRAIN, curves, trains_itself
+from edugym.experiments.profiles.ladders import LADDERS, Ladder, bounds_of, checked, rung_in_words, steps_of
+from edugym.experiments.profiles.own_training import TRAIN, Refused, curves, reason, trains_itself
 from edugym.experiments.profiles.scores import COLUMNS, NEARLY, Profile
 from edugym.experiments.repeat import MOST_REPETITIONS, Maker, checked_jobs, makers_of, repeat
 from edugym.system.extras import require
@@ -151,13 +151,13 @@ def profile(
                     error = next(iter(errors.values()))
                     error.add_note(f"agents[{method.label!r}] can enter none of the challenges")
                     raise error
-                blank[method.label] |= {name: _reason(error) for name, error in errors.items()}
+                blank[method.label] |= {name: reason(error) for name, error in errors.items()}
                 if alone:
                     on_their_own.add(method.label)
             for rung in rungs:
                 guard.should_stop()
                 entering = [method for method in methods if rung.ladder.name not in blank[method.label]]
-                rows += _climb(rung, entering, on_their_own, repetitions, seed, jobs, folder)
+                rows += _climb(rung, entering, on_their_own, blank, repetitions, seed, jobs, folder)
                 done += 1
                 bar.update(1)
     except KeyboardInterrupt:
@@ -215,7 +215,7 @@ def _ladders(challenges: Sequence[str | Ladder] | None) -> tuple[Ladder, ...]:
 def why_not_entered(agents: Mapping[str, Any], ladders: Sequence[Ladder]) -> dict[str, dict[str, str]]:
     """For each agent, the challenges that it cannot enter, with the reason; arguments as in `profile`."""
     return {
-        method.label: {name: _reason(error) for name, error in _tried(method, ladders).errors.items()}
+        method.label: {name: reason(error) for name, error in _tried(method, ladders).errors.items()}
         for method in _methods(agents)
     }
 
@@ -232,11 +232,6 @@ def _tried(method: Method, ladders: Sequence[Ladder]) -> Trial:
                 errors[ladder.name] = error
                 break
     return Trial(errors, alone)
-
-
-def _reason(error: Exception) -> str:
-    """What an error says, with its kind where it is not one of the sentences of this package."""
-    return str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
 
 
 def _try(method: Method, ladder: Ladder, strength: float) -> bool:
@@ -283,12 +278,16 @@ def _climb(
     rung: Rung,
     methods: list[Method],
     on_their_own: set[str],
+    blank: dict[str, dict[str, str]],
     repetitions: int,
     seed: int,
     jobs: int | None,
     folder: Path | None,
 ) -> Iterator[Row]:
-    """The rows of a rung: those that are in the folder, and the others made."""
+    """The rows of a rung: those that are in the folder, and the others made.
+
+    Who trains itself, and refuses this rung, has no score in the challenge: `blank` gets the reason.
+    """
     ladder, strength = rung
     n_steps = steps_of(ladder, strength)
     for method in methods:
@@ -305,7 +304,11 @@ def _climb(
             found: Any
             if method.label in on_their_own:
                 kept_at = partial(_kept_at, folder, rung, method, deep_versions())
-                found = curves(method.make, task, plan, {"n_steps": n_steps, **measured}, jobs, kept_at)
+                try:
+                    found = curves(method.make, task, plan, {"n_steps": n_steps, **measured}, jobs, kept_at)
+                except Refused as refused:
+                    blank[method.label][ladder.name] = f"{rung_in_words(ladder, strength)}: {refused}"
+                    continue
             else:
                 how = {"repetitions": repetitions, "seed": seed, "jobs": jobs, **measured}
                 found = repeat(task, {method.label: method.make}, n_steps, **how).curves(method.label)

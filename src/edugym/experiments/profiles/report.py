@@ -5,16 +5,25 @@ import math
 import os
 import re
 from pathlib import Path
-from typing import NamedTuple
 
 from edugym.checks.parameters import a_path
 from edugym.experiments.figures.panel import Panel
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import save_figure, to_bytes
 from edugym.experiments.profiles.ladders import EXACT, steps_of
-from edugym.experiments.profiles.pictures import Dots, Radar, Rungs, picture, scores_of, written
-from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
-from edugym.experiments.results.statistics import Interval, paired_difference
+from edugym.experiments.profiles.pictures import NAMED, Dots, Radar, Rungs, picture
+from edugym.experiments.profiles.scores import NEARLY, Profile
+from edugym.experiments.profiles.verdicts import (
+    Said,
+    best_agents,
+    better_beside,
+    listed,
+    others_of,
+    outcome,
+    said,
+)
+from edugym.experiments.profiles.words import rounded, written
+from edugym.experiments.results.statistics import Interval
 from edugym.rendering.palette import INK
 from edugym.system.extras import require
 from edugym.system.files import write_whole
@@ -40,110 +49,17 @@ th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align:
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 21rem), 1fr)); gap: 1.5rem; }
 figure { margin: 0; }
 figure svg { width: 100%; height: auto; max-width: 34rem; fill: currentColor; }
+.ladders { grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); }
 .ladders > section { min-width: 0; }
+.numbers td:first-child { position: sticky; left: 0; background: var(--paper); }
+@media (max-width: 40rem) {
+  .cards thead { display: none; }
+  .cards tr { display: block; padding: .6rem 0; border-bottom: 1px solid var(--line); }
+  .cards td { display: grid; grid-template-columns: 8.5rem 1fr; gap: .6rem; padding: .1rem 0; border: 0; }
+  .cards td::before { content: attr(data-label); color: var(--soft); }
+  .cards td:first-child { font-weight: 600; }
+}
 """
-
-
-class Said(NamedTuple):
-    """What the report says about a challenge.
-
-    Attributes:
-        challenge: the name.
-        isolates: what the challenge is.
-        take: the agents to take: the best, and those that cannot be told from it.
-        sentence: what stands out.
-    """
-
-    challenge: str
-    isolates: str
-    take: str
-    sentence: str
-
-
-def listed(texts: list[str]) -> str:
-    """Texts as a list in a sentence."""
-    return texts[0] if len(texts) == 1 else f"{', '.join(texts[:-1])} and {texts[-1]}"
-
-
-class Outcome(NamedTuple):
-    """How one agent, or several, fare on a ladder, in a few words."""
-
-    of_one: str
-    of_several: str
-
-
-def outcome(profile: Profile, agent: str, challenge: str) -> Outcome:
-    """How an agent fares on a ladder."""
-    ladder, broken = profile.ladder(challenge), profile.breaks(agent, challenge)
-    if broken is None:
-        if challenge in profile.blank.get(agent, {}):
-            return Outcome("cannot enter", "cannot enter")
-        return Outcome("is not measured", "are not measured")
-    first, last = written(ladder.strengths[0]), written(ladder.strengths[-1])
-    if broken.where == "at once":
-        return Outcome(f"fails already at {first}", f"fail already at {first}")
-    if broken.where == "between":
-        at = written(float(f"{broken.strength:.2g}"))  # interpolated: more digits would say too much
-        return Outcome(f"breaks at {at}", f"break at {at}")
-    if profile.rungs(agent, challenge)[-1].estimate >= NEARLY:
-        return Outcome(f"masters {last}", f"master {last}")
-    return Outcome(f"does not break up to {last}", f"do not break up to {last}")
-
-
-def said(profile: Profile, challenge: str) -> Said:
-    """What the report says about a challenge."""
-    ladder = profile.ladder(challenge)
-    outcomes: dict[Outcome, list[str]] = {}
-    for agent in profile.agents:
-        outcomes.setdefault(outcome(profile, agent, challenge), []).append(agent)
-    parts = [
-        f"{listed(agents)} {words.of_one if len(agents) == 1 else words.of_several}"
-        for words, agents in outcomes.items()
-    ]
-    best = best_agents(profile, challenge)
-    entered = any(profile.score(agent, challenge).n for agent in profile.agents)
-    take = listed(best) if best else "nobody" if entered else "nobody can enter"
-    if best and (score := profile.score(best[0], challenge).estimate) < HALF:
-        take = f"nobody is good; the best score is {rounded(score)}, of {best[0]}"
-    sentence = f"{ladder.strength[:1].upper()}{ladder.strength[1:]}: {'; '.join(parts)}."
-    return Said(challenge, ladder.challenge, take, sentence)
-
-
-def best_agents(profile: Profile, challenge: str) -> list[str]:
-    """The agent with the highest score, and those whose difference from it may be chance; none where none enters.
-
-    An agent that is not better than random play is none of them. One with fewer repetitions than others is one of them
-    only if it is surely better: its interval lies above that of the best of the others.
-    """
-    scores = {agent: profile.score(agent, challenge) for agent in profile.agents}
-    entered = {agent: score for agent, score in scores.items() if score.n and score.estimate > 0}
-    if not entered:
-        return []
-    most = max(score.n for score in entered.values())
-    often = [agent for agent, score in entered.items() if score.n == most]
-    best = max(often, key=lambda agent: entered[agent].estimate)
-    surely = [agent for agent in entered if agent not in often and entered[agent].low > entered[best].high]
-    if surely:
-        return sorted(surely, key=lambda agent: -entered[agent].estimate)
-    runs = {agent: profile.scores(agent, challenge).mean(axis=0) for agent in often}
-    return [best, *(a for a in often if a != best and paired_difference(runs[best], runs[a]).low <= 0)]
-
-
-def others_of(profile: Profile, beside: Profile | None, challenge: str) -> dict[str, float]:
-    """The scores of the agents of another profile that have none in this one."""
-    here = scores_of(profile, challenge)
-    return {agent: score for agent, score in scores_of(beside, challenge).items() if agent not in here}
-
-
-def better_beside(profile: Profile, challenge: str, beside: Profile | None) -> str | None:
-    """The best agent of another profile, if it is good and surely better than all here: their intervals lie apart."""
-    others = others_of(profile, beside, challenge)
-    if beside is None or not others:
-        return None
-    best = max(others, key=lambda agent: others[agent])
-    here = [profile.score(agent, challenge) for agent in profile.agents]
-    highest = max((score.high for score in here if score.n), default=-math.inf)
-    return best if others[best] >= HALF and beside.score(best, challenge).low > highest else None
 
 
 def of_score(score: Interval) -> str:
@@ -166,27 +82,34 @@ def with_margin(score: Interval) -> str:
     return f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}".replace(" ", "\N{NO-BREAK SPACE}")
 
 
-def rounded(number: float) -> str:
-    """A number with two digits, where 0 has no sign."""
-    return f"{round(number, 2) + 0.0:.2f}"
+def take_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
+    """The heading and the rows of the table that says which agent to take, and how far it gets.
 
-
-def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
-    """The heading and the rows of the table of scores; the best agent of another profile stands beside them.
-
-    The agent to take is one of the other profile where it is surely better.
+    The agent to take is one of another profile where it is surely better.
     """
     rows = []
     for challenge in profile.challenges:
-        about = said(profile, challenge)
+        about, problem = said(profile, challenge), profile.ladder(challenge).words.problem
+        taken, best, of = about.take, best_agents(profile, challenge), profile
+        if beside and (better := better_beside(profile, challenge, beside)):
+            taken, best, of = f"{better} (one of the others)", [better], beside
+        far = f"it {outcome(of, best[0], challenge).of_one}" if best else "–"
+        if len(best) > 1:
+            far = f"{best[0]} {far.removeprefix('it ')}"
+        rows.append([problem or about.isolates, challenge, taken, far])
+    return ["your problem has", "challenge", "take", "how far that gets"], rows
+
+
+def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
+    """The heading and the rows of the table of scores; the best agent of another profile stands beside them."""
+    rows = []
+    for challenge in profile.challenges:
         scores = [score_or_reason(profile, agent, challenge) for agent in profile.agents]
         others = others_of(profile, beside, challenge)
         best = max(others, key=lambda agent: others[agent]) if others else ""
         known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
-        better = better_beside(profile, challenge, beside)
-        take = f"{better} (one of the others)" if better else about.take
-        rows.append([f"{challenge} ({about.isolates})", take, *scores, *known])
-    return ["challenge", "take", *profile.agents, *(["best of the others"] if beside else [])], rows
+        rows.append([f"{challenge} ({profile.ladder(challenge).challenge})", *scores, *known])
+    return ["challenge", *profile.agents, *(["best of the others"] if beside else [])], rows
 
 
 def rung_table(profile: Profile, challenge: str) -> tuple[list[str], list[list[str]]]:
@@ -243,27 +166,37 @@ def method(profile: Profile) -> list[str]:
 
 INTRODUCTION = (
     "For every challenge there is a ladder of tasks, from easy to hopeless. A score of 1 means that an agent plays each"
-    " of them as well as can be, 0 that it plays no better than at random."
+    " of them as well as can be, 0 that it plays no better than at random. Where its score first falls below 0.5, half"
+    " of the way from random to the best play, it breaks."
 )
-
-
 TAKE = (
-    "Find the challenge that is most like your problem, and take an agent that stands beside it: the one with the"
-    " highest score, or one whose difference from it may be chance."
+    "Find the line that is most like your problem, and take an agent that stands there. The first has the highest"
+    " score; that the others have less may be chance."
 )
-
-
+OF_OTHERS = "One of the others is not among the agents of this page: its marks are grey."
+FURTHER = "Further down stands what the challenge is, and how far each agent gets."
 MARKS = (
-    "In the table, – says that an agent cannot enter a challenge, and ? that it was not measured there."
-    f" A score a little above 1 is luck: the best play is known on average. Steps to {NEARLY} are those after which a"
-    " run first scores that much, the median over the runs; it may lose it again."
+    "A number is a score with its 95 % interval; – says that an agent cannot enter a challenge, and ? that it was not"
+    " measured there. A score a little above 1 is luck: the best play is known on average."
 )
-
-
-GREY = (
+STEPS = (
+    f"Steps to {NEARLY} are those after which a run first scores that much, the median over the runs; it may lose it"
+    " again."
+)
+OTHER = (
     "Grey marks are other agents, at their defaults: those of EduGym, and those of Stable-Baselines3 (SB3) where they"
     " were measured."
 )
+GREY = (
+    "At the end of grey lines stands the other agent with the highest score of those that end there; + 3 stands for"
+    " three more. Rest on a line to see its name."
+)
+
+
+def paragraphs(profile: Profile, about: Said) -> list[str]:
+    """What a challenge is, and how far the agents get, as lines of Markdown."""
+    task = profile.ladder(about.challenge).words.about
+    return [*([task, ""] if task else []), about.sentence, ""]
 
 
 def markdown(profile: Profile, beside: Profile | None = None) -> str:
@@ -277,22 +210,33 @@ def markdown(profile: Profile, beside: Profile | None = None) -> str:
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
+    guide = " ".join([TAKE, *([OF_OTHERS] if beside else []), FURTHER])
     lines = [
         "# What the agents master",
         "",
         INTRODUCTION,
         "",
-        TAKE,
+        "## Which agent to take",
+        "",
+        guide,
+        "",
+        *table(*take_table(profile, beside)),
+        "## Scores",
+        "",
+        "![Radar, scores with intervals, and ladders](profile.svg)",
         "",
         *table(*score_table(profile, beside)),
         MARKS,
         "",
+        "## The challenges",
+        "",
+        STEPS,
+        "",
     ]
-    lines += ["![Radar, scores with intervals, and ladders](profile.svg)", "", "## The challenges", ""]
     for challenge in profile.challenges:
-        about = said(profile, challenge)
-        heading, rows = rung_table(profile, challenge)
-        lines += [f"### {challenge}: {about.isolates}", "", about.sentence, "", *(table(heading, rows) if rows else [])]
+        about, (heading, rows) = said(profile, challenge, beside), rung_table(profile, challenge)
+        lines += [f"### {challenge}: {about.isolates}", "", *paragraphs(profile, about)]
+        lines += table(heading, rows) if rows else []
     if reasons(profile):
         lines += ["## Who cannot enter", "", *(f"- {escape(reason)}" for reason in reasons(profile)), ""]
     return "\n".join([*lines, "## How it was measured", "", *(f"- {sentence}" for sentence in method(profile)), ""])
@@ -302,13 +246,15 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
     """The report as one HTML file, which loads nothing from anywhere; light or dark as the reader's system is."""
     escape = html.escape
 
-    def row(texts: list[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(text)}</{tag}>" for text in texts) + "</tr>"
-
-    def table(heading: list[str], rows: list[list[str]]) -> str:
-        body = "\n".join(row(texts, "td") for texts in rows)
+    def table(heading: list[str], rows: list[list[str]], kind: str = "cards") -> str:
+        labels = [escape(text) for text in heading]
+        head = "".join(f"<th>{label}</th>" for label in labels)
+        lines = (zip(labels, map(escape, texts), strict=True) for texts in rows)
+        cells = ("".join(f'<td data-label="{label}">{text}</td>' for label, text in line) for line in lines)
+        body = "\n".join(f"<tr>{line}</tr>" for line in cells)
         return (
-            f'<div class="wide"><table>\n<thead>{row(heading, "th")}</thead>\n<tbody>\n{body}\n</tbody></table></div>'
+            f'<div class="wide"><table class="{kind}">\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>'
+            "</table></div>"
         )
 
     def items(texts: list[str]) -> str:
@@ -316,13 +262,16 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 
     challenges = []
     for challenge in profile.challenges:
-        about, (heading, rows) = said(profile, challenge), rung_table(profile, challenge)
-        parts = [f"<h3>{escape(f'{challenge}: {about.isolates}')}</h3>", f"<p>{escape(about.sentence)}</p>"]
+        about, (heading, rows) = said(profile, challenge, beside), rung_table(profile, challenge)
+        parts = [f"<h3>{escape(f'{challenge}: {about.isolates}')}</h3>"]
+        parts += [f"<p>{escape(text)}</p>" for text in paragraphs(profile, about) if text]
+        if rows or others_of(profile, beside, challenge):
+            parts.append(figure(Rungs(profile, challenge, beside), about.sentence))
         if rows:
-            numbers = f"<details><summary>numbers</summary>{table(heading, rows)}</details>"
-            parts += [figure(Rungs(profile, challenge, beside), about.sentence), numbers]
+            parts.append(f"<details><summary>numbers</summary>{table(heading, rows, 'numbers')}</details>")
         challenges.append("<section>" + "\n".join(parts) + "</section>")
-    grey = f" {GREY}" if beside else ""
+    other, grey = (f" {OTHER}", f" {GREY}") if beside else ("", "")
+    guide = " ".join([TAKE, *([OF_OTHERS] if beside else []), FURTHER])
     blank = f"<h2>Who cannot enter</h2>\n{items(reasons(profile))}" if reasons(profile) else ""
     return f"""\
 <!doctype html>
@@ -338,17 +287,20 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 <body>
 <h1>What the agents master</h1>
 <p>{escape(INTRODUCTION)}</p>
+<h2>Which agent to take</h2>
+<p>{escape(guide)}</p>
+{table(*take_table(profile, beside))}
+<h2>Scores</h2>
 <div class="figures">
 {figure(Radar(profile), "Radar of the scores; the table has the numbers")}
 {figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
-compared; a gap in a line, or no dot, means that the agent cannot enter the challenge, or was not measured.{grey}</p>
-<h2>Which agent to take</h2>
-<p>{escape(TAKE)} The ladders below say up to which strength of the challenge it is good.</p>
+compared; a gap in a line, or no dot, means that the agent cannot enter the challenge, or was not measured.{other}</p>
 {table(*score_table(profile, beside))}
 <p class="soft">{escape(MARKS)}</p>
 <h2>The challenges</h2>
+<p class="soft">{escape(STEPS)}{grey}</p>
 <div class="figures ladders">
 {chr(10).join(challenges)}
 </div>
@@ -369,6 +321,7 @@ def figure(panel: Panel, says: str) -> str:
     svg = re.sub(r' (width|height)="[^"]*pt"', "", svg, count=2)
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
     svg = svg.replace(INK, "currentColor").replace("#ffffff", "none")
+    svg = re.sub(rf'<g id="{NAMED}([^"]*)">', r"<g><title>\1</title>", svg)
     unique = re.sub(r"\W+", "", f"{type(panel).__name__}{panel.title}")
     svg = re.sub(r'(id="|href="#|url\(#)', rf"\g<1>{unique}-", svg)
     return f'<figure role="img" aria-label="{html.escape(says)}">{svg}</figure>'

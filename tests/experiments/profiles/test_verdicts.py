@@ -1,0 +1,132 @@
+"""What a profile says in words, from scores that are given by hand."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import pandas
+import pytest
+
+from edugym import Ladder, Profile
+from edugym.experiments.profiles import report
+from edugym.experiments.profiles.ladders import LADDERS, checked, rung_in_words
+from edugym.experiments.profiles.pictures import named_ends
+from edugym.experiments.profiles.scores import COLUMNS
+from edugym.experiments.profiles.verdicts import along, said
+from edugym.experiments.profiles.words import Words
+
+WALL = next(ladder for ladder in LADDERS if ladder.name == "Boulder")._replace(strengths=(10, 20, 40))
+FEW_STEPS = next(ladder for ladder in LADDERS if ladder.name == "Supermarket")._replace(strengths=(400, 200, 100))
+
+
+def profiled(
+    scores: Mapping[str, tuple[float, ...]], ladder: Ladder = WALL, blank: dict[str, dict[str, str]] | None = None
+) -> Profile:
+    """A profile in which each agent has these scores on the three rungs, in both of its runs."""
+    rows = [
+        {"agent": agent, "challenge": ladder.name, "strength": strength, "repetition": number, "score": score}
+        for agent, found in scores.items()
+        for strength, score in zip(ladder.strengths, found, strict=True)
+        for number in range(2)
+    ]
+    names = (*scores, *(name for name in blank or {} if name not in scores))
+    return Profile(pandas.DataFrame(rows, columns=list(COLUMNS)), (ladder,), names, blank or {})
+
+
+FAR, MIDDLE, NEARER, LOW = (1.0, 1.0, 1.0), (1.0, 0.5, 0.0), (0.9, 0.1, 0.0), (0.1, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("scores", "sentence"),
+    [
+        ({"A": MIDDLE}, "A breaks at a wall of height 20."),
+        (
+            {"C": NEARER, "D": LOW, "A": FAR, "B": MIDDLE},
+            "A gets furthest: it masters even a wall of height 40. B breaks at a wall of height 20 and C at 15. D fails"
+            " even at a wall of height 10.",
+        ),
+        ({"A": FAR, "B": FAR}, "A and B master even a wall of height 40."),
+        ({"A": (1.0, 0.9, 0.6), "B": LOW}, "A gets furthest: it does not break even at a wall of height 40. B fails"),
+        ({"A": (1.0, 0.4, 1.0), "B": MIDDLE}, "B breaks at a wall of height 20 and A at 18."),  # A has the higher score
+    ],
+)
+def test_how_far_each_agent_gets(scores: dict[str, Any], sentence: str) -> None:
+    """The one that gets furthest comes first, and is called so only if it is the one to take."""
+    assert said(profiled(scores), "Boulder").sentence.startswith(sentence)
+
+
+def test_fewer_steps_do_not_break_an_agent() -> None:
+    """Where the strength is the number of steps, an agent needs some."""
+    scores = {"A": FAR, "B": MIDDLE, "C": NEARER, "D": LOW, "E": (1.0, 0.8, 0.6)}
+    assert said(profiled(scores, FEW_STEPS), "Supermarket").sentence == (
+        "A gets furthest: it masters it even with 100 training steps. E does not break even with 100 training steps. B"
+        " needs about 200 training steps and C about 300. D fails even with 400 training steps."
+    )
+
+
+def test_who_cannot_enter_and_who_is_not_measured() -> None:
+    """Neither is ahead of anybody, so nobody gets furthest beside them."""
+    found = profiled({"A": FAR}, blank={"B": {"Boulder": "no hands"}, "C": {}})
+    sentence = "A masters even a wall of height 40. B cannot enter. C is not measured."
+    assert said(found, "Boulder").sentence == sentence
+
+
+def test_a_better_agent_beside_is_named_with_how_far_it_gets() -> None:
+    """In the sentence and in the table of whom to take; where nobody here enters too."""
+    beside = profiled({"A": FAR, "B": MIDDLE})
+    better = "is better: it masters even a wall of height 40."
+    assert said(profiled({"B": MIDDLE}), "Boulder", beside).sentence.endswith(f"A, one of the other agents, {better}")
+    assert "other" not in said(profiled({"B": FAR}), "Boulder", beside).sentence
+    blank = {"D": {"Boulder": "no hands"}}
+    nobody = said(profiled({}, blank=blank), "Boulder", beside).sentence
+    assert nobody == "D cannot enter. A, one of the other agents, masters even a wall of height 40."
+    problem, far = "a reward that random play hardly ever finds", "it masters even a wall of height 40"
+    row = report.take_table(profiled({"B": MIDDLE}), beside)[1][0]
+    assert row == [problem, "Boulder", "A (one of the others)", far]
+    row = report.take_table(profiled({"B": FAR, "C": FAR}))[1][0]
+    assert row == [problem, "Boulder", "B and C", "B masters even a wall of height 40"]
+    assert report.take_table(profiled({}, blank=blank))[1][0][2:] == ["nobody can enter", "–"]
+
+
+def test_the_report_says_what_each_challenge_is() -> None:
+    """In its page and in Markdown; the page names every line, and labels the cells for narrow screens."""
+    found, beside = profiled({"B & C": MIDDLE}), profiled({"A": FAR})
+    for text in (report.markdown(found, beside), report.as_html(found, beside)):
+        assert WALL.words.about in text
+        assert WALL.words.problem in text
+    page = report.as_html(found, beside)
+    assert "<title>A</title>" in page
+    assert "<title>B &amp; C</title>" in page
+    assert '<td data-label="take">A (one of the others)</td>' in page
+
+
+def test_every_ladder_has_words() -> None:
+    """A problem, sentences, and a rung with a place for its strength."""
+    for ladder in LADDERS:
+        words = ladder.words
+        assert words.problem
+        assert words.about.endswith(".")
+        assert words.rung.count("{}") == 1, ladder.name
+    assert len({ladder.words.problem for ladder in LADDERS}) == len(LADDERS)
+
+
+def test_a_ladder_of_ones_own_needs_no_words() -> None:
+    """Then its rungs have their strength, and what it is; words that are none are refused."""
+    own = WALL._replace(words=Words())
+    assert rung_in_words(own, 14.0) == "the rung 14 (height of the wall)"
+    assert report.take_table(profiled({"A": FAR}, own))[1][0][0] == "exploration"
+    checked(own)
+    for wrong, says in (("a wall", "words must be Words"), (Words(about=3), r"words\.about must be a text")):  # type: ignore[arg-type]
+        with pytest.raises(ValueError, match=says):
+            checked(own._replace(words=wrong))  # type: ignore[arg-type]
+
+
+def test_how_far_along_a_ladder_a_strength_is() -> None:
+    """Whether its strengths rise or fall."""
+    assert [along(WALL, strength) for strength in (10, 15, 20, 40)] == [0.0, 0.5, 1.0, 2.0]
+    assert [along(FEW_STEPS, strength) for strength in (400, 300, 100)] == [0.0, 0.5, 2.0]
+
+
+def test_the_ends_of_grey_lines_that_lie_together_have_one_name() -> None:
+    """The first one, and how many more; at most three ends are named."""
+    ends = {"A": 1.0, "B": 0.5, "C": 0.95, "D": 0.98, "E": 0.2, "F": -3.0}
+    assert named_ends(ends) == [("A + 2", 1.0), ("B", 0.5), ("E", 0.2)]
