@@ -65,6 +65,7 @@ from edugym.agents.traces import Accumulating as Accumulating
 from edugym.agents.traces import Dutch as Dutch
 from edugym.agents.traces import Replacing as Replacing
 from edugym.agents.tree_backup import TreeBackup as TreeBackup
+from edugym.agents.uct import UCT as UCT
 from edugym.exact.finite_horizon import finite_horizon as finite_horizon
 from edugym.exact.maximisation import expected_choice as expected_choice
 from edugym.exact.maximisation import expected_maximum as expected_maximum

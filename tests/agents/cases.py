@@ -108,6 +108,8 @@ DESCRIBED: dict[str, Case] = {
     "PrioritisedSweeping, sampled": _case(eg.PrioritisedSweeping, expected_updates=False, planning_steps=3),
     "RMax": _case(eg.RMax),
     "RMax, known after 3": _case(eg.RMax, known_after=3, planning_steps=4),
+    "UCT": _case(eg.UCT, simulations=8, depth=4),
+    "UCT, four nodes": _case(eg.UCT, simulations=7, depth=3, nodes=4, initial_value=1.0),
     "GoExplore": _case(eg.GoExplore, explore_steps=3, longest=50),
     "REINFORCE": _case(eg.REINFORCE, longest=200),
     "GaussianActorCritic": Case(eg.GaussianActorCritic, small_gaussian, real_actions=True),
@@ -148,6 +150,11 @@ def _exploring(make: Callable[[Any], Any]) -> Case:
 
 AGENTS = {name: case for kind in package_classes("learn") for name, case in _described(kind).items()}
 CASES: dict[str, Case] = {**AGENTS, **{f"QLearning, {name}": _exploring(make) for name, make in STRATEGIES.items()}}
+
+
+def lasting(agent: Any) -> Any:
+    """An agent without the tree of its latest search, which evaluation grows too, and which nothing uses afterwards."""
+    return agent._replace(tree=None) if "tree" in agent._fields else agent
 
 
 def same(one: Any, other: Any) -> bool:

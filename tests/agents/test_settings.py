@@ -142,6 +142,7 @@ OWN: list[tuple[Any, dict[str, tuple[Any, ...]]]] = [
     (eg.RMax, {"planning_seconds": (0,), "lowest_return": (101.0,)}),
     (eg.SARSALambda, {"traces": ("replacing",)}),
     (eg.TreeBackup, {"n": (1.5, math.inf)}),
+    (eg.UCT, {"simulations": (0, 1, 2.5, math.inf), "depth": (0, 2.5), "nodes": (0, 2.5), "memory": (0,)}),
 ]
 """What `create` itself looks at."""
 

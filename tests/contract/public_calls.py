@@ -281,6 +281,7 @@ CALLS: dict[str, Callable[[], Case]] = {
         edugym.PrioritisedSweeping.create, {"environment": (4, 2)}, {"planning_steps": "inf 0"}),
     "RMax.create": lambda: Case(
         edugym.RMax.create, {"environment": (4, 2)}, {"planning_steps": "inf 0", "lowest_return": "-1 0 2.5"}),
+    "UCT.create": lambda: Case(edugym.UCT.create, {"environment": (4, 2)}, {"nodes": "None"}),
     "Ladder": lambda: Case(
         lambda **given: profiled([walks(**given)]), walks()._asdict(),
         {"name": "text", "challenge": "text", "strength": "text", "source": "text", "bounds": "None",
