@@ -63,14 +63,13 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
     ) -> None:
         """Note the steps of `who`: at most `n_steps`, and then those to the end of the episode under way.
 
-        The environment draws from the seed that the first reset gives, or from `seed` if it gives none; with `fixed`,
-        always from that.
+        The environment draws from the seed that the first reset gives; with `fixed`, always from that.
         """
         super().__init__(environment)
         environment.action_space.seed(seed)
         self.steps: list[Step] = []
         self.slip = ""
-        self._most, self._seed, self._who, self._fixed = n_steps, seed, who, fixed
+        self._most, self._who, self._fixed = n_steps, who, fixed
         self._state: Any = None
         self._is_new, self._is_over, self._has_begun = False, True, False
 
@@ -89,7 +88,12 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not self._is_over and not self._is_new:
             self._refuse("calls reset() in the middle of an episode: go on until `terminated` or `truncated` is True")
         if not self._has_begun:
-            seed = APART + (self._fixed if self._fixed is not None else self._seed if seed is None else seed)
+            if seed is None:
+                self._refuse(
+                    "begins with reset() and gives no seed, so two runs with one seed differ: the first call is"
+                    " environment.reset(seed=seed)"
+                )
+            seed = APART + (seed if self._fixed is None else self._fixed)
         state, _ = self.env.reset(seed=seed, options=options)
         self._state, self._has_begun, self._is_new, self._is_over = state, True, True, False
         return state, {}
@@ -231,8 +235,8 @@ def returns_of(policy: Policy, environment: Environment, episodes: int, seed: in
         WrongAnswer: the policy fails, or chooses no action that there is.
     """
     recorder = Recorder(environment, math.inf, seed, "the policy that my_program returns")
-    for _ in range(episodes):
-        state, _ = recorder.reset()
+    for episode in range(episodes):
+        state, _ = recorder.reset(seed=None if episode else seed)
         history: tuple[Any, ...] = (state,)
         over = False
         while not over:

@@ -25,6 +25,7 @@ from edugym_course.grading.programs import (
     run_program,
 )
 from edugym_course.grading.replay import NATS, SIGMAS, TRIAL
+from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.continuous_actions.release import reward
 
 POLICY_RATE, VALUE_RATE, DISCOUNT = 0.005, 0.1, 0.8
@@ -106,7 +107,12 @@ class Gaussians:
         fades: whether later steps count less, by γ^t.
         bounds: of σ.
         own: whether each state has a Gaussian of its own.
-        squares: whether an action is drawn with σ² as its standard deviation.
+        power: the standard deviation of an action is this power of σ.
+        fresh: whether the policy learns from G less the V that has just moved.
+        moves: what changes before the score of the other is computed, "μ" or "σ"; with "", nothing.
+        all_steps: whether it learns from the last step of an episode, too.
+        keeps: whether its list of steps is never emptied.
+        backwards: whether it learns from the last step first.
     """
 
     def __init__(
@@ -120,33 +126,47 @@ class Gaussians:
         fades: bool = True,
         bounds: tuple[float, float] = (SMALLEST, LARGEST),
         own: bool = True,
-        squares: bool = False,
+        power: float = 1.0,
+        fresh: bool = False,
+        moves: str = "",
+        all_steps: bool = True,
+        keeps: bool = False,
+        backwards: bool = False,
     ) -> None:
         """Begin with μ = 0, σ = 1 and V = 0."""
         # Lists: Python reads one entry of them sooner than one of an array.
         self.mean, self._log, self._V = [0.0] * n_states, [0.0] * n_states, [0.0] * n_states
         self._returns, self._of_mean, self._of_log = returns, of_mean, of_log
         self._policy_rate, self._value_rate = policy_rate, value_rate
-        self._fades, self._own, self._squares = fades, own, squares
+        self._fades, self._own, self._power, self._fresh, self._moves = fades, own, power, fresh, moves
+        self._all_steps, self.keeps, self._backwards = all_steps, keeps, backwards
         self._least, self._most = map(math.log, bounds)
 
     def gaussian(self, state: int) -> tuple[float, float]:
         """The mean and the standard deviation of the action."""
         state *= self._own
-        return self.mean[state], math.exp(self._log[state] * (2 if self._squares else 1))
+        return self.mean[state], math.exp(self._log[state] * self._power)
 
     def learn(self, episode: Sequence[Step]) -> None:
         """Learn from an episode."""
-        rewards = [step.reward for step in episode]
-        for t, (step, G) in enumerate(zip(episode, self._returns(rewards, DISCOUNT), strict=True)):
+        returns = self._returns([step.reward for step in episode], DISCOUNT)
+        times = range(len(episode) if self._all_steps else len(episode) - 1)
+        for t in reversed(times) if self._backwards else times:
+            step, G = episode[t], returns[t]
             delta = G - self._V[step.state]
             self._V[step.state] += self._value_rate * delta
+            delta = G - self._V[step.state] if self._fresh else delta
             state = step.state * self._own
             off, spread = step.action - self.mean[state], math.exp(self._log[state])
             rate = self._policy_rate * (DISCOUNT**t if self._fades else 1.0)
-            self.mean[state] += rate * delta * self._of_mean(off, spread)
+            if self._moves == "μ":
+                self.mean[state] += rate * delta * self._of_mean(off, spread)
+                off = step.action - self.mean[state]
             log = self._log[state] + rate * delta * self._of_log(off, spread)
             self._log[state] = min(max(log, self._least), self._most)  # NaN stays NaN
+            if self._moves != "μ":
+                spread = math.exp(self._log[state]) if self._moves == "σ" else spread
+                self.mean[state] += rate * delta * self._of_mean(off, spread)
 
 
 Maker = Callable[[int], Gaussians]
@@ -177,10 +197,23 @@ MISTAKES: dict[str, Maker] = {
     "the score of μ is divided by σ, and it should be by σ²": partial(
         Gaussians, of_mean=lambda off, spread: off / spread
     ),
+    "the score of ln σ is computed with the μ that has just moved: keep A − μ before you change μ": partial(
+        Gaussians, moves="μ"
+    ),
+    "the score of μ is computed with the σ that has just changed: keep σ before you change ln σ": partial(
+        Gaussians, moves="σ"
+    ),
+    "nothing is learned from the last step of an episode: its G is its reward": partial(Gaussians, all_steps=False),
     "σ is not kept between 0.2 and 2": partial(Gaussians, bounds=(1e-9, 1e9)),
     "all states have the same μ and σ, and each should have its own": partial(Gaussians, own=False),
     "the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself": partial(
-        Gaussians, squares=True
+        Gaussians, power=2.0
+    ),
+    "the actions are drawn with the standard deviation 1, and it should be the σ that is learned": partial(
+        Gaussians, power=0.0
+    ),
+    "the policy learns from G less the V that has just moved: compute δ before you change V": partial(
+        Gaussians, fresh=True
     ),
     "the learning rate of the policy is too large: it is 0.005 in the text": partial(
         Gaussians, policy_rate=5 * POLICY_RATE
@@ -190,6 +223,10 @@ MISTAKES: dict[str, Maker] = {
     ),
 }
 """The usual mistakes, by their sentences."""
+KEPT = [partial(Gaussians, keeps=True, backwards=backwards) for backwards in (False, True)]
+"""They learn from all episodes so far again and again. The order matters, since states come twice in such a list."""
+EARLY = 300
+"""After so many steps a list that is never emptied is found; a program that has one soon needs minutes."""
 
 
 class Fit(NamedTuple):
@@ -225,7 +262,7 @@ def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
             episode.append(step)
             if step.terminated:
                 learner.learn(episode)
-                episode = []
+                episode = episode if learner.keeps else []
     n, below = len(z), [0.5 + 0.5 * math.erf(one / math.sqrt(2)) for one in sorted(z)]
     apart = max(abs(share - (k + 0.5) / n) for k, share in enumerate(below)) * math.sqrt(n)
     return Fit(n, math.hypot(*z) / math.sqrt(n), apart, -math.inf if math.isnan(log) else log)
@@ -241,7 +278,16 @@ def check_equations(program: Any, seed: int) -> None:
     """
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
     require_reproducible(program, partial(Boxes, seeds[0]), TRIAL, seed)
-    runs = [run_program(program, Boxes(number), N_STEPS, number).steps for number in seeds]
+    early = [run_program(program, Boxes(number), EARLY, number).steps for number in seeds]
+    others = max(fit(early, make).log for make in (Gaussians, *MISTAKES.values()))
+    if max(fit(early, make).log for make in KEPT) > others + NATS:
+        raise WrongAnswer(
+            f"the actions of {NAME} are those of a program that learns from all earlier episodes again at the end of"
+            " each: empty the lists of the episode when it has learned from them"
+        )
+    done = [run_program(program, Boxes(number), N_STEPS, number) for number in seeds]
+    _require_means(done[0].policy)
+    runs = [run.steps for run in done]
     right, fits = fit(runs, Gaussians), {sentence: fit(runs, make) for sentence, make in MISTAKES.items()}
     likely = max(fits, key=lambda sentence: fits[sentence].log)
     is_better = fits[likely].log > right.log + NATS
@@ -258,6 +304,18 @@ def check_equations(program: Any, seed: int) -> None:
         f"the actions of {NAME} should lie one σ from μ (the root of the mean square), with the μ and the σ that its"
         f" own steps give by the equations of this lesson, and they lie {right.far:.3g} σ from it. {cause}"
     )
+
+
+def _require_means(policy: Policy) -> None:
+    """Refuse a policy that draws its actions."""
+    for state in range(BOXES * WIDTH):
+        with student_code(f"the policy that {NAME} returns"):
+            one, other = policy(state), policy(state)
+        if not np.array_equal(one, other):
+            raise WrongAnswer(
+                f"the policy that {NAME} returns draws its actions: asked twice about state {state}, it gives two of"
+                " them. It should return the mean μ of the state"
+            )
 
 
 def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = Gaussians) -> Policy:

@@ -12,8 +12,9 @@ from edugym.agents.n_step_sarsa import NStepSARSA
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.programs import Environment, run_program
-from edugym_course.grading.replay import TRIAL, Learner, Rule, SmallWorld, mistakes_of_loops
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import NAME, Environment, run_program, shape_of
+from edugym_course.grading.replay import NATS, TRIAL, Learner, Rule, SmallWorld, Surprises, mistakes_of_loops, replay
 from edugym_course.lessons.depth.targets import EPSILON
 
 N_STEPS, N, LEARNING_RATE, DISCOUNT = 5_000, 3, 0.5, 0.8
@@ -36,6 +37,7 @@ class FromDefinition:
         bootstrap: the weight of this value.
         from_start: whether the power of γ of a reward is that of its place in the episode.
         last_only: whether at the end of an episode only the pair of n steps before is learned.
+        cut: what is learned where an episode is truncated: "rewards" alone, the largest "value" too, or "nothing".
     """
 
     def __init__(
@@ -46,10 +48,12 @@ class FromDefinition:
         bootstrap: float = DISCOUNT**N,
         from_start: bool = False,
         last_only: bool = False,
+        cut: str = "rewards",
     ) -> None:
         """Begin with zeros."""
         self.Q = np.zeros(shape)
         self._largest, self._bootstrap, self._from_start, self._last_only = largest, bootstrap, from_start, last_only
+        self._cut = cut
         self.forget_episode()
 
     def act(self, state: int, rng: Random) -> int:
@@ -62,21 +66,34 @@ class FromDefinition:
         self._rewards: list[float] = []
 
     def learn(
-        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
+        self,
+        state: int,
+        action: int,
+        reward: float,
+        next_state: int,
+        next_action: int,
+        terminated: bool,
+        truncated: bool,
     ) -> None:
         """Learn the pairs whose rewards are complete."""
         self._pairs.append((state, action))
         self._rewards.append(reward)
         steps = len(self._pairs)
-        after = (
-            0.0 if terminated else float(self.Q[next_state].max() if self._largest else self.Q[next_state, next_action])
-        )
-        for tau in range(max(steps - N, 0), steps if terminated and not self._last_only else steps - N + 1):
+        over = terminated or truncated
+        if terminated or (truncated and self._cut == "rewards"):
+            after = 0.0
+        elif truncated or self._largest:
+            after = float(self.Q[next_state].max())
+        else:
+            after = float(self.Q[next_state, next_action])
+        left = steps if over and not self._last_only else steps - N + 1
+        for tau in range(max(steps - N, 0), 0 if truncated and self._cut == "nothing" else left):
             first = tau if self._from_start else 0
-            rewards = enumerate(self._rewards[tau : tau + N])
-            target = sum(DISCOUNT ** (first + k) * reward for k, reward in rewards) + self._bootstrap * after
-            self.Q[self._pairs[tau]] += LEARNING_RATE * (target - self.Q[self._pairs[tau]])
-        if terminated:
+            rewards = self._rewards[tau : tau + N]
+            target = sum(DISCOUNT ** (first + k) * reward for k, reward in enumerate(rewards))
+            weight = self._bootstrap * DISCOUNT ** (len(rewards) - N)  # of fewer rewards than n
+            self.Q[self._pairs[tau]] += LEARNING_RATE * (target + weight * after - self.Q[self._pairs[tau]])
+        if over:
             self.forget_episode()
 
 
@@ -119,6 +136,29 @@ RULE = Rule(
     otherwise="; look at two places: at the end of an episode the targets of *all* pairs that are left are made of"
     " rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards",
 )
+CUT = {cut: Learner(partial(FromDefinition, cut=cut)) for cut in ("nothing", "rewards", "value")}
+"""What may be learned where an episode is truncated. The two right ones differ; both are in use."""
+
+
+def check_cut(program: Any, seed: int) -> None:
+    """Check that a program learns from truncated episodes.
+
+    Raises:
+        WrongAnswer: it does not, or it breaks the contract.
+    """
+    world = SmallWorld(seed)
+    runs = [run_program(program, world, RULE.n_steps, seed).steps]
+    logs = {
+        cut: float(Surprises.of(replay(runs, learner, shape_of(world), EPSILON)).logs.sum())
+        for cut, learner in CUT.items()
+    }
+    if logs["nothing"] > max(logs["rewards"], logs["value"]) + NATS:
+        raise WrongAnswer(
+            f"{NAME} learns nothing at the end of an episode that is truncated: there, too, all pairs that are left"
+            " have the rewards that there are"
+        )
+
+
 STUDY = Race(study, N_STEPS, program_of(agent), episodes=20)
 
 
@@ -126,4 +166,5 @@ def project_3(answer: Any, seed: int) -> str:
     """Check a program with n-step SARSA."""
     run_program(answer, SmallWorld(seed), TRIAL, seed)  # its episodes are truncated: does the program begin a new one?
     RULE.check(answer, seed)
+    check_cut(answer, seed)
     return f"Right: n rewards, and then a value. {compare_with_ours(answer, STUDY, seed)}"

@@ -74,8 +74,7 @@ RIDDLES = (
         Move(1.0, GOOD),
         Move(-1.0, GOOD),
         "the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the"
-        " weights of the action that was taken? Is each image stored with its own action and reward? And is R alone the"
-        " target where `terminated` is True?",
+        " weights of the action that was taken? Is each image stored with its own action and reward?",
     ),
     Riddle(
         Move(0.0, GOOD, terminated=False),
@@ -83,11 +82,11 @@ RIDDLES = (
         "the right action brings nothing but a better next image: the target is R + γ max Q(S', a), and S' is the state"
         " of the next step",
     ),
-    Riddle(
+    Riddle(  # who looks beyond a terminated end prefers the image that is shown there
         Move(0.5, BAD),
         Move(0.0, GOOD),
-        "after the right action the episode is terminated, and so it is after another one: what comes then is worth 0,"
-        " whatever the last image shows, so the target is R alone",
+        "the right action brings 0.5, and another one 0: is the reward stored as it is? An array of whole numbers makes"
+        " 0 of it",
     ),
     Riddle(
         Move(0.0, GOOD, terminated=False, truncated=True),
@@ -104,12 +103,13 @@ class Album(gymnasium.Env[Any, Any]):
     Args:
         riddle: the riddle.
         seed: the number from which the images and the right actions are drawn.
+        last: the image that is shown after a terminated end, in the place of that of the riddle.
 
     Attributes:
         answers: the actions in questions so far, and whether they were right.
     """
 
-    def __init__(self, riddle: Riddle, seed: int) -> None:
+    def __init__(self, riddle: Riddle, seed: int, last: int | None = None) -> None:
         """Draw the images; each action is right for some question."""
         rng = np.random.default_rng(APART + seed)
         self.observation_space = spaces.Box(0.0, 1.0, (ROWS, COLUMNS), np.float32)
@@ -117,7 +117,7 @@ class Album(gymnasium.Env[Any, Any]):
         self.answers: list[tuple[int, bool]] = []
         self._images = rng.random((QUESTIONS + 2, ROWS, COLUMNS), np.float32)
         self._right = rng.permutation([0, 1, 2, int(rng.integers(3))])
-        self._riddle, self._image = riddle, 0
+        self._riddle, self._image, self._last = riddle, 0, last
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin with any image."""
@@ -132,8 +132,8 @@ class Album(gymnasium.Env[Any, Any]):
             move = self._riddle.right if self.answers[-1][1] else self._riddle.wrong
         else:
             move = Move(1.0 if self._image == GOOD else -1.0, GOOD)
-        self._image = move.image
-        return self._images[move.image].copy(), move.reward, move.terminated, move.truncated, {}
+        self._image = move.image if self._last is None or not move.terminated else self._last
+        return self._images[self._image].copy(), move.reward, move.terminated, move.truncated, {}
 
 
 class Solution(NamedTuple):
@@ -142,7 +142,7 @@ class Solution(NamedTuple):
     Attributes:
         trained: the share of right answers in the last quarter of the training.
         played: that of the policy.
-        is_one: whether the policy takes one action only.
+        is_one: whether the policy takes one action only, in most albums.
     """
 
     trained: float
@@ -161,7 +161,7 @@ def solution(program: Any, riddle: Riddle, n_steps: int, seed: int) -> Solution:
         shares = (float(np.mean([right for _, right in answers])) for answers in (late, played.answers))
         found.append((*shares, len({action for action, _ in played.answers}) == 1))
     trained_share, played_share, is_one = np.mean(found, axis=0).tolist()
-    return Solution(trained_share, played_share, is_one == 1.0)
+    return Solution(trained_share, played_share, is_one > 0.5)
 
 
 def check_riddle(program: Any, riddle: Riddle, seed: int) -> None:
@@ -179,12 +179,24 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> None:
         )
 
 
+def looks_beyond_ends(program: Any, riddle: Riddle, seed: int) -> bool:
+    """Whether the image after a terminated end, which no target needs, changes the actions of a program."""
+    albums = [Album(riddle, RUNS * seed, last) for last in (GOOD, BAD)]
+    first, other = (run_program(program, album, RIDDLE_STEPS, RUNS * seed).steps for album in albums)
+    return [step.action for step in first] != [step.action for step in other]
+
+
 def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
+    if looks_beyond_ends(program, riddle, seed):
+        return (
+            "Its actions change with the image that it is shown after a terminated end, so it looks up what comes then:"
+            " where `terminated` is True, the target is R alone"
+        )
     if found.is_one:
         return (
-            "It takes the same action for every image: are its values NaN, since a learning rate is too large, a"
-            " minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all"
-            " first weights 0, so that no pixel counts?"
+            "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"
+            " before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are"
+            " all first weights 0, so that no pixel counts?"
         )
     if found.trained > SOLVED:
         return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"

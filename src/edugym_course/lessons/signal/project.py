@@ -57,6 +57,21 @@ def counts(message: Message) -> Weights:
     return [(word, share * len(message)) for word, share in shares(message)]
 
 
+def of_observation(message: Message) -> Weights:
+    """How often each word occurs, as a share of the whole observation: the hit points are counted as a word."""
+    return [(word, count / (len(message) + 1)) for word, count in Counter(message.tolist()).items()]
+
+
+def all_but_first(message: Message) -> Weights:
+    """All words but the first."""
+    return [(word, share / len(message)) for word, share in counts(message[1:])]
+
+
+def all_but_last(message: Message) -> Weights:
+    """All words but the last."""
+    return [(word, share / len(message)) for word, share in counts(message[:-1])]
+
+
 def presence(message: Message) -> Weights:
     """Which words occur, however often."""
     return [(word, 1 / len(message)) for word, _ in shares(message)]
@@ -144,6 +159,12 @@ RULE = Rule(
         "the first word alone is heard": mistake(take=first_word),
         "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
         "the counts are not divided by the length L of the message": mistake(take=counts),
+        "the counts are divided by more than L, as by the length L + 1 of the observation: its first entry is no"
+        " word": mistake(take=of_observation),
+        "the first word of each message is left out: the words begin with entry 1 of the observation": mistake(
+            take=all_but_first
+        ),
+        "the last word of each message is left out: is a `range` too short?": mistake(take=all_but_last),
         "the weights move by R, not by R − q(O, A): without the difference they grow without end": mistake(
             surprised=False
         ),

@@ -122,3 +122,65 @@
 # in: lists of an episode
 # - return lambda s: mu[s]
 # + return lambda s: -mu[s]
+
+# %% lists that are never emptied
+# says: the actions of
+# says:  are those of a program that learns from all earlier episodes again at the end of each: empty the lists of the episode when it has learned from them
+# in: a class without NumPy
+# - episode = []
+# - state, _ = environment.reset()
+# + state, _ = environment.reset()
+
+# %% lists that are never emptied, from the first step
+# says:  are those of a program that learns from all earlier episodes again at the end of each: empty the lists of the episode when it has learned from them
+# in: lists of an episode
+# - t, s = 0, environment.reset(seed=seed)[0]
+# - while t < n_steps:
+# -     S, A, R, over = [], [], [], False
+# + t, s = 0, environment.reset(seed=seed)[0]
+# + S, A, R = [], [], []
+# + while t < n_steps:
+# +     over = False
+
+# %% a policy that draws
+# says: the policy that
+# says:  returns draws its actions: asked twice about state
+# says: , it gives two of them. It should return the mean μ of the state
+# in: lists of an episode
+# - return lambda s: mu[s]
+# + return lambda s: rng.normal(mu[s], np.exp(ls[s]))
+
+# %% the μ that has moved
+# says: the score of ln σ is computed with the μ that has just moved: keep A − μ before you change μ
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] += step * ((A[k] - mu[S[k]]) ** 2 / sigma**2 - 1)
+
+# %% the σ that has changed
+# says: the score of μ is computed with the σ that has just changed: keep σ before you change ln σ
+# in: lists of an episode
+# - mu[S[k]] += step * z / sigma**2
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + mu[S[k]] += step * z / np.exp(ls[S[k]]) ** 2
+
+# %% all steps but the last
+# says: nothing is learned from the last step of an episode: its G is its reward
+# in: lists of an episode
+# - for k in range(len(S)):
+# + for k in range(len(S) - 1):
+
+# %% always σ = 1
+# says: the actions are drawn with the standard deviation 1, and it should be the σ that is learned
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = rng.normal(mu[s], 1)
+
+# %% the V that has moved
+# says: the policy learns from G less the V that has just moved: compute δ before you change V
+# in: lists of an episode
+# - V[S[k]] += 0.1 * delta
+# + V[S[k]] += 0.1 * delta
+# + delta = G - V[S[k]]

@@ -108,3 +108,15 @@
 # in: three steps later
 # - over = terminated or truncated
 # + over = terminated
+
+# %% nothing where the clock stops
+# says:  learns nothing at the end of an episode that is truncated: there, too, all pairs that are left have the rewards that there are
+# in: when the episode is over
+# - for tau in range(len(episode)):
+# + for tau in range(len(episode) if terminated else 0):
+
+# %% a first reset without the seed
+# says:  begins with reset() and gives no seed, so two runs with one seed differ: the first call is environment.reset(seed=seed)
+# in: three steps later
+# - t, s = 0, environment.reset(seed=seed)[0]
+# + t, s = 0, environment.reset()[0]

@@ -1,5 +1,5 @@
 # %% up the slope
-# says: It takes the same action for every image: are its values NaN, since a learning rate is too large, a minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all first weights 0, so that no pixel counts?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
@@ -19,7 +19,7 @@
 # + delta = -r - Q[a] if terminated else -r + 0.9 * q(x2)[1][a2] - Q[a]
 
 # %% too fast
-# says: It takes the same action for every image: are its values NaN, since a learning rate is too large, a minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all first weights 0, so that no pixel counts?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - W += 0.05 * delta * np.outer(g, x)
 # + W += 5.0 * delta * np.outer(g, x)
@@ -37,7 +37,7 @@
 # + self.W[0] -= 0.002 * x.T @ back / len(x)
 
 # %% weights of 0
-# says: It takes the same action for every image: are its values NaN, since a learning rate is too large, a minus sign is missing, or the second layer is changed before it hands the gradient back? Or are all first weights 0, so that no pixel counts?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -51,7 +51,7 @@
 # + y = R[i]
 
 # %% no end
-# says: after the right action the episode is terminated, and so it is after another one: what comes then is worth 0, whatever the last image shows, so the target is R alone
+# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * old.layers(S2[i])[2].max(axis=1)
@@ -81,7 +81,7 @@
 
 # %% all actions
 # says: In this riddle,
-# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken? Is each image stored with its own action and reward? And is R alone the target where `terminated` is True?
+# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken? Is each image stored with its own action and reward?
 # in: a memory in arrays
 # - d = np.where(np.arange(q.shape[1]) == a[:, None], q - y[:, None], 0.0).clip(-1, 1)
 # + d = (q - y[:, None]).clip(-1, 1)
@@ -128,3 +128,31 @@ def my_program(environment, n_steps, seed):
 # in: SARSA from each step once
 # - rng = np.random.default_rng(seed)
 # + rng = np.random.default_rng()
+
+# %% no end, one step at a time
+# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone
+# in: SARSA from each step once
+# - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
+# + delta = r + 0.9 * q(x2)[1][a2] - Q[a]
+
+# %% W2 before W1
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
+# in: SARSA from each step once
+# - g = V[a] * (h > 0)
+# - V[a] += 0.05 * delta * h
+# + V[a] += 0.05 * delta * h
+# + g = V[a] * (h > 0)
+
+# %% W2 before W1, in a batch
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
+# in: a memory in arrays
+# - back = (d @ self.W[1].T * (h > 0))[:, :-1]
+# - self.W[1] -= 0.2 * h.T @ d / len(x)
+# + self.W[1] -= 0.2 * h.T @ d / len(x)
+# + back = (d @ self.W[1].T * (h > 0))[:, :-1]
+
+# %% rewards in whole numbers
+# says: the right action brings 0.5, and another one 0: is the reward stored as it is? An array of whole numbers makes 0 of it
+# in: a memory in arrays
+# - A, R, goes_on = np.zeros(n_steps, int), np.zeros(n_steps), np.zeros(n_steps)
+# + A, R, goes_on = np.zeros(n_steps, int), np.zeros(n_steps, int), np.zeros(n_steps)

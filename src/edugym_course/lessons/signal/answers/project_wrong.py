@@ -135,3 +135,21 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 # + theta[:, a] += 0.1 * delta * x
+
+# %% divided by L + 1
+# says: the counts are divided by more than L, as by the length L + 1 of the observation: its first entry is no word
+# in: weights in an array
+# - x[o[k]] += 1 / L
+# + x[o[k]] += 1 / len(o)
+
+# %% without the first word
+# says: the first word of each message is left out: the words begin with entry 1 of the observation
+# in: weights in an array
+# - for k in range(1, L + 1):
+# + for k in range(2, L + 1):
+
+# %% without the last word
+# says: the last word of each message is left out: is a `range` too short?
+# in: weights in an array
+# - for k in range(1, L + 1):
+# + for k in range(1, L):
