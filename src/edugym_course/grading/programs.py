@@ -55,6 +55,7 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
 
     Attributes:
         steps: the steps so far.
+        is_seeded: whether the first reset gave a seed.
         slip: the sentence of the first thing that was refused, "" if there is none.
     """
 
@@ -63,13 +64,15 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
     ) -> None:
         """Note the steps of `who`: at most `n_steps`, and then those to the end of the episode under way.
 
-        The environment draws from the seed that the first reset gives; with `fixed`, always from that.
+        The environment draws from the seed that the first reset gives, or from `seed` if it gives none; with `fixed`,
+        always from that.
         """
         super().__init__(environment)
         environment.action_space.seed(seed)
         self.steps: list[Step] = []
+        self.is_seeded = False
         self.slip = ""
-        self._most, self._who, self._fixed = n_steps, who, fixed
+        self._most, self._seed, self._who, self._fixed = n_steps, seed, who, fixed
         self._state: Any = None
         self._is_new, self._is_over, self._has_begun = False, True, False
 
@@ -88,12 +91,8 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not self._is_over and not self._is_new:
             self._refuse("calls reset() in the middle of an episode: go on until `terminated` or `truncated` is True")
         if not self._has_begun:
-            if seed is None:
-                self._refuse(
-                    "begins with reset() and gives no seed, so two runs with one seed differ: the first call is"
-                    " environment.reset(seed=seed)"
-                )
-            seed = APART + (seed if self._fixed is None else self._fixed)
+            self.is_seeded = seed is not None
+            seed = APART + (self._fixed if self._fixed is not None else self._seed if seed is None else seed)
         state, _ = self.env.reset(seed=seed, options=options)
         self._state, self._has_begun, self._is_new, self._is_over = state, True, True, False
         return state, {}
@@ -204,6 +203,11 @@ def run_program(
             f"{NAME} takes {len(recorder.steps)} of its {n_steps} steps: go on, episode after episode, until all are"
             " taken"
         )
+    if not recorder.is_seeded:
+        raise WrongAnswer(
+            f"{NAME} gives no seed to its first reset, so two runs with one seed differ: begin with state, info ="
+            " environment.reset(seed=seed)"
+        )
     _require_policy(call, policy)
     return Run(recorder.steps, policy)
 
@@ -235,8 +239,8 @@ def returns_of(policy: Policy, environment: Environment, episodes: int, seed: in
         WrongAnswer: the policy fails, or chooses no action that there is.
     """
     recorder = Recorder(environment, math.inf, seed, "the policy that my_program returns")
-    for episode in range(episodes):
-        state, _ = recorder.reset(seed=None if episode else seed)
+    for _ in range(episodes):
+        state, _ = recorder.reset()
         history: tuple[Any, ...] = (state,)
         over = False
         while not over:

@@ -27,10 +27,11 @@ def plays(
     act: Callable[[Any], Any] = int,
     policy: Any = lambda state: 0,
     reset: Callable[[Any], Any] = lambda environment: environment.reset(),
+    gives_seed: bool = True,
 ) -> Any:
     """A program that follows the contract, but for what is given."""
     rng = np.random.default_rng(seed)
-    environment.reset(seed=seed)
+    environment.reset(seed=seed if gives_seed else None)
     for _ in range(n_steps):
         _, _, terminated, truncated, _ = environment.step(act(rng.integers(3)))
         if terminated or truncated:
@@ -90,6 +91,11 @@ WRONG: dict[str, tuple[Any, str]] = {
         partial(plays, reset=lambda environment: environment.reset(seed=0)),
         "my_program calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the"
         " seed at the first reset only, and call reset() after that",
+    ),
+    "no seed": (
+        partial(plays, gives_seed=False),
+        "my_program gives no seed to its first reset, so two runs with one seed differ: begin with state, info ="
+        " environment.reset(seed=seed)",
     ),
     "twice": (twice, "calls reset(seed=...) more than once"),
     "too few steps": (

@@ -72,7 +72,7 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
 def picked_up(policy: Any, values: Reals, seed: int) -> int:
     """Return the treasure that a policy picks up; `NONE` if its dive does not end."""
     recorder = Recorder(environment_of(values), np.inf, seed, POLICY)
-    state, _ = recorder.reset(seed=seed)
+    state, _ = recorder.reset()
     while True:
         with student_code(POLICY):
             action = policy(state)

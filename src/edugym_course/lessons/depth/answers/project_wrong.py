@@ -116,7 +116,7 @@
 # + for tau in range(len(episode) if terminated else 0):
 
 # %% a first reset without the seed
-# says:  begins with reset() and gives no seed, so two runs with one seed differ: the first call is environment.reset(seed=seed)
+# says:  gives no seed to its first reset, so two runs with one seed differ: begin with state, info = environment.reset(seed=seed)
 # in: three steps later
 # - t, s = 0, environment.reset(seed=seed)[0]
 # + t, s = 0, environment.reset()[0]
