@@ -17,7 +17,7 @@ from edugym_course.teaching.marks import OWN, is_aside, is_code
 WORDS = 40  # of a text take a minute, with the code, pictures, predictions and sliders that stand between them
 TASK_WORDS = 20  # of an exercise take a minute, and so does each line of its solution
 EXTRA = {"The open challenge": "the open challenge", "From a blank file": "the program from a blank file"}
-LONGEST = 3_740  # words of the main path of a lesson; aim for 3 000
+LONGEST = 3_000  # words of the main path of a lesson
 TIME = "**Time.** {time}"
 """What stands in the first cell of a lesson; the builder puts the times there."""
 

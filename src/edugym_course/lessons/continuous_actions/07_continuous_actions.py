@@ -32,10 +32,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: an arm, a box and a container
 #
-# An arm with two joints, the shoulder and the elbow, stands between a red box and a green container. From its end, the
-# *wrist*, hangs a magnet. The magnet takes the box if it comes down on it. Between the walls of the container, below
-# their rim, it lets the box fall: the closer to the middle the better. (The magnet works by itself; the actions only
-# move the arm.)
+# An arm with a shoulder and an elbow stands between a red box and a green container. From its end, the *wrist*, hangs a
+# magnet. It takes the box if it comes down on it, and lets it fall between the walls of the container: the closer to
+# the middle the better. (The magnet works by itself; the actions only move the arm.)
 
 # %%
 env = gym.make("edugym/Trashbot-v0", n_bins=5).unwrapped
@@ -44,8 +43,8 @@ env.step((2, 3))  # bins 2 and 3 of 0, 1, 2, 3, 4: the shoulder rests, the elbow
 env.scene()
 
 # %% [markdown]
-# The dots show where the magnet can be after the next step, if each joint has five *bins*: five values from which the
-# agent chooses. Without bins, both joints turn by any real number from −1 to 1, times 12 degrees.
+# The dots show where the magnet can be after the next step, if each joint has five *bins*: values from which the agent
+# chooses. Without bins, both joints turn by any real number from −1 to 1, times 12 degrees.
 #
 # | | | in words |
 # |---|---|---|
@@ -59,12 +58,12 @@ env.scene()
 # | | −2 for a collision, −1 if time runs out | |
 # | discount | $\gamma = 0.99$ | used by the agents of this lesson, but PPO has 0.999; returns in the figures are not discounted |
 #
-# The best possible return is 5. An agent that picks up the box, holds it and does nothing more gets $1 - 1 = 0$, and
-# one that never picks it up and hits nothing gets −1. (So does one that picks it up and then hits something.) You will
-# meet these numbers in every learning curve of the arm.
+# The best possible return is 5. An agent that picks up the box and does nothing more gets $1 - 1 = 0$, and one that
+# never picks it up and hits nothing gets −1. (So does one that picks it up and then hits something.) You will meet
+# these numbers again.
 #
-# These methods are the reward and what an action means. The last one belongs to the arm with $n$ bins: the first bin
-# means −1, the last one 1, and the others lie between them in equal steps.
+# These are the reward and what an action means. The last method belongs to the arm with $n$ bins, which lie in equal
+# steps from −1 to 1.
 
 # %%
 source(type(make_mdp("Trashbot")), "reward", "centring", "turns")
@@ -73,8 +72,8 @@ source(type(make_mdp("Trashbot")), "reward", "centring", "turns")
 source(TrashbotInBins, "turns")
 
 # %% [markdown]
-# **Play it yourself.** There are three bins for each joint, and the buttons turn one joint at a time. Can you pick up
-# the box, and bring it to the container? How close to its middle?
+# **Play it yourself.** There are three bins for each joint, and the buttons turn one joint at a time. How close to the
+# middle of the container do you bring the box?
 
 # %%
 play("Trashbot", n_bins=3)
@@ -82,9 +81,8 @@ play("Trashbot", n_bins=3)
 # %% [markdown]
 # ### What bins cost: try everything
 # With bins both angles stay on a lattice, since each turn is a multiple of one small angle. So a computer can try
-# *everything* that the arm can do. For each number of bins we ask: at which places in the container can the box be let
-# go? (The unit of length is the upper arm. The container is 0.45 wide and the box 0.25, so the box fits if it is at
-# most $(0.45 - 0.25) / 2 = 0.1$ off the middle.)
+# *everything*: at which places in the container can the box be let go? (The unit of length is the upper arm. The
+# container is 0.45 wide and the box 0.25, so the box fits if it is at most $(0.45 - 0.25) / 2 = 0.1$ off the middle.)
 #
 # **Predict.** Four bins have no 0: neither joint can rest. Five bins have one. With which of them can the box be
 # placed more exactly?
@@ -105,22 +103,21 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Four bins, by a little. On the left every dot is a place where the box can be let go, and the ring is
-# the one nearest to the middle. (The green lines are where the box only just fits.) By and large more bins mean more
-# places. But five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart. Four turn it by 4 or 12,
-# so they are 4 degrees apart. (Both joints have then turned an even number of such steps, or both an odd number. So
-# half of the pairs of angles can be reached: still more than with steps of 6 degrees.)
+# the one nearest to the middle. (The box only just fits at the green lines.) By and large more bins mean more places.
+# But five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart. Four turn it by 4 or 12: 4
+# degrees apart. (Only half of the pairs of angles can then be reached: still more than with steps of 6 degrees.)
 #
-# With two bins the box can be let go at four places, all more than half of the way from the middle to the edge. No
-# learning can mend that: an agent with bins is at best as good as its bins.
+# With two bins there are four places, all more than half of the way from the middle to the edge. No learning can mend
+# that.
 # </details>
 
 # %% [markdown]
 # ## The idea: learn the policy itself
 #
-# Q-learning chooses the action with the largest value. With real actions that is a search at every step, for the
-# largest of infinitely many values. **Bins** make the actions few. Or the agent learns the policy itself: it draws its
-# actions from a **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, and learns which of them did
-# well. It needs no $Q$. All agents of this lesson do that; bins only change what they choose from.
+# Q-learning chooses the action with the largest value. With real actions that is a search among infinitely many values
+# at every step. **Bins** make the actions few. Or the agent learns the policy itself: it draws its actions from a
+# **stochastic policy** $\pi(a \mid s, \theta)$ with parameters $\theta$, and learns which of them did well. All agents
+# of this lesson do that; bins only change what they choose from.
 #
 # ### The policy gradient, in three lines
 # Take one decision first: the agent draws an action $A$ from $\pi(a \mid \theta)$ and gets the reward $R$, whose mean
@@ -137,18 +134,17 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # $$
 #
 # (For real actions the sums are integrals.) This is the *log-likelihood trick*. The last line is an expectation over
-# actions that the agent draws itself. So each single action gives an estimate that is right on average:
-# $R\, \nabla \ln \pi(A \mid \theta)$. The vector $\nabla \ln \pi$ is called the *score*. It points to where the action
-# would be more likely. High rewards pull harder than low ones.
+# actions that the agent draws itself. So each single action gives an estimate that is right on average: $R\, \nabla \ln
+# \pi(A \mid \theta)$. The vector $\nabla \ln \pi$ is called the *score*. It points to where the action would be more
+# likely.
 #
 # **A baseline.** The mean score is zero, since $\sum_a \pi \nabla \ln \pi = \sum_a \nabla \pi = \nabla 1 = 0$. So any
 # number $b$ that does not depend on the action can be subtracted from $R$, and the mean of the estimate stays the
 # same: $(R - b)\, \nabla \ln \pi(A \mid \theta)$. What changes is its *noise*: how far the single estimates lie apart.
 #
 # **Many decisions.** In an episode the return $G_t$ from step $t$ takes the place of $R$, and a learned value $V(s)$
-# that of $b$. The policy gradient theorem (section 13.2) says that this works with the value of the action in the place
-# of $R$. The return $G_t$ estimates that value (13.3), and $V(s)$ is the baseline (13.4). The algorithm is
-# **REINFORCE** with a baseline. For each step $t$ of an episode:
+# that of $b$. The policy gradient theorem (section 13.2) says that this works. The algorithm is **REINFORCE** with a
+# baseline. For each step $t$ of an episode:
 #
 # $$
 # \begin{aligned}
@@ -158,9 +154,9 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # \end{aligned}
 # $$
 #
-# There are two learning rates, $\alpha^\theta$ for the policy and $\alpha^w$ for the values. The factor $\gamma^t$
-# discounts later steps, as the aim is the return from the start. The package does this at the end of an episode
-# (`last_value` is 0 here, since every episode of Trashbot terminates):
+# The learning rates are $\alpha^\theta$ for the policy and $\alpha^w$ for the values. The factor $\gamma^t$ discounts
+# later steps, as the aim is the return from the start. In the code `last_value` is 0 here, since every episode of
+# Trashbot terminates:
 
 # %%
 source(REINFORCE.learn_from_episode)
@@ -213,14 +209,13 @@ source(methods.in_a_table)
 # \frac{\partial \ln \pi(a)}{\partial \ln \sigma} = \frac{(a - \mu)^2}{\sigma^2} - 1
 # $$
 #
-# The second one is taken with respect to $\ln \sigma$, so that $\sigma$ stays above 0 whatever is added. In words: if
-# an action was better than the baseline, $\mu$ moves towards it, and $\sigma$ grows if the action was farther from
-# $\mu$ than $\sigma$, and shrinks if it was nearer. If the action was worse, all of this is the other way round.
+# The second one is taken with respect to $\ln \sigma$, so that $\sigma$ stays above 0 whatever is added. If an action
+# was better than the baseline, $\mu$ moves towards it, and $\sigma$ grows if the action was farther from $\mu$ than
+# $\sigma$, and shrinks if it was nearer. If the action was worse, all of this is the other way round.
 #
-# **Are these scores right?** Let us check them on one decision of our robot: where to let go of the box. The action
-# $a = 0$ is the middle of the container, and at $a = -1$ and $a = 1$ the box only just fits. An action pays $4 - 2|a|$
-# if $|a| \le 1$, and −2 (the wall) if not. This reward has jumps and a kink: its derivative knows nothing of the wall.
-# The policy gradient does not need one.
+# **Are these scores right?** Check them on one decision of our robot: where to let go of the box. The action $a = 0$ is
+# the middle of the container, and at $a = -1$ and $a = 1$ the box only just fits. An action pays $4 - 2|a|$ if $|a| \le
+# 1$, and −2 (the wall) if not. This reward has jumps and a kink; the policy gradient needs no derivative of it.
 
 # %%
 source(release.scores)
@@ -229,13 +224,13 @@ source(release.scores)
 source(release.estimates)
 
 # %% [markdown]
-# Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
-# $\mu$, and one of its slope in $\ln \sigma$ (here with $b = 1$). To check their means, we compute $J$ itself as a sum
-# over a fine grid of actions, and take *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the
-# same with $\ln \sigma$. (± is the 95 % interval.)
+# Let $J$ be the expected reward of this policy. Each of 100 000 actions gives an estimate of the slope of $J$ in $\mu$,
+# and one in $\ln \sigma$ (with $b = 1$). To check their means, we compute $J$ as a sum over a fine grid of actions, and
+# take *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is
+# the 95 % interval.)
 #
-# The figure has 1 000 actions and $b = 0$; with the sliders below it you see how far off such a mean can be. The line
-# in its left panel is the reward, the filled curve the density of the policy.
+# The figure has 1 000 actions and $b = 0$. The line in its left panel is the reward, the filled curve the density of
+# the policy.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
@@ -321,9 +316,8 @@ for alpha in (0.01, 0.03, 0.1):
 
 # %% [markdown]
 # ### The picture to remember
-# In the left panel of the next figure one policy learns, with a baseline. It starts wide and beside the middle. It
-# moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
-# turns from exploring into placing exactly.
+# In the left panel of the next figure one policy learns, with a baseline. It starts wide, moves to the middle, and
+# becomes narrow. So a Gaussian policy turns from exploring into placing exactly.
 
 
 # %%
@@ -345,11 +339,10 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 # V(s) = \sum_i x_i(s)\, w_i
 # $$
 #
-# The features come from **tile coding** (section 9.5.4): eight grids of 20 by 20 tiles lie over the places of the
-# wrist, once for an arm with the box and once for one without it. Each grid is a little displaced. A feature is a
-# tile, and it is 1 if the wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their
-# tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid. (The picture
-# has two grids of few tiles.)
+# The features come from **tile coding** (section 9.5.4): eight grids of 20 by 20 tiles, each a little displaced, lie
+# over the places of the wrist, once for an arm with the box and once for one without it. A feature is a tile: 1 if the
+# wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their tiles, so what is learned
+# carries over to neighbours.  (The picture has two grids.)
 
 # %%
 pictures.tile_coding()
@@ -397,11 +390,10 @@ source(GaussianActorCritic.learn)
 # | repetitions | 20; bands are 95 % intervals |
 #
 # The dotted lines are the best possible returns. (Those of 9 bins and of real numbers lie nearly on each other: 9 bins
-# *can* do almost as well. Whether they *learn* it is another question.)
+# *can* do almost as well.)
 #
-# The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. `repeat` makes
-# each agent 20 times, trains it, and plays a greedy episode every 4 000 steps. (Further down `methods.learn_all` does
-# all this.)
+# The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. (Further down
+# `methods.learn_all` does all this.)
 #
 # **Predict.** Which of the four needs the fewest steps to a return of 3.5, on average over the runs?
 
@@ -437,13 +429,13 @@ first.measured(min(soon, key=soon.get))
 #
 # **Measured.** Three bins are first by far, and the more bins, the later. (Three bins for two joints make 9 actions,
 # nine make 81; that this is the reason is our guess.) But three bins cannot get more than 4.31: twelve of the 20 runs
-# reach it, and the other eight stop at 4.07. Five and nine end above them on average.
+# reach it, and eight stop at 4.07. Five and nine end above them on average.
 #
-# The continuous agent needs about as many steps as 5 bins. Why is open: it differs in its actions, its features, its
-# algorithm and its settings. (For a fair comparison with real numbers see the aside on PPO.) </details>
+# The continuous agent needs about as many steps as 5 bins. Why is open: it differs in more than its actions. (The aside
+# on PPO has a fair comparison.) </details>
 
 # %% [markdown]
-# Watch both at work: three bins, and the continuous agent. (The films step with the slider or the button.)
+# Watch both at work: three bins, and the continuous agent.
 
 # %%
 frames(methods.in_a_table(3), learned.agents["3 bins"][0], max_steps=40)
@@ -454,11 +446,9 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 # %% [markdown]
 # ## Your turn
 #
-# Choose the bins and cells of the table, the spread $\sigma$ of the Gaussian policy, the learning rates and the width
-# of the container. (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE, `actor_rate`
-# is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (in most evaluations
-# the arm does not pick up the box), and others with which it stays at 0 (it picks up the box and never delivers it).
-# What is too small a $\sigma$, what too large?
+# (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE, `actor_rate` is $\alpha^\theta$
+# of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (it mostly does not pick up the box),
+# and others with which it stays at 0 (it never delivers it). What is too small a $\sigma$, what too large?
 #
 # <details><summary>What we found</summary>
 #
@@ -487,21 +477,19 @@ sliders(
 # %% [markdown]
 # ## See inside: what the agents know of the places
 #
-# This is the learned value of each place of the wrist *while the box is held*: dark is 0 or less, bright is up to 4.
-# The orange line is the way of the wrist in a greedy episode, from the box on the left to the container on the right.
+# This is the learned value of each place of the wrist *while the box is held*: dark is 0 or less, bright up to 4. The
+# orange line is the way of the wrist in a greedy episode, from the box to the container.
 
 # %%
 figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 
 # %% [markdown]
-# Both have learned a corridor of good places. The table knows nothing of a cell where it has never been. Tile coding
-# guesses the value of a place from its neighbours. (Outside of where the
-# arm has been, its values are still 1, as at the start. Those of the table are 0.)
+# Both have learned a corridor of good places. Of a cell where it has never been the table knows nothing; tile coding
+# guesses the value of a place from its neighbours. (Where the arm has not been, its values are still 1, and those of
+# the table 0.)
 
 # %% [markdown]
 # ## Predict, then check
-#
-# Answer each question before you run the cell below it. You learn most when you are surprised.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: PPO, where only the actions differ
@@ -634,9 +622,9 @@ sliders(container, width=(0.28, 0.6, 0.02))
 
 # %% [markdown]
 # ### "Continuous is always better"
-# Back to one decision, but with *two* containers. A poor one around −1 pays 2 at best. A rich one around 2 pays 4.
-# One hundred Gaussian policies start over the poor container, with $\sigma = 0.5$. One hundred softmax policies
-# choose among 10 bins from −3 to 3, none of which is the middle of the rich container.
+# Back to one decision, but with *two* containers. A poor one around −1 pays 2 at best. A rich one around 2 pays 4. One
+# hundred Gaussian policies start over the poor one, with $\sigma = 0.5$. One hundred softmax policies choose among 10
+# bins from −3 to 3, none of them in the middle of the rich container.
 #
 # **Predict.** How many of the 100 Gaussian policies end at the rich container?
 
@@ -657,8 +645,7 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 #
 # **Measured.** None. They start narrow: hardly any action reaches the rich container, and those in between hit the
 # wall. So they place the box exactly, in the wrong container. The bins start everywhere, and all of them find the rich
-# container. But they cannot reach its middle, so they stop below 4. So here the wide start decides. (Bins can also hold
-# a policy with several peaks; in this task nothing needs one.) </details>
+# container. But they cannot reach its middle, so they stop below 4. </details>
 #
 # Does a wider start help the Gaussian? Does another first $\mu$?
 
@@ -1002,8 +989,8 @@ check(project_7, my_program)
 # form whose largest value is known (NAF), follow its slope with a deterministic policy (DDPG, TD3). Trashbot has two
 # joints; the growth of $n^m$ was computed and not felt. (Bins need not be crossed: PPO has a softmax for each joint,
 # $nm$ outputs instead of $n^m$.) The agents were tuned by trials of a few settings, so the fast experiment ranks these
-# agents and not all. And the clock is not in the observation, and the wrist does not tell the bend of the elbow, so the
-# task is not quite Markov.
+# agents and not all. And the clock is not in the observation, nor does the wrist tell the bend of the elbow: the task
+# is not quite Markov.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.

@@ -29,10 +29,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # ## Meet the environment: ten days until the exam
 #
 # A student has $H = 10$ days. On each day the student does one thing: study, sleep, go out, or something else. On the
-# last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
-# and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
-# gives energy, on any day, and two nights of it are needed. Going out takes energy. Days with neither lecture nor exam
-# are *free days*: of what the student does there, only going out makes it harder to pass. Everything has a small price,
+# last day there is an exam, and whoever studies on that day and is prepared passes it. Studying gives knowledge on
+# three days only, the days with a lecture, and two of those are needed. Sleep gives energy, on any day, and two nights
+# are needed. Going out takes energy. Days with neither lecture nor exam are *free days*. Everything has a small price,
 # also on a free day. In the picture, what brought the student closer to passing is green, what led away from it is red,
 # and what did neither is grey.
 
@@ -57,17 +56,17 @@ frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study",
 # *terminates* after the last day, so every episode has ten steps. The lecture days and the prices $r_a$ are the
 # *layout* of the task. They are drawn once, and the agent is not told.
 #
-# These methods are the environment. (`Student` is the state $s$, with one more field for the picture: whether the exam
-# was passed. `missing` counts what the exam still asks for.)
+# These methods are the environment. (`Student` is the state $s$, with one more field for the picture. `missing` counts
+# what the exam still asks for.)
 
 # %%
 source(type(study), "transition", "reward", "passes", "missing", "terminal", "observation")
 
 # %% [markdown]
-# **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. The calendar comes when the
-# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (In
-# the call `energy_needed` is 0. The exam asks for *more* energy than this number.) How many episodes do you need until
-# you pass? And when you pass for the first time: *which of your six actions earned it?*
+# **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. This is a short semester: six
+# days, two lectures, both needed, and one night of sleep is enough. (The exam asks for *more* energy than
+# `energy_needed`.) How many episodes until you pass? And when you pass for the first time: *which of your six actions
+# earned it?*
 
 # %%
 play(
@@ -197,17 +196,16 @@ half_way.measured(figures.episodes_until(credit.handed_back(1)))
 #
 # **Measured.** 97 episodes with $n = 1$, 37 with $n = 3$, 17 with $n = 5$, and 7 with Monte Carlo. Each map shows the
 # values of the ten days (upwards) in the course of the episodes (to the right); dark means close to 10. With $n = 1$
-# the reward climbs down a staircase with ten steps, one for each day. With $n = 3$ the staircase has four steps, since
-# three days learn together: $\lceil H/n \rceil = \lceil 10/3 \rceil = 4$. With Monte Carlo there is one step only.
+# the reward climbs down a staircase with ten steps, one for each day. With $n = 3$ it has four, since three days learn
+# together: $\lceil H/n \rceil = \lceil 10/3 \rceil = 4$. With Monte Carlo there is one step only.
 #
 # A rule to remember: the reward needs about $\lceil H/n \rceil / \alpha$ episodes to the first day. Here that is 100,
-# 40, 20 and 10: close for many steps of the staircase, and somewhat too many for few.
+# 40, 20 and 10.
 # </details>
 
 # %% [markdown]
 # ### Watch them
-# A real agent explores, and what it has learned decides where it goes. Here are one-step SARSA and Monte Carlo after 60
-# episodes on the layout above. Both play without exploring.
+# Here are one-step SARSA and Monte Carlo after 60 episodes on the layout above, both without exploring.
 
 
 # %%
@@ -237,16 +235,16 @@ for n in (1, math.inf):
 print(f"optimum      {study.reward_threshold:.2f}")
 
 # %% [markdown]
-# Both pass now. Here going out and sleeping are cheap, and all else is expensive. One-step SARSA has found that out.
-# Monte Carlo still spends free days on expensive things. Is that so in general?
+# Both pass now. Here going out and sleeping are cheap. One-step SARSA has found that out. Monte Carlo still spends free
+# days on expensive things. Is that so in general?
 
 # %% [markdown]
 # ## The experiment: early and late
 #
-# The paper (Moerland et al., 2023) made this environment for that question. It says: Monte Carlo learns fast after its
-# first success and then has trouble with details; one-step methods learn slowly and end better; and Monte Carlo suffers
-# more when rewards are noisier, or when there are more actions that do not matter. We test all of this. Here are three
-# amounts of noise; more actions follow below.
+# The paper (Moerland et al., 2023) says: Monte Carlo learns fast after its first success and then has trouble with
+# details; one-step methods learn slowly and end better; and Monte Carlo suffers more when rewards are noisier, or when
+# there are more actions that do not matter. We test all of this. Here are three amounts of noise; more actions follow
+# below.
 #
 # | setting | value |
 # |---|---|
@@ -304,16 +302,15 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo is ahead early, by far, and $n = 1$ is ahead at the end, by a little. Early on, $n = 3$ and
-# $n = 5$ lie between the two; with less noise a middle $n$ can even be the best. Late, all lines are close together and
-# partly hide each other. (The small waves at $\sigma = 1$ are noise of the evaluation, which draws the same random
-# numbers for all methods.)
+# $n = 5$ lie between; with less noise a middle $n$ can even be the best. Late, all lines are close together and partly
+# hide each other. (The small waves at $\sigma = 1$ are noise of the evaluation, which draws the same random numbers for
+# all methods.)
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs never pass the exam, and each of those
-# returns about 10 less, which hides small differences in the mean. So let us take this apart: which share of the runs
-# passes in the end? And how much better is one method *on the layouts on which both
-# pass*? These returns are computed without noise.
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs never pass the exam, and return
+# about 10 less, which hides small differences in the mean. So which share of the runs passes in the end? And how much
+# better is one method *on the layouts on which both pass*? These returns are computed without noise.
 
 # %%
 for sigma, results in by_sigma.items():
@@ -324,7 +321,7 @@ for sigma, results in by_sigma.items():
 
 # %% [markdown]
 # Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
-# cannot be the only reason. Keep this puzzle in mind until "See inside".
+# cannot be the only reason. "See inside" solves this puzzle.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: does noise make Monte Carlo end worse?
@@ -355,10 +352,9 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 # %% [markdown]
 # ## Your turn
 #
-# Move a slider and release it: the experiment is computed again, with 10 repetitions of 1 000 episodes. The slider for
-# $n$ adds a line for one more $n$. What does a longer semester change, and for which $n$? Who feels $\varepsilon$, and
-# who $\alpha$? With which settings is $n = 1$ the best? (Returns in the figures are not discounted, whatever $\gamma$
-# is.)
+# (10 repetitions of 1 000 episodes; the slider for $n$ adds a line for one more $n$.) What does a longer semester
+# change, and for which $n$? Who feels $\varepsilon$, and who $\alpha$? With which settings is $n = 1$ the best?
+# (Returns in the figures are not discounted, whatever $\gamma$ is.)
 
 
 # %%
@@ -406,10 +402,9 @@ sliders(
 # %% [markdown]
 # ## See inside: bias and variance of the target
 #
-# A target is a random number. Two things can be wrong with it. Its *bias* is how far its mean is from the true value
-# $q_\pi$ of the policy $\pi$ that acts. Its *variance* says how much it scatters around its mean. We know the model of
-# this task, so we can compute both exactly. We take the target of the first day, for the best ε-soft policy, on the
-# layout with number 0.
+# A target is a random number. Its *bias* is how far its mean is from the true value $q_\pi$ of the policy $\pi$ that
+# acts. Its *variance* says how much it scatters around its mean. The model gives both exactly. We take the target of
+# the first day, for the best ε-soft policy, on the layout with number 0.
 #
 # ### Bias: early it is large, late it is zero
 
@@ -454,10 +449,10 @@ noise.measured(100 * targets.noise_share(0.2))
 # </details>
 
 # %% [markdown]
-# This figure explains the puzzle. Where rewards are not very noisy, *the agent makes most of the noise itself:* a deep
-# target hands back the agent's own random actions. A target with $n$ rewards contains $n + 1$ actions: the last one,
-# $A_n$, is in the value $Q(S_n, A_n)$. So only the last two targets contain the action on the day of the exam, where a
-# random one costs 10, and their bars are so high.
+# Where rewards are not very noisy, *the agent makes most of the noise itself:* a deep target hands back its own random
+# actions. A target with $n$ rewards contains $n + 1$ actions: the last one, $A_n$, is in the value $Q(S_n, A_n)$. So
+# only the last two targets contain the action on the day of the exam, where a random one costs 10, and their bars are
+# so high.
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
 # aside), while on a free day two actions differ by a few hundredths. So Monte Carlo passes the exam and wastes its free
@@ -511,9 +506,8 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them),
-# 0.1 for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets
-# must be averaged. One-step targets vary little, and they need a large rate to get down the staircase in time. With a
-# rate of 1 a value keeps only its last target, and no method does well.
+# 0.1 for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets must
+# be averaged. One-step targets need a large rate to get down the staircase in time.
 #
 # In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. *Never compare two values of $n$ at one
 # learning rate only.*
@@ -640,8 +634,7 @@ sliders(
 off_policy.off_policy_sheet()
 
 # %% [markdown]
-# The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum, and no amount of training
-# changes that. There are two remedies.
+# The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum. There are two remedies.
 #
 # - **Importance sampling** weights each target by a ratio that makes its mean right again. The price is a standard
 #   deviation as large as the optimum itself (exercise 2). In the left panel its line lies on that of cutting, at 0.
@@ -649,8 +642,6 @@ off_policy.off_policy_sheet()
 
 # %% [markdown]
 # ## Predict, then check
-#
-# Answer each question before you run the cell below it. You learn most when you are surprised.
 #
 # **Predict.** Two of the five actions have no effect. Let us add five more such actions, so that $N = 10$, at
 # $\sigma = 0.2$ and $\alpha = 0.1$. Who loses most?
@@ -680,8 +671,7 @@ suffers.measured(max(loss, key=loss.get))
 # it is something of both, as the first aside below counts.)
 # </details>
 #
-# What a figure shows is one thing, and why it shows it is another. Before you say "variance", or "exploration", take the
-# runs apart. (The first aside below does so.)
+# Before you say "variance", or "exploration", take the runs apart. (The first aside below does so.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is that the variance again?

@@ -43,8 +43,7 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: one task, seen in three ways
 #
-# A ball falls from the top of a board. The agent moves a paddle along the bottom, and has to be under the ball when it
-# comes down.
+# A ball falls from the top of a board. The agent moves a paddle along the bottom, and has to catch it.
 
 # %%
 env = gym.make("edugym/Catch-v0", observation_type="grid").unwrapped
@@ -77,12 +76,11 @@ observation, _ = env.reset(seed=3)
 print(observation.astype(int))
 
 # %% [markdown]
-# "vectorised" is the state itself, three whole numbers: the *positions*. "grid" is the *board* above, with a 1 at the
-# ball and at the paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue
-# for each of the 50 cells.
+# "vectorised" is the state itself: the *positions*. "grid" is the *board* above, with a 1 at the ball and at the
+# paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue for each of the 50 cells.
 #
-# **Play it yourself, blind.** You see the observation "grid" as ten lines of five numbers. How long does it take you to
-# find out what the ones mean? An agent starts with less: it does not even know that two pixels are neighbours.
+# **Play it yourself, blind.** You see "grid" as ten lines of five numbers. How long until you find out what the ones
+# mean? An agent starts with less: it does not even know that two pixels are neighbours.
 
 # %%
 play("Catch", blind=True)
@@ -92,8 +90,7 @@ play("Catch", blind=True)
 #
 # ### A table has a row for every observation
 # Q-learning keeps one number $Q(s, a)$ for each observation and action, and moves it towards a target by the learning
-# rate $\alpha$ (equation 6.8). The numbers of one observation are a *row* of the table. (Where we mean a row of the
-# board, we say so.)
+# rate $\alpha$ (equation 6.8). The numbers of one observation are a *row* of the table.
 #
 # $$
 # Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma \max_a Q(S', a) - Q(S, A) \right]
@@ -117,9 +114,9 @@ figures.size_sheet()
 
 # %% [markdown]
 # The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
-# line of the network counts weights, all others rows. The line of the boards that can be seen lies close to that of the
-# positions: only 195 boards can be seen while the ball falls, one for each state that can occur. So a table could hold
-# rows for those boards alone. A *hashed* table does: it gives a row to each board when it is seen for the first time.
+# line of the network counts weights, all others rows. Only 195 boards can be seen while the ball falls, one for each
+# state that can occur. So a table could hold rows for those boards alone. A *hashed* table does: it gives a row to each
+# board when it is seen for the first time.
 #
 # ### Features: rows that share
 # In a table each row is learned alone. To learn about many states at once, describe a state by some numbers, its
@@ -141,8 +138,8 @@ figures.size_sheet()
 #
 # But $y$ is no constant: it depends on $w$ as well, through the value of $S'$. That part of the derivative is left out.
 # Hence the name *semi-gradient* (section 9.3). In the code, each computation of a value also writes the features of its
-# state into `features`. So the value of $S'$ is computed first, for the target, and the value of $S$ last: then the
-# features of $S$ stand there, and `follow_gradient` uses them. (`at_once`, by which the step is divided, is 1 here.)
+# state into `features`. So the value of $S$ is computed last, and `follow_gradient` uses its features. (`at_once`, by
+# which the step is divided, is 1 here.)
 
 # %%
 source(LinearQLearning.learn)
@@ -209,9 +206,9 @@ source(dqn.copy)
 
 # %% [markdown]
 # ### Watch it
-# This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. (The film
-# steps with the slider or the button.) It still misses the balls from one of the five columns. From which? Change
-# `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1, 2, 3, 4.
+# This is DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. It still misses the balls from one
+# of the five columns. From which? Change `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1,
+# 2, 3, 4.
 
 # %%
 first_network = methods.learn(methods.seen(), methods.NETWORK, methods.network(), n_steps=12_000, repetitions=1, seed=1)
@@ -240,9 +237,8 @@ frames("Catch", choose, seed=2)
 #
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
 #
-# The cell after the next is the whole experiment, once for positions and once for boards. Both calls of `repeat` have
-# the same seeds, so run 7 of one table sees the same balls as run 7 of the other. (`methods.learn`, further down, calls
-# `repeat` in the same way.)
+# The cell after the next is the whole experiment, once for positions and once for boards. Both have the same seeds, so
+# run 7 of one table sees the same balls as run 7 of the other. (`methods.learn`, further down, does the same.)
 #
 # **Predict.** How fast does the table of boards learn, compared with the table of positions?
 
@@ -279,7 +275,7 @@ slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
 #
 # Now the pixels get noisy, in three ways. The first pixel takes one of 16 levels at random, at every step. Or all
 # pixels get normal noise ($\sigma = 0.1$), cut off at 0 and 1. Or the whole board is darkened at every step by a random
-# factor between 0.4 and 1. You would still see the ball at a glance.
+# factor between 0.4 and 1.
 #
 # **Predict.** In how many of the three does the table come to a return above 0.5 within 30 000 steps? Decide for each,
 # then count.
@@ -406,10 +402,9 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It stays. *A weight learns only from states in which its input is not 0.* (Adam's average can still move
-# it for a while. A weight whose input was always 0 never moves.) Keep this in mind for the next section. The other
-# thing to see is what Adam does: in its first step each weight with a gradient moves by the learning rate, 0.01,
-# however large the gradient is. Only the direction counts. Later steps follow an average of the gradients, divided by
-# an average of their size.
+# it for a while. A weight whose input was always 0 never moves.) Keep this in mind for the next section. And see what
+# Adam does: in its first step each weight with a gradient moves by the learning rate, 0.01, however large the gradient
+# is. Only the direction counts. Later steps follow an average of the gradients, divided by an average of their size.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -442,8 +437,6 @@ source(dqn.adam)
 # %% [markdown]
 # ## Predict, then check
 #
-# Answer each question before you run the cell below it.
-#
 # ### Balls from columns that were never seen
 # Now balls fall from columns 0, 2 and 4 only, in all of training (40 000 steps). Then we test six agents, greedy, with
 # balls from columns 1 and 3:
@@ -458,7 +451,7 @@ source(dqn.adam)
 # | DQN on the positions | three numbers, each divided by its largest value | the same network, learning rate 0.003 |
 #
 # (A tile is at most two columns wide, and two or three rows of the board high. SARSA takes the value of the next action
-# in place of the maximum. There are ten runs of each agent, and 20 test balls from each column.)
+# in place of the maximum. Each agent has ten runs, and 20 test balls from each column.)
 #
 # **Predict.** How many of the six catch at least 9 of 10 balls from the columns that they never saw? Decide for each,
 # then count.
@@ -481,17 +474,16 @@ unseen.measured(len(generalises))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run
-# of ten: see the aside.)
+# **Measured.** One: the agent that sees ball minus paddle. On pixels a network does no better on new columns than a
+# table. (Linear in the pixels does not even learn the training columns, but for one run of ten: see the aside.)
 # </details>
 #
 # ### The picture that explains it
 # Each cell is a state, with the ball in row 5 of the board. The arrow is what the agent does there; • is stay. A cell
 # is green if the agent then catches the ball, and red if not. The frames are for balls from the withheld columns.
 #
-# Runs differ much, so move `run` as well. Of balls from the top row, DQN on pixels catches those from both withheld
-# columns in one run of ten, and from one of them in two; DQN on the positions from both in five, and from one in three.
+# Runs differ much, so move `run` as well. DQN on pixels catches balls from both withheld columns in one run of ten, and
+# from one of them in two; DQN on the positions from both in five, and from one in three.
 
 
 # %%
@@ -505,8 +497,8 @@ sliders(maps, ball_row=(0, 8), run=(0, 9))
 
 # %% [markdown]
 # The table has never met the states in the frames; its values there are still 0, and it moves at random. Ball minus
-# paddle has met the same differences with other balls. But why does DQN on pixels know so little? The next cell shows,
-# for one of its ten runs, from which pixels any weight has ever had a gradient other than 0.
+# paddle has met the same differences with other balls. But why does DQN on pixels know so little? In one of its ten
+# runs, from which pixels has any weight ever had a gradient other than 0?
 
 # %%
 touched = figures.ever_learned(general[methods.NETWORK].agents[methods.NETWORK][0])
@@ -515,14 +507,14 @@ for row in touched:
 
 # %% [markdown]
 # In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
-# and a weight from an input that is always 0 never moves. When a ball is there in
-# the test, it is multiplied by random weights, as they were drawn at the start.
+# and a weight from an input that is always 0 never moves. A ball there is multiplied by random weights, as they were
+# drawn at the start.
 #
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
 # network on pixels shares much between boards that have most pixels in common, as with noise. But a ball in column 1
 # and a ball in column 2 light different pixels, so no weight that reads the ball is shared. Ball minus paddle shares
-# all that matters, and there a person has done the work. So has whoever chose the network of the next aside, a CNN in
-# which no weight belongs to a column: it catches the withheld balls.
+# all that matters, and there a person has done the work. (So has whoever chose the CNN of an aside, in which no weight
+# belongs to a column: it catches the withheld balls.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the paddle goes instead

@@ -31,9 +31,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: a wall on which one grip holds
 #
-# A climber stands before a wall of height $H$. At every height there are $N$ grips. One of them holds, and the others
-# are cracked: a climber who reaches for a cracked grip falls into the rope and is back on the ground. Which grip holds
-# was drawn at random, for each height by itself. The climber sees its own height, and nothing else.
+# A climber stands before a wall of height $H$. At every height there are $N$ grips. One holds, drawn at random for each
+# height; who reaches for another falls into the rope and is back on the ground. The climber sees its own height, and
+# nothing else.
 
 # %%
 env = gym.make("edugym/Boulder-v0", height=8, n_grips=3, layout_seed=18).unwrapped
@@ -57,8 +57,7 @@ env.scene()
 # An episode *terminates* at the top. After $10 H$ steps it is *truncated*: a new episode begins, although the task was
 # not at its end.
 #
-# These five methods are the environment; they run in every experiment on a wall below. (`rng` draws random numbers,
-# which the wall does not need.)
+# These five methods are the environment. (`rng` draws random numbers, which the wall does not need.)
 
 # %%
 source(type(env.mdp), "initial", "transition", "reward", "terminal", "observation")
@@ -111,12 +110,11 @@ source(epsilon_greedy_action)
 source(greedy_action)
 
 # %% [markdown]
-# (`replaces(ties, rng)` is true with probability 1/ties. The second of two equal actions takes the place of the first
-# half of the time, and a third one takes that of either a third of the time. So each is taken equally often. What
-# counts as equal, `tied`, comes up in exercise 2.)
+# (`replaces(ties, rng)` is true with probability 1/ties: so equal actions are taken equally often. What counts as
+# equal, `tied`, comes up in exercise 2.)
 #
-# Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. Watch it: this
-# is one episode on a wall of height 12, after 600 steps of training.
+# Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. This is one
+# episode on a wall of height 12, after 600 steps of training.
 
 
 # %%
@@ -130,10 +128,9 @@ def watch(method, height=12, after=600):
 watch("ε-greedy")
 
 # %% [markdown]
-# How long does that take? To get from the ground to the top it needs $H$ right choices in a row, each with probability
-# $1/N$, and a wrong choice sends it back to the ground. Let $m_h$ be the mean number of steps from the ground to height
-# $h$, with $m_0 = 0$. To get to height $h + 1$, the climber first gets to $h$ and then takes one more step. With
-# probability $1 - 1/N$ that step is wrong, and everything starts again:
+# How long does that take? It needs $H$ right choices in a row, each with probability $1/N$. Let $m_h$ be the mean
+# number of steps from the ground to height $h$, with $m_0 = 0$. To get to height $h + 1$, the climber first gets to $h$
+# and then takes one more step. With probability $1 - 1/N$ that step is wrong, and everything starts again:
 #
 # $$
 # m_{h+1} = m_h + 1 + \left(1 - \tfrac{1}{N}\right) m_{h+1}
@@ -141,7 +138,7 @@ watch("ε-greedy")
 # \quad\Rightarrow\quad m_H = N + N^2 + \dots + N^H = \frac{N^{H+1} - N}{N - 1}
 # $$
 #
-# (This holds without a step limit. A limit makes the search a little longer, since it cuts off some good climbs.)
+# (This holds without a step limit, which cuts off some good climbs.)
 
 # %%
 for height in (10, 30, 100):
@@ -178,11 +175,10 @@ watch("novelty reward")
 # %% [markdown]
 # ### First return, then explore
 # **Go-Explore** separates getting back from exploring. It keeps an archive of all states that it has met. For each
-# attempt it chooses the least visited of them as its *goal* $g$, returns to it *without* exploring, and only then takes 20
-# random steps. (To be chosen counts as a visit too, so that the goals take turns.) What changes
-# within an attempt is in `self.now`: the goal, the number of exploring steps, and the path with its length. A single number
-# is kept there as an array with one entry, since the fields of a `NamedTuple` are fixed and the entries of its arrays are
-# not. So `goal[0]` is the goal.
+# attempt it chooses the least visited of them as its *goal* $g$, returns to it *without* exploring, and only then takes
+# 20 random steps. (To be chosen counts as a visit too, so that the goals take turns.) What changes within an attempt is
+# in `self.now`, each number as an array with one entry: `goal[0]` is the goal. (The fields of a `NamedTuple` are fixed,
+# the entries of its arrays are not.)
 
 # %%
 source(GoExplore, "act", "least_visited")
@@ -207,8 +203,8 @@ source(GoExplore, "act", "least_visited")
 source(GoExplore, "learn", "learn_to_reach")
 
 # %% [markdown]
-# The same wall once more, after the same number of steps. The goal is not in the picture, but you can tell where it was:
-# the climber goes straight up to it, and from there on reaches for random grips, 20 times. Then it has a new goal.
+# The same wall once more, after the same number of steps. The climber goes straight up to its goal, and from there
+# reaches for random grips, 20 times. Then it has a new goal.
 
 # %%
 watch("Go-Explore")
@@ -216,8 +212,8 @@ watch("Go-Explore")
 # %% [markdown]
 # ## The experiment: three walls
 #
-# This is the figure of the paper (Moerland et al., 2023), computed here and now. Three walls, of height 10, 30 and 100,
-# two grips, three methods, 20 000 steps.
+# This is the figure of the paper (Moerland et al., 2023): walls of height 10, 30 and 100, two grips, three methods, 20
+# 000 steps.
 #
 # | setting | value |
 # |---|---|
@@ -229,14 +225,12 @@ watch("Go-Explore")
 # | repetitions | 100, each on its own wall, the same wall for all methods |
 # | bands | 95 % intervals; they have a width even where all 100 runs agree, since the next run might not |
 #
-# Two black lines show what is possible, computed from the exact model of the task: the optimum (dashed), and the
-# return of the best *ε-soft* policy (dotted). An ε-soft policy never stops exploring: it takes a random action with
-# probability $\varepsilon = 0.1$ all the time. Evaluation does not explore, so a learner may rise above the dotted line;
-# an ε-greedy agent cannot while it *trains*.
+# Two black lines come from the exact model: the optimum (dashed), and the best *ε-soft* policy (dotted), which takes a
+# random action with probability $\varepsilon = 0.1$ all the time. Evaluation does not explore, so a learner may rise
+# above the dotted line; an ε-greedy agent cannot while it *trains*.
 #
-# The cell after the next is the whole experiment. `repeat` makes every agent 100 times, each for a wall of its own, trains it, and
-# plays an episode without exploring every 200 steps. `record_visits` counts how often it is at each height. (Further down
-# `compare(height, ...)` does all this, with other settings.)
+# The cell after the next is the whole experiment. `record_visits` counts how often an agent is at each height. (Further
+# down `compare(height, ...)` does all this, with other settings.)
 #
 # **Predict.** A random climber needs two billion steps to the top of the middle wall. Which methods will solve it in
 # 20 000?
@@ -274,8 +268,8 @@ middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore",
 # **Measured.** ε-greedy solves only the low wall, and more slowly than the others: after 2 000 steps it solves it in
 # about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well.
 # Go-Explore solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high
-# they got there. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so
-# that the two black lines coincide. On the high wall it does so in a quarter of its episodes only; "See inside" says why.)
+# they got. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so the two
+# black lines coincide. On the high wall it does so in a quarter only; "See inside" says why.)
 # </details>
 
 # %% [markdown]
@@ -346,14 +340,12 @@ Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 # The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
 # faster, because it is a mean over runs that have reached different heights. Go-Explore returns without exploring, so
 # its climbs do not derail. Its line is flat because nearly all goals of the second half of training are close to the
-# top: whoever gets there has passed all heights below. Four of five of its climbs end near the ground. These are random
-# steps: after a fall it takes the rest of its 20 from the ground. The other climbs are on their way to a goal, and they
-# arrive.
+# top. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
+# The others are on their way to a goal, and they arrive.
 #
 # An agent whose frontier is at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
-# six in a thousand. (The novelty line is lower than that at 40, because many runs have not got that far.) An episode has
-# 1 000 steps there, enough for some fifty climbs: that is why the dotted line of the high wall was at 0.25 and not at
-# 0.006.
+# six in a thousand. (The novelty line is lower at 40, because many runs have not got that far.) An episode of 1 000
+# steps has some fifty climbs: that is why the dotted line of the high wall was at 0.25 and not at 0.006.
 #
 # ### Why does novelty stall? The grip at the frontier
 # **Predict.** At its frontier the agent knows neither of the two grips, so on its first visit it takes the right one half
@@ -377,14 +369,14 @@ again.measured(100 * np.mean(stalling.right_grips(watched, "novelty reward", fir
 #
 # **Measured.** On the first visit 51 %, on all later ones 5 %, and that is $\varepsilon/2$: it takes the right grip
 # only when it slips. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip about half of
-# the time (ε-greedy comes back to a frontier so rarely that its share is not exact). In the figure a line ends after
-# the ninth visit, or where there were fewer than 30 such visits.
+# the time (ε-greedy comes back so rarely that its share is not exact). A line ends after the ninth visit, or where
+# there were fewer than 30.
 # </details>
 
 # %% [markdown]
-# Why does it prefer a grip from which it has fallen? Two reasons come to mind. The fall earned a *bonus*, for entering the
-# ground. Or it is the *first value*: the wrong grip leads to the ground, which is worth something, since the whole way
-# up begins there, and a grip that was never tried is worth 0. Remove each of them, and see whether the effect goes.
+# Why does it prefer a grip from which it has fallen? Two reasons come to mind. The fall earned a *bonus*, for entering
+# the ground. Or it is the *first value*: the wrong grip leads to the ground, where the whole way up begins, and a grip
+# that was never tried is worth 0. Remove each, and see whether the effect goes.
 
 # %%
 causes = stalling.watch_frontier(height=100, methods=stalling.CAUSES, repetitions=50)
@@ -401,12 +393,10 @@ for method in causes.methods:
 
 # %% [markdown]
 # The two reasons multiply. At a frontier of 40, one climb in eight gets back, and one visit in twenty takes the right
-# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips are what
-# ends the climbs, and slips are what it needs at the frontier. (You will switch them off below, and mend both in
-# exercise 3.)
+# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips end the
+# climbs, and slips are what it needs at the frontier. (Exercise 3 mends both.)
 #
-# Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
-# meet an agent that solves walls without it.
+# *Returning first* is not the only way: in exercise 2 an agent solves walls without it.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: two branches, and whether a frontier is forgotten
@@ -457,10 +447,8 @@ two_branches.measured(seen)
 # %% [markdown]
 # ## Predict, then check
 #
-# Answer each question before you run the cell below it. You learn most when you are surprised.
-#
-# **Predict.** Random steps end most climbs. So switch them off: train the novelty agent with $\varepsilon = 0$ on a
-# wall of height 100. Its frontier was near 40 with $\varepsilon = 0.1$. Where is it now?
+# **Predict.** Random steps end most climbs. Switch them off: train the novelty agent with $\varepsilon = 0$ on a wall
+# of height 100. Its frontier was near 40 with $\varepsilon = 0.1$. Where is it now?
 
 # %%
 no_slips = predict("The highest position with ε = 0, a mean over the runs:", unit="grips")
@@ -841,17 +829,6 @@ check(project_1, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - Random exploration takes a number of steps that grows exponentially with the depth of the reward. It is not slow,
-#   it is hopeless.
-# - A novelty reward gives the agent something to learn from at every step, and draws it back to its frontier. There it
-#   stalls: slips end its climbs on the way, and once it took the wrong grip, only a slip takes the right one, since what
-#   was never tried is worth 0.
-# - With two branches (in the aside) it leaves a frontier and comes back. Lasting detachment did not appear with a table.
-# - Returning first, and exploring only then, solves the high wall. Optimistic initial values with $\alpha = 1$ solve it
-#   too, since they try everything, and no later than Go-Explore.
-# - Values that are equal on paper may differ in the last digit. A program that breaks ties by it explores less.
-# - A bonus is part of the task as long as it is paid: with a discount near 1 the agent prefers exploring to the goal.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and

@@ -40,10 +40,10 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: doors that are marked once
 #
-# An agent walks through a corridor. At every place there are $N = 3$ doors, and one of them is unlocked: the *right*
-# door. The first corridor has one place. Each time the agent gets through, it is back at the start, and the corridor is
-# one place longer: the same places with the same right doors, and a new place at the end. **Only at the last place is
-# the right door marked**, by a lamp. At the other places the agent must know it from before.
+# An agent walks through a corridor. At every place one of $N = 3$ doors is unlocked: the *right* door. The first
+# corridor has one place. Each time the agent gets through, it is back at the start, and the corridor has one more place
+# at its end. **Only at the last place is the right door marked**, by a lamp. At the other places the agent must know it
+# from before.
 
 # %%
 env = gym.make("edugym/MemoryCorridor-v0").unwrapped
@@ -53,8 +53,7 @@ for _ in range(5):  # to the last place of corridor 3; `info` is for us, no agen
 env.scene()
 
 # %% [markdown]
-# (The title counts places: "door 3 of 3" is the third place of a corridor with three. The doors at each place are
-# 0, 1 and 2.)
+# (In the title "door 3 of 3" is the third place of a corridor with three. The doors at each place are 0, 1 and 2.)
 #
 # In this lesson the agent does not see the state $s$. It sees an *observation* $o$, which tells only a part of it.
 #
@@ -69,12 +68,11 @@ env.scene()
 # | discount | $\gamma = 0.8$ | used by Q-learning and DQN in the corridor; returns in the figures are not discounted |
 #
 # A task whose observations do not tell the state is a *partially observable* Markov decision process. The right doors
-# are drawn anew in every episode, so nobody can learn them by heart. After 1 000 steps an episode is *truncated*: cut
-# off, although the task was not at its end.
+# are drawn anew in every episode. After 1 000 steps an episode is *truncated*.
 #
 # Corridors $1, 2, \dots, L$ have $1 + 2 + \dots + L = L(L+1)/2$ places in all. An agent that gets through corridor 3
-# and errs at the first place of corridor 4 has a return of 6. If it errs later in corridor 4, it has up to 9. The
-# optimum is 1 000: a right door in each of the 1 000 steps.
+# and errs at the first place of corridor 4 has a return of 6. The optimum is 1 000: a right door in each of the 1 000
+# steps.
 #
 # These methods are the environment. In the code the right doors follow from `seed`, $p$ is `position`, and `opened` is
 # a wrong door, or −1.
@@ -83,8 +81,8 @@ env.scene()
 source(type(env.mdp), "transition", "reward", "terminal", "observation")
 
 # %% [markdown]
-# **Play it yourself, blind.** You see what the agent sees: the observation, a number. Observation 3 means "no mark".
-# How far do you get? And what do you keep in mind, the marks that you saw or the doors that you opened?
+# **Play it yourself, blind.** You see what the agent sees, a number; 3 means "no mark". What do you keep in mind, the
+# marks that you saw or the doors that you opened?
 
 # %%
 play("MemoryCorridor", blind=True)
@@ -98,11 +96,10 @@ play("MemoryCorridor", blind=True)
 # H_t = O_0, A_0, O_1, A_1, \dots, A_{t-1}, O_t
 # $$
 #
-# (In the book the history begins with $A_0$; here there is an observation before the first action.) Nothing more can be
-# known, so decisions based on the history are the best ones possible. But histories grow without end, and a long one
-# hardly ever comes twice. The agent needs something short that stands for it: an *agent state*, a function of the
-# history (Sutton and Barto, section 17.3). A good one keeps what matters for the future and forgets the rest. This
-# lesson has three of them.
+# (In the book the history begins with $A_0$.) Nothing more can be known, so decisions based on the history are the best
+# ones possible. But histories grow without end, and a long one hardly ever comes twice. The agent needs something short
+# that stands for it: an *agent state*, a function of the history (Sutton and Barto, section 17.3). A good one keeps
+# what matters for the future and forgets the rest. This lesson has three of them.
 #
 # ### A window
 # Keep the last $k$ observations, and forget all before them:
@@ -118,11 +115,10 @@ play("MemoryCorridor", blind=True)
 # $$
 #
 # The package does this outside of the agent: it turns the task into one that *shows* the window, as one whole number,
-# the row of a table. The observations are the digits of that number, and the oldest ones are dropped from it. (Stacks
-# of observations are also called frame stacks, since on a screen an observation is a frame. An episode starts with $k$
-# copies of the first observation, and with action 0 between them.) In the code `n_recent` is the number of rows that
-# there would be without the oldest observation (and the action after it), so `row % n_recent` drops it. `inner` is the
-# state of the corridor. (For a window without actions `n_actions` is 1, and each action is written as 0.)
+# the row of a table. The observations are the digits of that number, and the oldest ones are dropped from it. (Such
+# windows are also called frame stacks. An episode starts with $k$ copies of the first observation, and with action 0
+# between them.) In the code `n_recent` is the number of rows that there would be without the oldest observation (and
+# the action after it), so `row % n_recent` drops it. `inner` is the state of the corridor.
 
 # %%
 source(FrameStack, "transition", "observation")
@@ -145,11 +141,10 @@ source(one_step_target)
 source(best_value)
 
 # %% [markdown]
-# Watch what Q-learning has learned with a window of 2 observations, without actions. This is one greedy episode after
-# 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row of the
-# window that the agent sees *after* it has opened the door, so the row at which it decides stands in the frame before.
-# The number of a row is 4 times the older observation plus the newer one, so row 15 is (3, 3): no mark, twice. At
-# which row does it err?
+# Q-learning with a window of 2 observations, without actions: one greedy episode after 50 000 steps of training. In the
+# film "observation" is the row of the window that the agent sees *after* it has opened the door, so the row at which it
+# decides stands in the frame before. The number of a row is 4 times the older observation plus the newer one, so row 15
+# is (3, 3): no mark, twice. At which row does it err?
 
 # %%
 two = players.learn(2, n_steps=50_000, repetitions=1)
@@ -163,10 +158,10 @@ frames(FrameStack.create(make_mdp("MemoryCorridor"), 2), two.agents["k = 2"][0],
 # window. One row, two right doors. </details>
 #
 # ### Notes
-# A window keeps everything for a short while. The opposite is to keep a little for ever. This player is made by hand.
-# It writes down each marked door, and opens the doors in its notes. It learns nothing: whoever wrote it knew what
-# matters. (It counts the places, and so it knows where the mark is. Two names mean something else here than above:
-# `state` is the observation, and `length` is the last place of the corridor, $L - 1$.)
+# A window keeps everything for a short while. The opposite is to keep a little for ever. This player is made by hand,
+# and learns nothing: it writes down each marked door, and opens the doors in its notes. (It counts the places, and so
+# it knows where the mark is. Two names mean something else here than above: `state` is the observation, and `length` is
+# the last place of the corridor, $L - 1$.)
 
 # %%
 source(players.Rememberer, "act", "learn")
@@ -185,7 +180,7 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # M_t = u(M_{t-1}, O_t)
 # $$
 #
-# (PPO learns the policy directly; it also learns values, but only to help with that. You need not know it here.)
+# (PPO learns the policy directly. You need not know it here.)
 
 # %%
 pictures.recurrent_cell()
@@ -207,14 +202,13 @@ pictures.recurrent_cell()
 # | evaluation | 40 greedy episodes every 4 000 steps; their mean return |
 # | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
 #
-# The dotted lines show the best play that we could find for each window. It may look at the window alone, and it may
-# guess. A computer has searched for it: it plays all sequences of doors at once. For each window it picks the door that
-# adds most to the mean return, given what it does in all other windows, and repeats that until nothing gets better.
-# (The optimum with full memory, 1 000, is far above the panels.)
+# The dotted lines show the best play that we could find for each window. It looks at the window alone, and may guess. A
+# computer has searched for it: for each window it picks the door that adds most to the mean return over all sequences
+# of doors, given what it does in all other windows, until nothing gets better. (The optimum with full memory, 1 000, is
+# far above the panels.)
 #
-# The cell after the next is the whole experiment: one task for each window. `repeat` makes the agent 50 times, trains it, and
-# plays 40 greedy episodes every 4 000 steps. `players.learn_all` makes these calls too, and with `actions=True` the window
-# shows actions as well.
+# The cell after the next is the whole experiment: one task for each window. `players.learn_all` makes these calls too,
+# and with `actions=True` the window shows actions as well.
 #
 # **Predict.** With $k = 4$ the agent sees the last four observations, but not its actions. It chose its actions itself.
 # Does it help to show them to it?
@@ -251,8 +245,8 @@ helps.measured(same if abs(gain) <= 0.5 else higher if gain > 0 else lower)
 # **Measured.** It helps a lot: 9.7 instead of 6.9. The agent did choose its actions, but a table forgets them at once.
 # And the doors that it opened are just what it needs to know.
 #
-# All tables come close to the best play with their window. So Q-learning is not the problem here. What is missing in
-# the table was thrown away before the agent saw it.
+# All tables come close to the best play with their window. So Q-learning is not the problem: what is missing was thrown
+# away before the agent saw it.
 # </details>
 
 # %% [markdown]
@@ -296,10 +290,9 @@ sliders(
 # %% [markdown]
 # ## See inside: the sliding window
 #
-# This is an episode without an error, through corridor 4. It is shown at the first place of corridor 4. The upper row
-# shows what the agent saw ("–" is no mark), the lower row the doors that it opened. The orange frame is the window.
-# Which is the right door? The arrows point to where it was marked, and to where it was opened last. (At a marked place
-# there are no arrows.)
+# This is an episode without an error, at the first place of corridor 4. The upper row shows what the agent saw ("–" is
+# no mark), the lower row the doors that it opened. The orange frame is the window. Which is the right door? The arrows
+# point to where it was marked, and to where it was opened last. (At a marked place there are no arrows.)
 
 
 # %%
@@ -348,10 +341,9 @@ needed.measured(windows.smallest_window(4))
 figures.twin_figure(4, 4, actions=True)
 
 # %% [markdown]
-# The agent sees one mark, and two unmarked places after it. Is it in corridor 4, where the right door was opened 3
-# steps ago, or in corridor 3, where it was opened 2 steps ago? To look a door up, it must also know the length of the
-# corridor. Two marks would tell it: the last two are as many steps apart as the previous corridor is long, and the
-# present one is one place longer.
+# Is it in corridor 4, where the right door was opened 3 steps ago, or in corridor 3, where it was opened 2 steps ago?
+# It must also know the length of the corridor. Two marks would tell it: the last two are as many steps apart as the
+# previous corridor is long.
 #
 # That takes a longer window (the aside below counts the steps):
 #
@@ -359,10 +351,9 @@ figures.twin_figure(4, 4, actions=True)
 # k = \max(L,\; 2L - 3)
 # $$
 #
-# The window grows linearly instead of quadratically. But each action in the window multiplies the rows by 3. Up to
-# corridor 5 the table with actions is even the larger one; from corridor 6 on it is the smaller one, and soon both are
-# too large. (A row has a value for each of 3 actions, and a value has 8 bytes. The paper's example is a window of 25
-# observations: it needs "over a petabyte".)
+# The window grows linearly instead of quadratically. But each action in it multiplies the rows by 3. From corridor 6 on
+# the table with actions is the smaller one, and soon both are too large. (A row has a value for each of 3 actions, and
+# a value has 8 bytes. The paper's example is a window of 25 observations: it needs "over a petabyte".)
 
 # %%
 print(f"a window of 25 observations alone: {3 * 8 * stack_size(4, 25):.1e} bytes, 27 petabytes (27 million gigabytes)")
@@ -385,8 +376,6 @@ for length in range(3, 9):
 
 # %% [markdown]
 # ## Predict, then check
-#
-# Answer each question before you run the cell below it. You learn most when you are surprised.
 #
 # ### "A larger table learns more slowly"
 # **Predict.** With actions, $k = 5$ has 144 times as many rows as $k = 3$. Early in training, after about 1 000 steps,
@@ -417,10 +406,9 @@ early.measured(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It returns more: 6.9 against 6.0. The larger table is further from *its own* best, so in that sense it
-# learns more slowly. But 144 times as many rows are not 144 times as much to learn: after 1 000 steps only about 74 of
-# its 82 944 rows have a value other than 0, and about 50 of the 576 rows of the smaller one. We think that this is why
-# it is not behind at first. </details>
+# **Measured.** It returns more: 6.9 against 6.0. The larger table is further from *its own* best. But 144 times as many
+# rows are not 144 times as much to learn: after 1 000 steps only about 74 of its 82 944 rows have a value other than 0,
+# and about 50 of the 576 rows of the smaller one. We think that this is why it is not behind at first. </details>
 
 # %% [markdown]
 # ### A network on the window
@@ -428,9 +416,8 @@ early.measured(
 # learn "open the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table,
 # trained on batches of remembered steps (lesson 4 is about networks). The window comes to it as separate numbers, each
 # of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
-# the network (section 16.5). A step down the gradient takes the place of the change of one entry. (The
-# paper takes the DQN of Stable-Baselines3. This is the package's own, with settings of its own, so its curves are not
-# those of the paper.)
+# the network (section 16.5). A step down the gradient takes the place of the change of one entry. (The paper takes the
+# DQN of Stable-Baselines3, and this is the package's own: its curves are not those of the paper.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: one update of DQN in code
@@ -444,7 +431,7 @@ source(DQN.add_gradient)
 # %% [markdown]
 # ### Seven observations
 # Two agents with DQN train for 80 000 steps. One sees 7 observations, the other one also the actions between them. Each
-# has 3 repetitions, so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
+# has 3 repetitions, so the bands are wide. It takes 10 to 40 seconds.
 #
 # <details><summary>The settings of DQN</summary>
 #
@@ -483,8 +470,8 @@ far.measured("below 13" if reached < 13 else "15, give or take 2" if reached <= 
 # corridor 5.
 # </details>
 #
-# Watch one of the three agents with actions, greedy. It sees 7 observations and 6 actions, each as a vector with a
-# single 1, and nothing of the place or the length that stand in the picture.
+# One of the three agents with actions, greedy. It sees 7 observations and 6 actions, and nothing of the place or the
+# length that stand in the picture.
 
 # %%
 corridor = SeparateFrames.create(make_mdp("MemoryCorridor"), 7, actions=True)
@@ -500,7 +487,7 @@ frames(corridor, choose, seed=4, max_steps=60)
 
 # %% [markdown]
 # How can it be more than 15? The law is for agents that *never* err. The next figure puts the law beside the best play
-# that we found with each window, and beside what was learned.
+# that we found, and what was learned.
 
 # %%
 display(figures.worth((alone, both), networks))
@@ -521,7 +508,7 @@ figures.twin_figure(8, 6, actions=True)
 # 3. Where nothing tells the length, a guess is still right in some of the episodes.
 #
 # So the best play with this window gets through corridor 6 in 85 % of all episodes, and returns 23 on average. DQN
-# comes close. A law for "never" says little about "usually".
+# comes close.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a memory that is learned
@@ -941,16 +928,6 @@ check(project_5, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - Where the observation does not tell the state, the agent needs a function of its history.
-# - A window of observations alone needs $L(L-1)/2 + 1$ of them to get through corridor $L$ without an error. With the
-#   actions in it, $\max(L, 2L - 3)$ are enough.
-# - Those laws are for never erring. The best play with a window gets further on average, and Q-learning and DQN came
-#   close to it.
-# - A longer window made the table much larger, but did not slow the first steps down: early on, $k = 3$ and $k = 5$ had
-#   learned something in a few dozen rows only.
-# - Recurrent PPO (in an aside) learned what to keep, without a window.
-# - With a notebook 16 rows were enough for the optimum. What counts is the right memory, not a long one.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An observation is what an agent sees, and a state is what

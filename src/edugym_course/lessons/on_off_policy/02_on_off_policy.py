@@ -65,19 +65,18 @@ env.scene()
 # | | $-1$ for every other step | so a fast run is better than a slow one |
 # | discount | $\gamma = 1$ | future rewards count in full |
 #
-# An episode *terminates* at the target, by a fall, and by a stall. After 50 steps it is *truncated*: cut off, although
-# the task was not at its end. The *return* of an episode is the sum of its rewards.
+# An episode *terminates* at the target, by a fall, and by a stall. After 50 steps it is *truncated*. The *return* is
+# the sum of the rewards.
 #
-# These methods are the environment; they run in every experiment below. (`rng` draws random numbers, which the road does
-# not need. `stop_zone` is 0 until the end of the lesson.)
+# These methods are the environment. (`rng` draws random numbers, which the road does not need. `stop_zone` is 0 until
+# the end of the lesson.)
 
 # %%
 source(type(env.mdp), "transition", "reward", "terminal", "has_failed")
 
 # %% [markdown]
-# **Play it yourself.** What is the best return that you can get? When you have found the best run, play it again with a
-# handicap: before each step throw a die. If it shows a one, press a button at random. Would you still take that run if a
-# fall really hurt?
+# **Play it yourself.** What is the best return that you can get? Then play that run again with a handicap: before each
+# step throw a die. If it shows a one, press a button at random. Would you still take that run if a fall really hurt?
 
 # %%
 play("Roadrunner")
@@ -119,8 +118,8 @@ play("Roadrunner")
 # | expected SARSA | $\sum_a \pi(a \mid S')\, Q(S', a)$ | 6.9 | the same, but with the mean over all $A'$ instead of one |
 # | Q-learning | $\max_a Q(S', a)$ | 6.8 | the greedy policy, which never slips |
 #
-# So SARSA and expected SARSA are on-policy, and Q-learning is off-policy. After a terminal state there is no future, and
-# the target is $R$ alone.
+# So SARSA and expected SARSA are on-policy, Q-learning off-policy. After a terminal state there is no future, and the
+# target is $R$ alone.
 #
 # ### SARSA: the action that comes next
 # It needs $S, A, R, S', A'$ for one update, and that is its name. So the loop must choose $A'$ *before* the agent learns,
@@ -187,9 +186,9 @@ source(best_value)
 # %% [markdown]
 # ## The experiment: who learns the better run?
 #
-# All three methods learn on the same road with the same settings. We look at two returns. The *greedy* return is that of
-# an episode without slips, played with the values learned so far. The return *while exploring* is that of the training
-# episodes, slips included: what the agent really earns as it learns. It is also called the *online* return.
+# All three methods learn on the same road with the same settings. The *greedy* return is that of an episode without
+# slips, played with the values learned so far. The return *while exploring*, or *online* return, is that of the
+# training episodes, slips included.
 #
 # | setting | value |
 # |---|---|
@@ -202,8 +201,7 @@ source(best_value)
 # *ε-soft* policy (dotted): the best policy among those that take a random action with probability $\varepsilon = 0.1$ in
 # every state. No agent that explores with this $\varepsilon$ can earn more in the long run.
 #
-# The cell after the next is the whole experiment. `repeat` makes each agent 30 times, trains it, and plays a greedy episode
-# every 10 000 steps. All methods get the same 30 seeds. (Further down `methods.compare` makes this call, with other
+# The cell after the next is the whole experiment. (Further down `methods.compare` makes this call, with other
 # settings.)
 #
 # **Predict.** Who is ahead at the end?
@@ -250,8 +248,7 @@ ahead.measured(seen)
 # </details>
 
 # %% [markdown]
-# Watch what they have learned: one greedy episode of Q-learning, and one of SARSA. (The films step with the slider or the
-# button.)
+# Watch what they have learned: one greedy episode of Q-learning, and one of SARSA.
 
 # %%
 frames("Roadrunner", edge.agents["Q-learning"][0])
@@ -326,7 +323,7 @@ Sheet("plane", [[figures.in_the_plane()]])
 # two still leave them time to brake. One step more buys the last step without risk. (All can stall in their first step,
 # so even a safe run is not quite safe. The second safe run follows the fast run to position 3, and slows down there.)
 #
-# When is that step worth it? In the last step of the fast run the agent takes the deadly action with probability
+# When is that worth it? In the last step of the fast run the agent takes the deadly action with probability
 # $\varepsilon / 3$: it slips, and one of three random actions is deadly. A fall costs about 100. The safe run costs 1,
 # for its additional step. The two are equally good where
 #
@@ -334,7 +331,7 @@ Sheet("plane", [[figures.in_the_plane()]])
 # 100 \cdot \frac{\varepsilon}{3} \approx 1 \quad\Rightarrow\quad \varepsilon \approx 0.03
 # $$
 #
-# That is an estimate: it looks at the last step only. The exact model can tell.
+# This looks at the last step only. The exact model can tell.
 #
 # **Predict.** From which $\varepsilon$ on is the safe run the better one, exactly?
 
@@ -361,8 +358,6 @@ change.measured(lines.change)
 
 # %% [markdown]
 # ## Predict, then check
-#
-# Answer each question before you run the cell below it. You learn most when you are surprised.
 #
 # ### "SARSA is safe"?
 # **Predict.** With $\varepsilon = 0.01$ the fast run is the best, also for an agent that slips. Who earns more *while
@@ -474,8 +469,7 @@ decay.measured(
 # %% [markdown]
 # ### Somebody else slips
 # Is Q-learning blind to danger? Let the *road* slip. On an icy road, with probability 0.1, a random action takes the
-# place of the one that the runner chose. The class below puts ice on any road. What it does not define stays as it
-# was.
+# place of the one that the runner chose.
 
 # %%
 icy_road = methods.Icy(make_mdp("Roadrunner"), ice=0.1)
@@ -834,16 +828,6 @@ check(project_2, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - Q-learning learned the fast run, SARSA the safe one. Each is the best run for the policy that the method evaluates.
-# - "Q-learning is better" and "SARSA is safe" are both wrong as they stand. While exploring with $\varepsilon = 0.1$, SARSA
-#   earned more. With $\varepsilon = 0.01$ it earned less, since it kept away from the best run after a few bad samples.
-# - The best run for an agent that slips changes at $\varepsilon = 0.032$. That follows from one state, in which one action of
-#   three is deadly.
-# - Expected SARSA earned as much as the best of the two, or nearly so, for every $\varepsilon$ and every learning rate that
-#   we tried.
-# - Q-learning leaves out only its own slips. On an icy road it learned the safe run.
-# - A falling $\varepsilon$ freed expected SARSA from the safe run, and did not free SARSA.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A learning agent follows one policy, its behaviour policy,

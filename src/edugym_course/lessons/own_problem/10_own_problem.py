@@ -67,10 +67,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # r(s, a, s') = d' - c_{\text{ring}}\, 1\{a = \text{ring}\} - c_{\text{late}}\, 1\{t' = T,\ d' > 0\}
 # $$
 #
-# That is everything. In code it is an immutable value, a `NamedTuple`, with one short method for each of these parts,
-# and two more for the beginning and the end. `rng` draws the random numbers, and an agent sees what `observation`
-# returns. (The two spaces say which actions and observations there are. With `property` they are computed when they are
-# read, `morning.action_space`, without parentheses.)
+# In code this is an immutable value, a `NamedTuple`, with one short method for each of these parts, and two more for
+# the beginning and the end. `rng` draws the random numbers, and an agent sees what `observation` returns. (The two
+# spaces say which actions and observations there are; a `property` is read without parentheses.)
 
 
 # %%
@@ -131,8 +130,8 @@ print("checked; the first states on the way:", visited[:9])
 
 # %% [markdown]
 # `check_mdp` has played 200 random steps and looked at everything that the methods return. States should be numbers or
-# tuples of numbers. The picture is not part of the problem, but draw one for yours: it shows mistakes that no check
-# finds. (`bedroom` is a function that returns a `Scene` of circles, rectangles and texts.)
+# tuples of numbers. Draw a picture for your problem too: it shows mistakes that no check finds. (`bedroom` returns a
+# `Scene` of circles, rectangles and texts.)
 
 # %%
 MDPEnv(morning).scene()
@@ -155,8 +154,8 @@ print("after a chime:", env.step(1))
 
 # %% [markdown]
 # ### Six mistakes
-# Everybody makes mistakes when they write a problem down. Here are six variants of `Morning`, each with one mistake.
-# (`__slots__ = ()` keeps such a class immutable: without it one could write `self.x = 1`.)
+# Here are six variants of `Morning`, each with one mistake. (`__slots__ = ()` keeps such a class immutable: without it
+# one could write `self.x = 1`.)
 
 
 # %%
@@ -246,11 +245,10 @@ not_found.measured(*accepted)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** `WrongSign` passes: there a ring is *rewarded* with 4. It is a perfectly good decision problem, only not
-# the one that was meant. A check can know what a Markov decision process is. It cannot know what you want. The other
-# five are caught. The sentence names the method where the mistake shows, which is not always the one to mend: for
-# `OneTooFew` mend `observation_space`, for `NeverEnds` mend `terminal`. (There a tuple never equals a number, so the
-# time runs on beyond 8:30.)
+# **Measured.** `WrongSign` passes: there a ring is *rewarded* with 4. That is a perfectly good decision problem, only
+# not the one that was meant: a check cannot know what you want. The other five are caught. The sentence names the
+# method where the mistake shows, which is not always the one to mend: for `OneTooFew` mend `observation_space`, for
+# `NeverEnds` mend `terminal`. (There a tuple never equals a number, so the time runs on beyond 8:30.)
 # </details>
 
 # %% [markdown]
@@ -262,12 +260,10 @@ not_found.measured(*accepted)
 # v_*(s) = \max_a \sum_{s'} p(s' \mid s, a) \left[ r(s, a, s') + \gamma\, v_*(s') \right]
 # $$
 #
-# It is tempting to think that *the reward says what I meant*. But your wish is not in this equation. Only $p$ and $r$
-# are, and the best policy is best for them. (The book's example, in section 3.2: a chess player who is paid for taking
-# pieces may take them and lose the game.) A problem with 25 states (at 7:10 there is only one) can be solved exactly,
-# by computing the right side again and again for all states at once (value iteration, section 4.4). The model with all
-# $p$ and $r$ is worked out from the methods that you have just read. This is the right side before the maximum; `k`
-# counts the possible next states:
+# Your wish is not in this equation. Only $p$ and $r$ are, and the best policy is best for them. (The book's example, in
+# section 3.2: a chess player who is paid for taking pieces may take them and lose the game.) A problem with 25 states
+# (at 7:10 there is only one) can be solved exactly, by computing the right side again and again for all states at once
+# (value iteration, section 4.4). This is the right side before the maximum; `k` counts the possible next states:
 
 # %%
 source(FiniteModel.action_values)
@@ -305,9 +301,8 @@ oversleeps.measured(100 * night.late)
 #
 # **Measured.** 14 %, one morning in seven. "I *must* be up" was the wish, but the reward says that being late costs 10
 # and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3. Then she dozes on, which is
-# worth 1, and is late, which costs 10: that is $0.3 \cdot (10 - 1) = 2.7$ on average. A ring would cost 4, so the chime
-# is right. The policy is the best one for this reward, and the reward is not what was meant. You can change it with the
-# sliders below.
+# worth 1, and is late, which costs 10: that is $0.3 \cdot (10 - 1) = 2.7$ on average. A ring would cost 4, so by this
+# reward the chime is right. The sliders below change it.
 # </details>
 
 # %% [markdown]
@@ -320,8 +315,7 @@ frames(morning, exact.player(morning), seed=3)
 # ## The experiment: every agent learns it
 #
 # An exact solution needs the model. The agents of the earlier lessons do not: they only play, and Dyna learns a model
-# from that. (Their tables still need a small problem.) Now that we know the optimum, we can see how well they do on a
-# problem that none of them was made for.
+# from that. How well do they do on a problem that none was made for?
 #
 # | setting | value |
 # |---|---|
@@ -347,8 +341,7 @@ agents = {
 learned = repeat(morning, agents, 10_000, repetitions=20, evaluate_every=500, evaluation_episodes=20)
 
 # %% [markdown]
-# That is the whole experiment: `repeat` makes each agent 20 times, trains it, and plays 20 greedy episodes every 500 steps.
-# (From here on `methods.learn` makes this call.)
+# That is the whole experiment. (From here on `methods.learn` makes this call.)
 
 # %%
 worth = {method: methods.true_returns(learned, method, morning) for method in learned.methods}
@@ -362,13 +355,12 @@ for method, returns in worth.items():
     )
 
 # %% [markdown]
-# All five learn a clock that is far better than random actions. Dyna, which replays what it has seen, is close to the
-# optimum after 1 000 steps (125 mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest:
-# after about 4 000 steps it is within 1 of the optimum. The other three need most of the 10 000. For each method but
-# Dyna, 14 to 17 of the 20 runs end within 0.6 of the optimum, 10.32; the other runs pull the mean down. The novelty
-# reward is no help here: its line is close to that of Q-learning. One reason may be that exploring is easy in this
-# problem. (On the left the points are means of played episodes, which luck may lift above the optimum; on the right the
-# policies are evaluated exactly.)
+# All five learn a clock that is far better than random actions. Dyna is close to the optimum after 1 000 steps (125
+# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest: after about 4 000 steps it is
+# within 1 of the optimum. The other three need most of the 10 000. For each method but Dyna, 14 to 17 of the 20 runs
+# end within 0.6 of the optimum, 10.32; the other runs pull the mean down. The novelty reward is no help here: its line
+# is close to that of Q-learning. One reason may be that exploring is easy in this problem. (On the left the points are
+# means of played episodes, which luck may lift above the optimum; on the right the policies are evaluated exactly.)
 
 # %% [markdown]
 # ## Your turn
@@ -390,10 +382,9 @@ sliders(figures.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bon
 # %% [markdown]
 # The map does not change smoothly. There are finitely many deterministic policies, one of them is always best, and the
 # return of each is a straight line in each weight. So for long stretches of a slider the same policy is best, and then
-# a cell flips. If the clock ever comes to that cell, its behaviour changes too. If not, only the map changes: raise
-# `late` from 10 to 11 and look at the title. (The cell *dozing at 8:00* flips. The clock is quiet until 8:00, so she is
-# still fast asleep then.) A small change of a reward may matter a lot or not at all. You see which when you solve the
-# problem.
+# a cell flips. If the clock never comes to that cell, only the map changes: raise `late` from 10 to 11 and look at the
+# title. (The cell *dozing at 8:00* flips, and at 8:00 she is still fast asleep.) A small change of a reward may matter
+# a lot or not at all.
 
 # %% [markdown]
 # ## See inside: what a careless reward teaches
@@ -420,13 +411,13 @@ mild.measured("stalls at once" if change < 0 else "runs as before")
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It stalls in its first step, with return $-1$, since running returns $-2$. An agent that learns this has
-# not failed. It has found the optimum of this reward, by which giving up costs no more than one step.
+# **Measured.** It stalls in its first step, with return $-1$, since running returns $-2$. That is the optimum of this
+# reward, by which giving up costs no more than one step.
 # </details>
 
 # %% [markdown]
 # ### Two careless rewards for the clock
-# Nobody writes a reward that is obviously wrong. These two sound reasonable:
+# These two rewards sound reasonable:
 #
 # 1. *"I want her awake, so I pay for that":* 2 for each step at the end of which she is awake, less the cost of rings.
 #    (Sleep is not worth anything here.)
@@ -485,9 +476,9 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 # $$
 #
 # It is the same number *for every policy*. The same sum from any state $s$ on is $-\varphi(s)$. So the values of all
-# policies fall by $\varphi(s)$ in that state, and which policy is best does not change. For the clock: let
-# $\varphi(s) = 10$ while she is awake. Then 10 is paid when she wakes before 8:30, and taken back when she falls asleep
-# again, or at the end. (`phi` holds 0 for every state at 8:30.)
+# policies fall by $\varphi(s)$ there, and which is best does not change. For the clock: let $\varphi(s) = 10$ while she
+# is awake. Then 10 is paid when she wakes before 8:30, and taken back when she falls asleep again, or at the end.
+# (`phi` holds 0 for every state at 8:30.)
 
 # %%
 source(WithPotential, "potential", "reward")
@@ -500,8 +491,8 @@ print("same best actions everywhere:", np.array_equal(best.greedy_policy(), shap
 print(f"largest difference from v*(s) − φ(s): {np.abs(difference).max():.0e}")
 
 # %% [markdown]
-# The bonus and the potential pay the same 10 when she wakes before 8:30. Only the potential takes it back. Look at the
-# maps above: the fourth belongs to the potential, and it is equal to the first, cell by cell.
+# The bonus and the potential pay the same 10; only the potential takes it back. In the maps above the fourth belongs to
+# the potential, and it is equal to the first, cell by cell.
 #
 # **Predict.** Q-learning now learns from five rewards: the four above, and one with $\varphi(s) = v_*(s)$, which nobody
 # knows before learning. The settings are those of the experiment (20 runs), and we judge its greedy policy by the
@@ -1029,15 +1020,6 @@ check(project_10, MyEnvironment)
 
 # %% [markdown]
 # ## What you saw
-#
-# - A problem is four answers: what the agent can do, what it must know, what happens, and what it is worth.
-# - The check finds mistakes in the form. A wrong sign in the reward is another problem, and a valid one.
-# - Even a sensible reward taught something that was not meant: to oversleep one morning in seven.
-# - Careless rewards taught the clock to wake her at dawn, and to wake her again and again. The runner with $R = -1$
-#   gives up at once. Each of these policies is the optimum of the reward that was given.
-# - A potential pays and takes back, so it changes no best policy. To Q-learning it is the same as a table that starts at
-#   it. Here $v_*$ itself helped a lot, and a bad guess of it slowed learning down.
-# - What a variable in the state is worth can be measured by leaving it out.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* To state a problem is to choose states, actions, dynamics

@@ -31,7 +31,7 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # ## Meet the environment: a toy that says what it needs
 #
 # A toy has four needs: to play, to sleep, to be fed, and to be cleaned. At every step it *wants* the most urgent one.
-# You press one of four buttons. If it is the one that the toy wants, good. If not, the toy suffers.
+# You press one of four buttons. If it is the wrong one, the toy suffers.
 
 # %%
 env = gym.make("edugym/Tamagotchi-v0", tau=0.1, max_msg_length=4).unwrapped
@@ -41,8 +41,7 @@ for action in (0, 2):  # play, feed
 env.scene()
 
 # %% [markdown]
-# You see a screen with the hit points (HP), and the words that the toy says. You do not see how the toy really is. So
-# here we must keep two things apart:
+# You see the hit points (HP), and the words that the toy says. You do not see how the toy really is:
 #
 # - The **state** $s$ is how the toy really is. It decides what happens next.
 # - The **observation** $o$ is what the agent is told about it: the hit points and the message.
@@ -80,9 +79,8 @@ source(happiness)
 
 # %% [markdown]
 # ### What a word says
-# Each word of a message is drawn by itself. It is about need $i$ with a probability that grows with the urgency of
-# that need. The larger the **noise** $\tau$, the less it grows (a softmax, as in equation 2.11 of Sutton and Barto, but
-# with a temperature):
+# Each word is drawn by itself. It is about need $i$ with a probability that grows with its urgency. The larger the
+# **noise** $\tau$, the less it grows (a softmax, as in equation 2.11 of Sutton and Barto, but with a temperature):
 #
 # $$
 # P(\text{a word is about need } i) = \frac{e^{u_i / \tau}}{\sum_j e^{u_j / \tau}}
@@ -97,10 +95,9 @@ source(happiness)
 source(type(env.mdp), "named", "weight")
 
 # %% [markdown]
-# **Play it yourself.** The picture shows what an agent sees, and one thing more: the button that was pressed last is black.
-# Here are 20 steps with a noise of 0.05 and eight
-# words in each message. Do you follow the first word, or most of the words? What is your return? (The best possible
-# one is 1 345 in 20 steps, on average.) And: is there anything besides the words that helps you?
+# **Play it yourself.** The picture shows what an agent sees, and the button that was pressed last, in black. Here are
+# 20 steps with a noise of 0.05 and eight words in each message. Do you follow the first word, or most of the words?
+# (The best possible return is 1 345 in 20 steps, on average.) Is there anything besides the words that helps you?
 
 # %%
 play("Tamagotchi", tau=0.05, max_msg_length=8, steps_per_episode=20)
@@ -117,9 +114,8 @@ play("Tamagotchi", tau=0.05, max_msg_length=8, steps_per_episode=20)
 # Q(O, A) \leftarrow Q(O, A) + \alpha \left[ R + \gamma \max_a Q(O', a) - Q(O, A) \right]
 # $$
 #
-# After a terminal step there is no future, and $R$ stands alone in the place of $R + \gamma \max_a Q(O', a)$: that is
-# what `one_step_target` sees to. `best_value` is the maximum. The code is the same as in every lesson. What it calls
-# `state` is the number of the row.
+# After a terminal step $R$ stands alone in the place of $R + \gamma \max_a Q(O', a)$. The code is the same as in every
+# lesson. What it calls `state` is the number of the row.
 
 # %%
 source(QLearning.learn)
@@ -138,10 +134,9 @@ for length in (1, 4, 28):
 
 # %% [markdown]
 # ### Two players that do not learn
-# To see how much of a message Q-learning uses, we compare it with two players who know from the start what the words
-# mean. One **obeys the first word**. The other takes a **majority vote**: it does what most words name. Both are the
-# same code; they differ in how many words are `heard`: the first one, or all. (If the *vocabulary* has more than four
-# words, the words $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
+# We compare Q-learning with two players who know from the start what the words mean. One **obeys the first word**. The
+# other takes a **majority vote**: it does what most words name. They differ in how many words are `heard`: the first
+# one, or all. (If the *vocabulary* has more than four words, the words $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
 
 # %%
 source(Voter.act)
@@ -162,21 +157,20 @@ frames(
 # ### How much does a message tell? Count it in bits
 # Let $X$ be the need, that is, the wanted action, and $Y$ the message. (The hit points are left out of $Y$.) How much
 # does $Y$ tell about $X$? Before the message, need $x$ has the probability $p(x)$. After message $y$ it has the
-# probability $p(x \mid y) = p(x, y) / p(y)$. The message has made it more likely by the factor $p(x \mid y) / p(x)$.
-# The **information** in the message is the mean of the logarithm of this factor (Shannon, 1948; it is also called
-# mutual information):
+# probability $p(x \mid y) = p(x, y) / p(y)$. The **information** in the message is the mean of the logarithm of the
+# factor by which it made the need more likely (Shannon, 1948; it is also called mutual information):
 #
 # $$
 # I(X; Y) = \sum_{x, y} p(x, y) \log_2 \frac{p(x \mid y)}{p(x)} = \sum_{x, y} p(x, y) \log_2 \frac{p(x, y)}{p(x)\, p(y)}
 # $$
 #
-# The logarithm has the base 2, so the unit is the *bit*: the answer to one question of yes or no, if both are equally
-# likely. If the message has nothing to do with the need, $p(x, y) = p(x)\, p(y)$, all logarithms are 0, and so is the
-# information. To tell which of four equally likely needs it is takes $\log_2 4 = 2$ bits.
+# The unit is the *bit*: the answer to one question of yes or no, if both are equally likely. If the message has nothing
+# to do with the need, $p(x, y) = p(x)\, p(y)$, all logarithms are 0, and so is the information. To tell which of four
+# equally likely needs it is takes $\log_2 4 = 2$ bits.
 #
-# To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur. We take a toy *in perfect
-# care*, which always gets what it wants. The code below makes the table for messages of one word: `states_met` plays some
-# episodes and counts the states, and the last line of the loop adds up the needs that share a word.
+# To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur. We take a toy *in
+# perfect care*, which always gets what it wants. The code makes the table for messages of one word: `states_met` plays
+# some episodes and counts the states.
 #
 # For longer messages $y$ is how often each word occurs. (Given the state the words are drawn independently, so their order
 # tells nothing.) The second word tells in part what the first one told: two words carry less than twice the bits of one.
@@ -208,9 +202,8 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # two words of three are right, and three quarters of the information are gone.
 # </details>
 #
-# That is for a toy in perfect care. A player who obeys follows wrong words too, and so leaves needs that differ more: the
-# lead of the most urgent one is two to four times as large. So on *its* toy a word carries more. Move the noise, and see
-# both counts on one axis.
+# A player who obeys follows wrong words too, and so leaves needs that differ more: the lead of the most urgent one is
+# two to four times as large. So on *its* toy a word carries more. Move the noise, and see both counts on one axis.
 
 # %%
 sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
@@ -218,7 +211,7 @@ sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
 # %% [markdown]
 # ## The experiment: more and more noise
 #
-# The paper (Moerland et al., 2023) runs Q-learning on this toy with more and with less noise. So do we.
+# As in the paper (Moerland et al., 2023), Q-learning meets more and less noise.
 #
 # | setting | value |
 # |---|---|
@@ -228,9 +221,9 @@ sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
 # | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# (The learning rate is small, since the rewards that follow a noisy word differ widely: try 0.1 in "Your turn".) The dashed
-# line is the optimum, 6 707, computed by planning with the whole state. The cell after the next is the whole experiment.
-# (Further down `methods.learn` makes this call, with other settings.)
+# (The learning rate is small, since the rewards that follow a noisy word differ widely: try 0.1 in "Your turn".) The
+# dashed line is the optimum, 6 707, computed by planning with the whole state. (Further down `methods.learn` makes the
+# call of this experiment, with other settings.)
 #
 # **Predict.** At which noise does Q-learning first get less than half of the optimum?
 
@@ -288,8 +281,8 @@ Sheet("answers", [panels[:2], panels[2:]])
 # How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When
 # does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
 # ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
-# the same player). Move a slider and release it: 10 repetitions of 200 000 steps are computed again. (With fewer than
-# four words some are *ambiguous*: they mean two needs or more. The two players then do not know which one either.)
+# the same player). (10 repetitions of 200 000 steps. With fewer than four words some are *ambiguous*: they mean two
+# needs or more. The two players then do not know which one either.)
 
 
 # %%
@@ -373,8 +366,7 @@ longer.measured(
 # Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left
 # the messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
 # 0.1, and the numbers beside the points are the numbers of words, from 1 to 28. (The $x$ axes differ: the left one goes
-# to 2 bits, the right one to half a bit.) Q-learning has the settings of the experiment, but for one point, which shows
-# its longer training with $\alpha = 0.05$.
+# to 2 bits, the right one to half a bit.) One point shows Q-learning's longer training with $\alpha = 0.05$.
 
 # %%
 learned = {
@@ -397,18 +389,16 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
-# table cannot find it. (That is what features and networks are for. An agent that is told how often each word occurs
-# has one thing less to find out: that the order does not matter. You will write one in the project.)
+# table cannot find it. (That is what features and networks are for. In the project you write an agent that is told how
+# often each word occurs.)
 
 # %% [markdown]
 # ## Predict, then check
 #
-# Answer each question before you run the cell below it. You learn most when you are surprised.
-#
 # ### Is a bit a bit?
-# Take the noise away, $\tau = 0$, but let the toy know only two words. One means "play or feed", the other "sleep or
-# clean". So a word carries exactly one bit. That is more than at $\tau = 0.02$ (0.49 bit, or 0.84 on the toy of a
-# player who obeys), where Q-learning got nine tenths of the optimum.
+# Take the noise away, $\tau = 0$, but let the toy know only two words: "play or feed" and "sleep or clean". So a word
+# carries exactly one bit. That is more than at $\tau = 0.02$ (0.49 bit, or 0.84 on the toy of a player who obeys),
+# where Q-learning got nine tenths of the optimum.
 #
 # **Predict.** What does Q-learning get with a vocabulary of two words?
 
@@ -476,8 +466,8 @@ synonyms.measured(slower if curve.iloc[-1] > 0.99 else "ends well below the opti
 
 # %% [markdown]
 # ### Without any signal
-# Now $\tau = \infty$: the words are pure noise. Here is a player who does not even listen. It takes the four actions
-# in turn, play, sleep, feed, clean, play, ...
+# Now $\tau = \infty$: the words are pure noise. Here is a player who does not listen. It takes the four actions in
+# turn.
 
 # %%
 source(RoundRobin.act)
@@ -498,13 +488,13 @@ in_turn.measured(100 * blind / methods.OPTIMUM)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 99 %. The toy needs all four things again and again, and what was done longest ago is the most urgent.
-# So the player who remembers its last action knows what is wanted, without a message. It loses 1 % at the start, where
-# all needs are equal and the toy wants one at random.
+# So the player who remembers its last action knows what is wanted. It loses 1 % at the start, where the toy wants one
+# at random.
 #
-# "Without a signal nothing can be learned" is wrong. An agent can *remember* instead, and its own actions are part of
-# what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
-# But memory can stand in for a signal only as far as the world is predictable: on a toy with *moods*, in an aside below,
-# the same player gets a tenth of the optimum.
+# An agent can *remember* instead of listening, and its own actions are part of what it can remember. The true history
+# contains all past observations *and actions* (Sutton and Barto, section 17.3). But memory can stand in for a signal
+# only as far as the world is predictable: on a toy with *moods*, in an aside below, the same player gets a tenth of the
+# optimum.
 # </details>
 
 # %% [markdown] tags=["aside"]

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # Stochasticity: Golf
 #
-# **The challenge.** The same action does not always lead to the same result. So an agent must learn from results that
-# differ by chance, and it must decide how much risk it takes: is a good mean worth a bad day now and then?
+# **The challenge.** The same action does not always lead to the same result. An agent must learn from results that
+# differ by chance, and decide how much risk it takes: is a good mean worth a bad day now and then?
 #
 # **You will be able to** say what Q-learning learns where results are random; change one line so that an agent avoids
 # risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being worth
@@ -28,9 +28,9 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: the harder the hit, the less it goes where it should
 #
-# A ball lies on the tee, at the near end of a golf course. It must get onto the green around the flag, in few hits.
-# There are three swings: a putt goes 1 cell, a chip 4 cells, a drive 10 cells. Every hit aims at the flag, and misses
-# its aim by chance: a little with a putt, a lot with a drive. Around the course is water.
+# A ball on the tee must get onto the green around the flag, in few hits. There are three swings: a putt goes 1 cell, a
+# chip 4, a drive 10. Every hit aims at the flag and misses by chance: a little with a putt, a lot with a drive. Around
+# the course is water.
 
 # %%
 env = gym.make("edugym/Golf-v0", observe_hits=True).unwrapped
@@ -54,16 +54,15 @@ env.scene()
 #
 # The number $\ell$ is the *stochasticity level* (`stochasticity_level`), 0.015 in most of this lesson. A game
 # *terminates* on the green, in the water, or after 10 hits. Its *return* is the sum of its rewards. These methods are
-# the environment, and they run in every experiment below:
+# the environment:
 
 # %%
 source(type(env.mdp), "aim", "transition", "reward", "terminal")
 
 # %% [markdown]
-# Here are a thousand balls of each swing from the tee. (The putts lie so close together that the mark of their aim
-# hides them.) The drive has a standard deviation of $0.015 \cdot 10^2 = 1.5$ cells, and the water is 3.5 cells to the
-# left and to the right. So 3.5/1.5 = 2.33 standard deviations are left on each side, and a table of the normal
-# distribution says that a ball flies farther than that with probability 2.0 %.
+# Here are a thousand balls of each swing from the tee. (The mark of their aim hides the putts.) The drive has a
+# standard deviation of $0.015 \cdot 10^2 = 1.5$ cells, and the water is 3.5 cells to the left and right: 3.5/1.5 = 2.33
+# standard deviations on each side. A normally distributed ball flies farther with probability 2.0 %.
 
 # %%
 display(figures.landings_figure())
@@ -74,9 +73,8 @@ for swing, name in enumerate(env.mdp.action_names):
     print(f"{name:5}: {lost:.1%} of 20 000 lost; on the course a thousand balls lie in {len(cells)} different cells")
 
 # %% [markdown]
-# **Play it yourself.** There are two plans. The fast one is a drive and a chip: two hits, in either order, and return
-# 0.9, if all goes well. The safe one is three chips: return 0.8. Play five games of each. Which plan do you like
-# better, and why?
+# **Play it yourself.** There are two plans. The fast one is a drive and a chip in either order: return 0.9, if all goes
+# well. The safe one is three chips: 0.8. Play five games of each. Which do you like better?
 
 # %%
 play("Golf", observe_hits=True)
@@ -104,9 +102,9 @@ source(QLearning.learn)
 # the mean of $\delta$ is 0. There the value is the **mean** of the target $R + \gamma \max_a Q(S', a)$. With a fixed
 # learning rate it is a mean in which recent results count more (equation 2.6): roughly the last $1/\alpha$ of them.
 #
-# So two plans with the same mean are the same to Q-learning, even if one always returns 0.8, and the other mostly
-# returns more and sometimes loses the ball. The *spread* of the return is not in the table. In this lesson we call the
-# standard deviation of the return its spread, and **risk** stands for results that are uncertain.
+# So two plans with the same mean are the same to Q-learning, even if only one of them sometimes loses the ball. The
+# *spread* of the return is not in the table. In this lesson we call the standard deviation of the return its spread,
+# and **risk** stands for results that are uncertain.
 #
 # ### Bad surprises may weigh more
 # Multiply the TD error by a weight that depends on it (Delétang et al., 2021):
@@ -186,12 +184,12 @@ for label, beta in methods.RISKS.items():
 # | evaluation | 20 greedy games every 30 000 steps; at the end every player plays 10 000 greedy steps |
 # | repetitions | 30; bands, and the lines at the dots, are 95 % intervals |
 #
-# Two black lines show what is possible for a player who sees exactly where the ball lies. The dashed one is the
-# optimum. The dotted one, in the right panel only, is the best return of a player who takes a random swing with
-# probability $\varepsilon$ (the best *ε-soft* policy). Both are computed from the exact dynamics.
+# Two black lines, from the exact dynamics, show what is possible for a player who sees exactly where the ball lies: the
+# optimum (dashed), and in the right panel the best *ε-soft* policy (dotted), which takes a random swing with
+# probability $\varepsilon$.
 #
-# The cell below your prediction is the whole experiment. `repeat` makes each player 30 times, trains it, and lets it
-# play 20 greedy games every 30 000 steps. (Later cells call `methods.learn`, which does the same with other settings.)
+# The cell below your prediction is the whole experiment. (Later cells call `methods.learn`, which does the same with
+# other settings.)
 #
 # **Predict.** Which player has the highest *mean* return in the end, without exploring?
 
@@ -235,11 +233,9 @@ highest.measured(seen)
 #
 # **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. What it gets for
 # that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
-# seeking one about 3 in 100, and the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
-# neutral player did not pay here. (In the left panel of the learning curves the lines of these two lie on each other.
-# In the right one, while exploring, the seeking player is a little ahead.)
-#
-# The last lines say more about each player.
+# seeking one about 3 in 100; the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
+# neutral player did not pay here. (While exploring, in the right panel of the learning curves, the seeking player is a
+# little ahead.)
 #
 # *Seeking.* The order of the swings matters. Runs that drive first earn 0.86. But half of the runs chip first and
 # drive then, from closer to the far edge. They lose more than twice as many balls, and earn 0.78.
@@ -253,7 +249,7 @@ highest.measured(seen)
 # </details>
 
 # %% [markdown]
-# Watch one game of the averse player, and one of the seeking player. (The films step with the slider or the button.)
+# Watch one game of the averse player, and one of the seeking player.
 
 # %%
 frames("Golf", results.agents[methods.AVERSE][0], seed=1, observe_hits=True)
@@ -304,14 +300,14 @@ sliders(
 # %% [markdown]
 # ## See inside: where a risk stops being worth it
 #
-# How do the games end? The bars show it, for the players of the experiment.
+# How do the games of the experiment end?
 
 # %%
 figures.games_figure(played)
 
 # %% [markdown]
-# The averse player mostly needs three or four hits, and hardly ever loses a ball. The seeking player mostly wins with
-# two hits (now and then with one, when the drive happens to land on the green), and sometimes loses the ball.
+# The averse player mostly needs three or four hits. The seeking player mostly wins with two (now and then with one,
+# when the drive lands on the green), and sometimes loses the ball.
 #
 # ### By hand
 # When is the drive worth its risk, on average? It saves one hit: the fast plan returns 0.9, and the safe plan 0.8. With
@@ -321,15 +317,14 @@ figures.games_figure(played)
 # 0.9 - 1.9 \cdot p = 0.8 \quad\Rightarrow\quad p \approx 0.053
 # $$
 #
-# The ball is lost if it flies more than 3.5 cells to a side. By a table of the normal distribution, both sides together
-# have the probability 0.053 if 3.5 cells are 1.94 standard deviations. The standard deviation of a drive is $\ell \cdot
-# 10^2$:
+# Both sides together have the probability 0.053 if 3.5 cells are 1.94 standard deviations, by a table of the normal
+# distribution. That of a drive is $\ell \cdot 10^2$:
 #
 # $$
 # \frac{3.5}{100\, \ell} \approx 1.94 \quad\Rightarrow\quad \ell \approx 0.0180
 # $$
 #
-# That is an estimate: it takes for granted that both plans do what they should. The exact dynamics can tell.
+# That takes for granted that both plans do what they should. The exact dynamics can tell.
 #
 # **Predict.** From which level on is a chip from the tee worth more than a drive, exactly, on average?
 
@@ -347,12 +342,11 @@ change.measured(lines.change)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.0187, so the estimate was close. Both lines are computed, for a player who sees where the ball lies and
-# plays as well as possible after the first swing. (The ball can lie anywhere. The computation knows places an eighth of
-# a cell apart, and its errors are below 0.001.) Below the crossing the risk of the drive pays on average; above it,
-# it does not. At 0.015 the drive is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then*
-# a drive also takes two hits. With a little noise the drive is worth more than 0.9, since some drives land on the green
-# at once.)
+# **Measured.** 0.0187, so the estimate was close. Both lines are computed for a player who sees where the ball lies and
+# plays as well as possible after the first swing. (The computation knows places an eighth of a cell apart; its errors
+# are below 0.001.) Below the crossing the risk of the drive pays on average; above it, it does not. At 0.015 the drive
+# is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then* a drive also takes two hits.
+# With a little noise the drive is worth more than 0.9, since some drives land on the green at once.)
 # </details>
 
 # %% [markdown]
@@ -374,10 +368,10 @@ for label, (low, high) in between.items():
     print(f"{label:15}: drives up to about level {last:.3f}")
 
 # %% [markdown]
-# This is what risk sensitivity does: it does not make a player bad, it *moves the level* at which the player stops
-# taking the risk. The averse one stops near 0.016, the neutral one near 0.019, and the seeking one only near 0.051, far
-# to the right of the figure. (At low levels, on the left, the averse player drives too. A chip first would be no safer
-# there: the best way to go on is then a drive, which ends closer to the far edge.)
+# Risk sensitivity *moves the level* at which a player stops taking the risk. The averse one stops near 0.016, the
+# neutral one near 0.019, and the seeking one only near 0.051, far to the right of the figure. (At low levels, on the
+# left, the averse player drives too. A chip first would be no safer there: the best way to go on is then a drive, which
+# ends closer to the far edge.)
 #
 # At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. "What noise does
 # to learning" comes back to that.
@@ -385,11 +379,8 @@ for label, (low, high) in between.items():
 # %% [markdown]
 # ## Predict, then check
 #
-# Answer each question before you run the cell below it. You learn most when you are surprised.
-#
 # ### Too much noise
-# The experiment again, at six levels, with 10 repetitions instead of 30. (So the dots at 0.015 differ a little from those
-# of the experiment.)
+# The experiment again, at six levels, with 10 repetitions. (So the dots at 0.015 differ a little.)
 #
 # **Predict.** Raise the level to 0.02. Which of the three players differ there in the share of lost balls?
 
@@ -427,11 +418,9 @@ noisy.measured(seen)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at
-# 0.0187 the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid.
-# To see the difference in lost balls between averse and neutral you need a level at which the risk still pays on
-# average: an experiment at 0.02 cannot show it. And there seeking earns least of the three, 0.68, and neutral most,
-# 0.76. (Averse is between them, with wide bands.)
+# **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
+# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. There
+# seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
 # %% [markdown]
@@ -490,17 +479,17 @@ obstacle.measured(
 # </details>
 
 # %% [markdown]
-# Why is the value too low? Two explanations come to mind.
+# Why is the value too low? There are two suspects.
 #
 # - *Bad luck.* Exactly, the drive is ahead by 0.07 only. A lost ball moves its value by $\alpha \cdot 1.9 \approx 0.04$,
 #   so after two of them, close to each other, the chip looks better. From then on the drive is tried in 3 % of the
 #   games, when the agent explores.
 # - *The rest of the game.* After a chip from the tee the ball lies in one of 6 cells, and after a drive in one of more
 #   than 50 (they were counted at the start). Each of those is visited rarely, and its values started at 0, far below
-#   what they are worth. So a drive leads to cells that look bad.
+#   what they are worth.
 #
-# Both sound right. To find out, we take each of them away. Against bad luck the steps are a quarter as large,
-# $\alpha = 0.005$. For the rest of the game the agent chooses the *first swing only*, and then a rule chips and putts.
+# To find out, we take each of them away. Against bad luck the steps are a quarter as large, $\alpha = 0.005$. For the
+# rest of the game the agent chooses the *first swing only*, and then a rule chips and putts.
 #
 # **Predict.** As it is, about a third of the runs start with a drive. Which change brings more runs to the drive?
 
@@ -522,20 +511,20 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With the rest of the game known, by far. So here bad luck with drives is the smaller reason, although it
-# is the one that comes to mind first. With both changes all runs drive. (That is not so everywhere. At level 0.0165 the
-# drive is ahead by 0.05 only. There bad luck alone is enough: also with the rest of the game known, only 28 % of 60 runs
-# drive. With smaller steps as well, $\alpha = 0.005$, 88 % do.)
+# **Measured.** With the rest of the game known, by far. So here bad luck with drives is the smaller reason. With both
+# changes all runs drive. (That is not so everywhere. At level 0.0165 the drive is ahead by 0.05 only. There bad luck
+# alone is enough: also with the rest of the game known, only 28 % of 60 runs drive. With smaller steps as well, $\alpha
+# = 0.005$, 88 % do.)
 #
 # The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. Probably that has the same
 # reasons, and a lost ball weighs nearly twice as much with it.
 # </details>
 
 # %% [markdown]
-# What can an agent do about it that has nobody to play the rest of the game? It can let its values start at 1, so that
-# what was not tried looks good, take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
-# player *patient*. And we say that a run *takes the risk* if it loses more than 1 ball in 100. Only a player who drives
-# in most games, first or later, loses so many. Here the patient player has 10 repetitions.
+# What can an agent do that has nobody to play the rest of the game? Its values can start at 1, so that what was not
+# tried looks good; it can take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
+# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100: only a player who
+# drives in most games, first or later, loses so many.
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -546,9 +535,8 @@ for label, one in (("as in the experiment", played[methods.NEUTRAL]), ("patient"
 # %% [markdown]
 # All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the
 # other combinations. With one change alone, about two thirds of the runs take the risk. With longer training and one of
-# the other two it is as many. With good first values and smaller steps, but no longer training, all runs do, and their
-# mean is 0.82: they are not done learning. So the price of noise is all three: good first values, smaller steps, and
-# more of them.
+# the other two it is as many. With good first values and smaller steps alone all runs do, and their mean is 0.82: they
+# are not done learning. So the price of noise is all three.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: "Risk-seeking pays"?
@@ -975,20 +963,6 @@ check(project_8, my_program)
 
 # %% [markdown]
 # ## What you saw
-#
-# - Q-learning learns means. The spread of the return is not in its table.
-# - With $\beta < 0$ bad surprises weigh more. The averse player gave up some of its mean return and lost hardly a ball.
-# - A drive is worth its risk, on average, up to level 0.0187. That follows from one hit that it saves and the balls that
-#   it loses. The attitude to risk moves this level.
-# - Beyond it the best player on average is careful too, so there aversion saves no balls.
-# - Noise made learning slow. It spreads experience over many cells, whose first values were too low, and it brings bad
-#   luck. Here the first was the larger obstacle: with the rest of the game known most runs drove. Good first values,
-#   smaller steps and more of them, all three together, mended both.
-# - Risk-seeking (in an aside) paid only where the neutral player had learned to be too careful. Against a patient one it
-#   gained
-#   nothing, and where the risk was not worth it, it cost.
-# - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless on the slippery lake (in an
-#   aside).
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
