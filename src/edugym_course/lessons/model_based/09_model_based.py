@@ -42,8 +42,8 @@ from edugym_course.notebook import frames, play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: a shop, three items, one exit
 #
-# A shopper enters a supermarket, collects three items, and leaves by the exit. Every step costs a little, so the
-# shopper should take the shortest way. Leaving is always possible, also with an empty bag.
+# A shopper collects three items and leaves by the exit. Every step costs a little. Leaving is always possible, also
+# with an empty bag.
 
 # %%
 env = gym.make("edugym/Supermarket-v0").unwrapped
@@ -71,8 +71,8 @@ source(type(env.mdp), "transition", "reward", "terminal")
 
 # %% [markdown]
 # **Play it yourself, blind.** You see what the agent sees: one number, which stands for the cell and the bag. Play two
-# episodes, or until you are lost, and ask yourself: what do I keep in my head, apart from which way was good? What you
-# keep is a map: you know what a step *would* do before you take it. That is a model.
+# episodes, or until you are lost. What do you keep in your head? A map: you know what a step *would* do before you take
+# it. That is a model.
 
 # %%
 play("Supermarket", blind=True, max_steps=100)
@@ -115,18 +115,16 @@ print("generative: ", (sample.next_state, sample.reward, sample.terminated))
 # Q(s, a) \leftarrow \sum_{s'} p(s' \mid s, a) \left[ r(s, a, s') + \gamma V(s') \right]
 # $$
 #
-# This is called an *expected update*, since it takes the mean over all that can happen. Here is the code that runs, for
-# all states at once. (In `sak` each letter is an axis of a table: state, action, and the possible next states.)
+# This is called an *expected update*: it takes the mean over all that can happen. The code does it for all states at
+# once. (In `sak` each letter is an axis of a table: state, action, and the possible next states.)
 
 # %%
 source(FiniteModel.action_values)
 
 # %% [markdown]
-# Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty
-# bag*: there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. Cells
-# whose value is not above 0 are cream and have no arrow. (The entrance has its name in place of the arrow. The three
-# items stay white: who steps on an item has it in the bag. The exit has the value 0.) After 30 sweeps nothing changes
-# any more, and the best way is known, before the first step.
+# Watch the values spread from the exit and the items, one cell a sweep. The maps show the shop with an *empty bag*; the
+# arrow is the best action. Cells whose value is not above 0 are cream. (The items stay white: who steps on an item has
+# it in the bag.) After 30 sweeps nothing changes any more, and the best way is known, before the first step.
 
 # %%
 maps.dynamic_programming()
@@ -180,9 +178,9 @@ source(PrioritisedSweeping, "plan")
 
 # %% [markdown]
 # ### See it spread
-# A shopper walks at random, finds the exit after 518 steps (here without the limit of 500), and has
-# nothing in its bag. Three learners have seen exactly that walk ($\alpha = 1$). Now the second one plans with random
-# updates, and the third one with prioritised sweeping.
+# A shopper walks at random and finds the exit after 518 steps (here without the limit of 500), with an empty bag. Three
+# learners have seen that walk ($\alpha = 1$). Now the second plans with random updates, the third with prioritised
+# sweeping.
 #
 # **Predict.** After 200 updates, who knows a way from the entrance to the exit?
 
@@ -201,16 +199,15 @@ spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(kn
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Prioritised sweeping does, and Dyna does not: Dyna's table has a value above 0 in two cells only, although
-# the walk and the number of updates are the same. In that of Q-learning it is one cell, the last one before the exit.
-# Grey cells were never seen, and no update says anything about them. Cream cells were seen, and have no value above 0.
-# (The items are white, as before, and so is the exit, where no action is taken.) Look at the way that prioritised
-# sweeping has found: it passes the items by. We will come back to that.
+# **Measured.** Prioritised sweeping does, and Dyna does not: Dyna's table has a value above 0 in two cells only. In
+# that of Q-learning it is one cell, the last one before the exit. Grey cells were never seen; cream cells were seen,
+# and have no value above 0. Look at the way that prioritised sweeping has found: it passes the items by. We will come
+# back to that.
 # </details>
 
 # %% [markdown]
-# How many updates does each of the two planners need until the entrance has a value above 0, and thus a colour? Move the
-# slider: its steps grow.
+# How many updates does each planner need until the entrance has a colour, a value above 0? Move the slider: its steps
+# grow.
 
 # %%
 sliders(maps.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_200, 1_600, 2_000, 2_400])
@@ -222,8 +219,8 @@ sliders(maps.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_2
 # </details>
 
 # %% [markdown]
-# And in training? This is one episode of each method, after 1 000 steps of training. Who knows where it is going, and
-# which items does it leave out? (The films stop after 60 steps.)
+# And in training? One episode of each method, after 1 000 steps of training. Who knows where it is going? (The films
+# stop after 60 steps.)
 
 
 # %%
@@ -251,8 +248,7 @@ watch("prioritised sweeping")
 # %% [markdown]
 # ## The experiment: the same steps, more thought
 #
-# This is the figure of the paper (Moerland et al., 2023), computed here and now, with one method more: Dyna with 50
-# updates after each step, beside Dyna with 10.
+# This is the figure of the paper (Moerland et al., 2023), with one method more: Dyna with 50 updates after each step.
 #
 # | setting | value |
 # |---|---|
@@ -262,11 +258,11 @@ watch("prioritised sweeping")
 # | evaluation | one episode without exploring, every 250 steps of 10 000 |
 # | repetitions | 100, the same seeds for all methods; bands are 95 % intervals |
 #
-# Two black lines show what is possible, computed from the exact model: the optimum (dashed), and the return of the best
-# *ε-soft* policy (dotted), which takes a random action with probability $\varepsilon = 0.1$ all the time.
+# Two black lines come from the exact model: the optimum (dashed), and the best *ε-soft* policy (dotted), which takes a
+# random action with probability $\varepsilon = 0.1$ all the time.
 #
-# The cell after the next is the whole experiment. `repeat` makes each agent 100 times, trains it, and plays an episode without
-# exploring every 250 steps. (Further down `compare` makes this call, with other methods.)
+# The cell after the next is the whole experiment. (Further down `compare` makes this call of `repeat`, with other
+# methods.)
 #
 # **Predict.** The methods with a model will learn in fewer steps. But who has the best policy *at the end*?
 
@@ -297,12 +293,11 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners less than a fifth:
 # that is what a model is for. (The curves are means, which a few slow runs pull down.) And then they stop improving.
-# Q-learning, which does not plan, ends highest in this shop. All three planners end below it, and prioritised sweeping
-# ends lowest. (Among the three the intervals of neighbours overlap, and those of Dyna-10 and prioritised sweeping do
-# not.) The section "See inside" shows why, and what to do.
+# Q-learning ends highest in this shop, and prioritised sweeping lowest. (Among the planners the intervals of neighbours
+# overlap; those of Dyna-10 and prioritised sweeping do not.)
 #
-# Why do the planners' lines in the right panel dip at step 500? That panel counts an episode when it ends. The first
-# long episodes end there, at the limit of 500 steps, and their returns are low. (Both panels cut off a bad start.)
+# The planners' lines in the right panel dip at step 500, where the first long episodes end at the limit, with low
+# returns. (Both panels cut off a bad start.)
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -324,8 +319,8 @@ for _ in range(50):
         updates += 10
 print("more than 10 updates in the 0.02 seconds of a step, on average:", updates / 50 > 10)
 
-# %% [markdown]
-# ### What does a step cost?
+# %% [markdown] tags=["aside"]
+# ### Aside: what does a step cost?
 # The horizontal axis counts steps, as if planning were free. So let us count time. As a measure of an agent's thought
 # we count the targets that it computes; all else is left out. Q-learning computes one a step, and Dyna one more for
 # each imagined step. Prioritised sweeping computes one for each update and one for each *priority*: we count both. Say
@@ -360,35 +355,6 @@ free.measured(min(learned.methods, key=lambda method: simulator.seconds_to(metho
 # </details>
 
 # %% [markdown]
-# ## Your turn
-#
-# How many updates are enough? Can exploration make up for what the planners lack? What does a learning rate below 1 do in a
-# shop without chance? Does $\gamma$ matter? Move a slider and release it: three methods train again, with 10 repetitions.
-
-
-# %%
-def one_shop(n=10, epsilon=0.1, alpha=1.0, gamma=0.99):
-    """Draw the learning curves of Q-learning, and of two planners with n updates a step."""
-    results = compare_planners(n, epsilon, alpha, gamma, repetitions=10)
-    title = f"n = {n}, ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
-    return Sheet("one shop", [[figures.learning(results, title)]])
-
-
-sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1), gamma=(0.9, 0.99, 0.01))
-
-# %% [markdown]
-# <details><summary>What was measured</summary>
-#
-# - $n$: more than 10 updates save few steps more.
-# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (Ten runs scatter: with 40 runs
-#   all three end between 85 and 90.)
-# - $\alpha$: with 0.1 all need more steps, Q-learning three times as many. Nothing is random, so 1 is fastest.
-# - $\gamma$: with 0.9 all three take about as many steps as before. But below 0.95 the way with the highest *discounted*
-#   return leaves an item out, and returns 78. (An agent that has not learned that way may return more.)
-# </details>
-
-# %% [markdown] tags=["aside"]
-# ### Aside: turn the clock
 # How slow must the world be, so that planning pays?
 
 
@@ -409,11 +375,39 @@ sliders(one_clock, step_ms=[0.0, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0, 100.0], target
 # </details>
 
 # %% [markdown]
+# ## Your turn
+#
+# How many updates are enough? Can exploration make up for what the planners lack? What does a learning rate below 1 do in a
+# shop without chance? Does $\gamma$ matter? Move a slider and release it: three methods train again, with 10 repetitions.
+
+
+# %%
+def one_shop(n=10, epsilon=0.1, alpha=1.0, gamma=0.99):
+    """Draw the learning curves of Q-learning, and of two planners with n updates a step."""
+    results = compare_planners(n, epsilon, alpha, gamma, repetitions=10)
+    title = f"n = {n}, ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
+    return Sheet("one shop", [[figures.learning(results, title)]])
+
+
+sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1), gamma=(0.9, 0.99, 0.01))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# - $n$: more than 10 updates save few steps more.
+# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 40 runs all three end
+#   between 85 and 90.)
+# - $\alpha$: with 0.1 all need more steps, Q-learning three times as many. Nothing is random, so 1 is fastest.
+# - $\gamma$: with 0.9 all three take about as many steps as before. But below 0.95 the way with the highest *discounted*
+#   return leaves an item out, and returns 78. (An agent that has not learned that way may return more.)
+# </details>
+
+# %% [markdown]
 # ## See inside: knowing and planning are two things
 #
-# Why do planners end lower? There are two suspects. Perhaps they plan badly: their tables do not say what their models
-# know. Or perhaps they know too little. A computer can tell: take the experience of a run, *plan with it until nothing
-# changes any more*, and see what the best plan returns that uses nothing but actions which the run has tried.
+# Why do planners end lower? Perhaps they plan badly: their tables do not say what their models know. Or they know too
+# little. To tell, take the experience of a run and *plan with it until nothing changes any more*. What does the best
+# plan return that uses only actions which the run has tried?
 #
 # **Predict.** Dyna-10 ends with a return of about 83. What does the best plan by what it has seen return?
 
@@ -433,17 +427,16 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 83, no better: planning is not what Dyna lacks. Its policy already is the best one by what it has
-# seen, and so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item,
-# most often the blue one: nearly half of the runs of prioritised sweeping never stepped on it. With Q-learning it is
-# the other way round: it has seen the whole shop, and makes less of it.
+# seen, and so, within a fraction of a point, are those of the other planners. Their models lack an item, most often the
+# blue one: nearly half of the runs of prioritised sweeping never stepped on it. Q-learning has seen the whole shop, and
+# makes less of it.
 # </details>
 
 # %% [markdown]
-# **Planning invents no knowledge.** Some steps after a planner has found a way to the exit, its policy takes it
-# (compare "See it spread"). From then on only random steps leave that way, one in ten, and the planner goes straight
-# back. Q-learning has no way for a long time, wanders about, and sees everything. So this is the likely reason: the
-# better an agent plans, the earlier it *exploits*, and the less it gets to know. If so, more exploration should mend
-# it. Two remedies below try that.
+# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Then only
+# random steps leave that way, and the planner goes straight back. Q-learning wanders about for long, and sees
+# everything. A likely reason: the better an agent plans, the earlier it *exploits*, and the less it gets to know. If
+# so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
 # Q-learning, but it ends below Q-learning in seven only.
@@ -497,24 +490,21 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # \end{cases}
 # $$
 #
-# The agent always takes the best action: no step is random. To get to something unknown is worth the discounted $U$
-# less the cost of the steps, and it plans the way there like any other way. (Q-learning with *optimistic initial values*,
-# section 2.6, does not plan with them.)
+# The agent always takes the best action: no step is random. It plans the way to something unknown like any other way.
+# (Q-learning with *optimistic initial values*, section 2.6, does not plan with them.)
 #
-# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` has the same equations with $-100$ in
-# the place of $U$, so it avoids what is unknown: the policy is evaluated by it. (The tables are filled with 100 and
-# −100 when the agent is made. `sweep` holds the list of known pairs, and where the sweep has got to; planning goes on
-# until a whole sweep changes nothing.)
+# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` has $-100$ in the place of $U$, and
+# avoids what is unknown: the policy is evaluated by it. (`sweep` holds the list of known pairs, and where the sweep has
+# got to; planning goes on until a whole sweep changes nothing.)
 
 # %%
 source(RMax, "learn", "plan", "act")
 
 # %% [markdown]
-# (`expected_target` is the right side of the equation: the mean over all outcomes of the pair, each weighted by how often
-# it came.)
+# (`expected_target` is the right side of the equation.)
 #
-# The experiment has the settings from above, and 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes
-# up to 1 000 updates a step.
+# The settings are those from above, with 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes up to 1
+# 000 updates a step.
 #
 # **Predict.** Dyna-10 ends at the optimum, 95, in about 4 of 10 runs, after 10 000 steps. In how many runs does R-max
 # have a policy that returns 95 after 2 000 steps?
@@ -534,14 +524,14 @@ wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In nearly all runs, and soon after in all. R-max needs no more steps than the other planners, and it
-# gets everything. More random steps help too ($\varepsilon = 0.5$: this is sure with 100 runs only), but slowly: they
-# go nowhere in particular. All that the remedies change is what the agents have *seen*: in the right panel the two dots
-# of each method stay close together. In the twelve other shops it is the same: with the falling $\varepsilon$ Dyna-10
-# gets to know more and ends higher, and R-max ends within one percent of the best plan in nearly every run.
+# gets everything. More random steps help too ($\varepsilon = 0.5$: this is sure with 100 runs only), but slowly. All
+# that the remedies change is what the agents have *seen*: in the right panel the two dots of each method stay close
+# together. In the twelve other shops it is the same: with the falling $\varepsilon$ Dyna-10 gets to know more and ends
+# higher, and R-max ends within one percent of the best plan in nearly every run.
 # </details>
 
 # %% [markdown]
-# This is R-max at work, after 300 steps of training. It goes to what it does not know, and turns to the next.
+# R-max after 300 steps of training: it goes to what it does not know, and turns to the next.
 
 # %%
 watch("R-max", after=300)
@@ -592,9 +582,9 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 
 # %% [markdown]
 # ### If the model is wrong
-# With `noise`, the rewards of the given model have errors: for each state and action one, drawn once from a normal
-# distribution with mean 0 and standard deviation $\sigma$. The shop itself has none. Now plan by value iteration with such
-# a model, and follow the plan in the real shop.
+# With `noise`, the rewards of the given model have errors: one for each state and action, drawn once from a normal
+# distribution with mean 0 and standard deviation $\sigma$. Plan by value iteration with such a model, and follow the
+# plan in the real shop.
 #
 # **Predict.** At $\sigma = 1.5$ an error is about as large as the cost of a step (1), and small beside an item (25) and
 # the exit (50). With $\gamma = 0.95$, how many of the plans never get to the exit? (The figure shows $\gamma = 0.9$
@@ -614,20 +604,19 @@ never.measured(100 * len(lost) / 40)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*.
-# There are 420 states in which to act (428 less the exit with its 8 possible bags), with four actions each, and some
-# wall among them seems to pay for each bump. Bumps can go on for ever, and the exit ends all rewards. So a small error
-# adds up, and the more so the larger $\gamma$ is (exercise 1). The few other lost plans go to and fro between two cells,
-# where the same errors come back again and again. Up to $\sigma = 0.5$ no plan was lost here: no wall pays enough.
+# **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*. Among
+# 420 states with four actions each, some wall seems to pay for each bump. Bumps can go on for ever, so a small error
+# adds up, and the more so the larger $\gamma$ is (exercise 1). The few other lost plans go to and fro between two
+# cells. Up to $\sigma = 0.5$ no plan was lost here: no wall pays enough.
 #
 # Is it the walls? `edugym reproduce model_based` tests it: it takes the errors away from bumps, and leaves all others as
 # they are. Then three quarters of the lost plans get to the exit.
 # </details>
 
 # %% [markdown]
-# See for yourself what a plan does. The shop stays the same; each `draw` gives its model other errors. (With noise 0
-# the model is right. Even then the plan leaves out one item where $\gamma$ is below 0.95, and two where it is below
-# 0.9: a reward so many steps away is worth too little then.)
+# See what a plan does; each `draw` gives the model other errors. (With noise 0 the model is right. Even then the plan
+# leaves out one item where $\gamma$ is below 0.95, and two where it is below 0.9: a reward so far away is worth too
+# little.)
 
 # %%
 sliders(maps.wrong_plan, noise=(0.0, 3.0, 0.25), draw=(0, 20), gamma=(0.8, 0.99, 0.01))
@@ -1029,16 +1018,6 @@ check(project_9, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - With the right model an agent needs no experience: value iteration finds the best way before the first step.
-# - A learned model makes many updates of one step. The planners needed about a quarter of the steps of Q-learning, or less.
-#   Counted in targets that they computed, they needed more: a model pays where steps cost much.
-# - Prioritised sweeping works backwards from what changed, and needs far fewer updates than random ones.
-# - Planning invents no knowledge. In our shop and in twelve others the planners got to know less than Q-learning, and made
-#   the most of it. Whether they ended above or below Q-learning depended on the shop. More random steps mend what they
-#   lack, slowly; R-max plans its exploration, and mends it at once.
-# - A plan seeks out the errors of a model. A wall that seems to pay is farmed for ever. Real experience corrects it, if
-#   imagined steps do not overwrite it (in an aside).
-#
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A model says what an action would do. With it an agent can
 # make updates without taking steps, so it needs fewer of them: good where steps cost much. A model may be given, or
@@ -1052,8 +1031,8 @@ check(project_9, my_program)
 # The models here are tables, with one row for every state and action that was tried: they cannot say anything about the
 # next cell that looks just like this one. In a world with chance a row needs many tries (exercise 4), and in one that
 # changes old rows become wrong (Dyna-Q+). All shops here have the same walls: who ends highest in another world is a
-# matter of measuring. Large problems need models that generalise, and those are wrong somewhere: plans
-# with them are kept short for that reason. The times of "What does a step cost?" are computed from counts of targets.
+# matter of measuring. Large problems need models that generalise, and those are wrong somewhere. The times of the aside
+# "what does a step cost?" are computed from counts of targets.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
