@@ -965,10 +965,10 @@ for panel in race.rows[0]:
         print(f"{panel.title:10}  {method:12} passes in {passing:4.0%} of runs, there {below:.2f} below the optimum")
 
 # %% [markdown]
-# With five actions it is early about as fast as Monte Carlo: its rewards, too, pass through many actions at once.
-# In the end its mean is above those of all four depths, in both panels. With five actions it is *precise*: where it
-# passes, it ends 0.1 below the optimum, and the others 0.4 to 0.7. A guess: exploring actions do not blur its targets.
-# With ten actions it also *passes* in far more runs than the deep methods, and in no fewer than $n = 1$,
+# With five actions it is early about as fast as Monte Carlo, probably since its rewards, too, pass through many actions
+# at once. In the end its mean is above those of all four depths, in both panels. With five actions it is *precise*:
+# where it passes, it ends 0.1 below the optimum, and the others 0.4 to 0.7. A guess: exploring actions do not blur its
+# targets. With ten actions it also *passes* in far more runs than the deep methods, and in no fewer than $n = 1$,
 # perhaps since at a cut it hands back what untried actions are worth, as one-step targets do.
 #
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm

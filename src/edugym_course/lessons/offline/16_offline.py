@@ -203,9 +203,10 @@ sliders(one_setting, n_nights=[30, 100, 300, 1000], penalty=[0.0, 0.3, 1.0, 3.0,
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With 30 nights, fitted Q as it is promises too much whoever wrote the log-book: then even random buttons leave much untried. With
-# pessimism and a good log-book 30 nights are enough. A larger penalty promises less and less. What is kept from a good
-# log-book stays the same; what is kept from random nights gets less. (A guess: with so large a penalty no action there was tried often enough.)
+# With 30 nights, fitted Q as it is promises too much whoever wrote the log-book (a likely reason: then even random
+# buttons leave much untried). With pessimism and a good log-book 30 nights are enough. A larger penalty promises less
+# and less. What is kept from a good log-book stays the same; what is kept from random nights gets less. (A guess: with
+# so large a penalty no action there was tried often enough.)
 # </details>
 
 # %% [markdown]

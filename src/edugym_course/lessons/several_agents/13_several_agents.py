@@ -353,9 +353,10 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Less than 0.1, and after two million steps it was 0. Both learn, the world changes for each of them, and the other matters: who
-# plays as if there were no contact loses much. But in every state one action by itself is safe. (Minimax Q-learning is not ahead here: it learns five
-# times as many values.) So learning as if alone is not wrong in itself: in soccer it fails where only a random choice is safe.
+# **Measured.** Less than 0.1, and after two million steps it was 0. Both learn, the world changes for each of them, and
+# the other matters: who plays as if there were no contact loses much. But in every state one action by itself is safe.
+# (Minimax Q-learning is not ahead here. A guess: it learns five times as many values.) So learning as if alone is not
+# wrong in itself: in soccer it fails where only a random choice is safe.
 # </details>
 
 # %% [markdown]
