@@ -40,85 +40,61 @@ SHOW = -2
 """The number of steps that asks for what an agent knows."""
 
 
-def race_off_policy(
-    n_steps: int,
-    n_episodes: int,
-    mdp: Any,
-    learner: Any,
-    limit: int,
-    environment_rng: Random,
-    agent_rng: Random,
-    log: Any,
-    played: Any,
-    actor: Any,
-    evaluation_limit: int,
-    evaluation_rng: Random,
-    actor_rng: Random,
-    returns: Any,
-    carry: Any,
-) -> Any:
-    """Evaluate in `n_episodes` episodes; then take `n_steps` training steps, or begin if that is `BEGIN`.
+class Training(NamedTuple):
+    """What the loops of `edugym.training.loops` train with, by their names."""
 
-    The other arguments are those of `edugym.training.loops`.
-    """
+    mdp: Any
+    learner: Any
+    limit: int
+    environment_rng: Random
+    agent_rng: Random
+    log: Any
+
+
+class Evaluation(NamedTuple):
+    """What `edugym.training.loops.play_episodes` is called with; the returns are written into `returns`."""
+
+    mdp: Any
+    actor: Any
+    limit: int
+    environment_rng: Random
+    actor_rng: Random
+    returns: Any
+
+
+def race_off_policy(n_steps: int, n_episodes: int, training: Training, evaluation: Evaluation, carry: Any) -> Any:
+    """Evaluate in `n_episodes` episodes; then take `n_steps` training steps, or begin if that is `BEGIN`."""
     if n_steps == BEGIN:
-        return start_off_policy(mdp, environment_rng)
-    if n_episodes > 0:
-        play_episodes(n_episodes, played, actor, evaluation_limit, evaluation_rng, actor_rng, returns)
+        return start_off_policy(training.mdp, training.environment_rng)
+    evaluate(n_episodes, evaluation)
+    mdp, learner, limit, environment_rng, agent_rng, log = training
     return off_policy(n_steps, mdp, learner, limit, environment_rng, agent_rng, log, carry)
 
 
-def race_on_policy(
-    n_steps: int,
-    n_episodes: int,
-    mdp: Any,
-    learner: Any,
-    limit: int,
-    environment_rng: Random,
-    agent_rng: Random,
-    log: Any,
-    played: Any,
-    actor: Any,
-    evaluation_limit: int,
-    evaluation_rng: Random,
-    actor_rng: Random,
-    returns: Any,
-    carry: Any,
-) -> Any:
+def race_on_policy(n_steps: int, n_episodes: int, training: Training, evaluation: Evaluation, carry: Any) -> Any:
     """The same for agents that learn from the action that they will take next."""
     if n_steps == BEGIN:
-        return start_on_policy(mdp, learner, environment_rng, agent_rng)
-    if n_episodes > 0:
-        play_episodes(n_episodes, played, actor, evaluation_limit, evaluation_rng, actor_rng, returns)
+        return start_on_policy(training.mdp, training.learner, training.environment_rng, training.agent_rng)
+    evaluate(n_episodes, evaluation)
+    mdp, learner, limit, environment_rng, agent_rng, log = training
     return on_policy(n_steps, mdp, learner, limit, environment_rng, agent_rng, log, carry)
 
 
 def race_noted(
-    n_steps: int,
-    n_episodes: int,
-    mdp: Any,
-    learner: Any,
-    limit: int,
-    environment_rng: Random,
-    agent_rng: Random,
-    log: Any,
-    played: Any,
-    actor: Any,
-    evaluation_limit: int,
-    evaluation_rng: Random,
-    actor_rng: Random,
-    returns: Any,
-    values: Any,
-    carry: Any,
+    n_steps: int, n_episodes: int, training: Training, evaluation: Evaluation, values: Any, carry: Any
 ) -> Any:
     """Like `race_off_policy` in a task with notes; if the number of steps is `SHOW`, write the values of all places."""
-    if n_steps == BEGIN:
-        return start_off_policy(mdp, environment_rng)
-    if n_episodes > 0:
-        play_episodes(n_episodes, played, actor, evaluation_limit, evaluation_rng, actor_rng, returns)
     if n_steps == SHOW:
-        write_values(mdp, values)
-    return off_policy(max(n_steps, 0), mdp, learner, limit, environment_rng, agent_rng, log, carry)
+        write_values(training.mdp, values)
+        n_steps = 0
+    return race_off_policy(n_steps, n_episodes, training, evaluation, carry)
+
+
+def evaluate(n_episodes: int, evaluation: Evaluation) -> None:
+    """Play so many episodes, if any."""
+    if n_episodes > 0:
+        mdp, actor, limit, environment_rng, actor_rng, returns = evaluation
+        play_episodes(n_episodes, mdp, actor, limit, environment_rng, actor_rng, returns)
 
 
 def play(action: int, mdp: Any, limit: int, environment_rng: Random, carry: Any) -> Any:
@@ -163,27 +139,26 @@ class _Opened(MDPTrainer):
 
     def race(self, n_episodes: int, measured: Any) -> Call:
         """The call that races, with room for the returns of so many evaluation episodes in the task `measured`."""
-        training = (*self._plain_arguments, *self._measuring(n_episodes, measured))
         loop = race_on_policy if self._contract.is_on_policy else race_off_policy
-        return Call(loop, (BEGIN, 0, *training, self._carry))
+        training = Training(*self._plain_arguments)
+        return Call(loop, (BEGIN, 0, training, self._measuring(n_episodes, measured), self._carry))
 
     def race_noted(self, places: Any, clean: Any, n_episodes: int, measured: Any) -> Call:
         """The same with notes, see sights.py; evaluation leaves none."""
-        mdp, *others = self._plain_arguments
-        notes = noted(mdp, places, clean, self._contract)
-        training = (notes, *others, *self._measuring(n_episodes, measured))
-        values = np.zeros((notes.visits.size, int(mdp.action_space.n)))
-        return Call(race_noted, (BEGIN, 0, *training, values, self._carry))
+        training = Training(*self._plain_arguments)
+        notes = noted(training.mdp, places, clean, self._contract)
+        values = np.zeros((notes.visits.size, int(training.mdp.action_space.n)))
+        evaluation = self._measuring(n_episodes, measured)
+        return Call(race_noted, (BEGIN, 0, training._replace(mdp=notes), evaluation, values, self._carry))
 
-    def _measuring(self, n_episodes: int, measured: Any) -> tuple[Any, ...]:
-        mdp, *others = self._evaluation(n_episodes)
-        return (mdp if measured is None else measured, *others)
+    def _measuring(self, n_episodes: int, measured: Any) -> Evaluation:
+        usual = Evaluation(*self._evaluation(n_episodes))
+        return usual if measured is None else usual._replace(mdp=measured)
 
     def play(self) -> Call:
         """The call that lets a person play."""
-        mdp, _, limit, environment_rng, _, _ = self._plain_arguments
-        state, observation, steps, total = start_off_policy(mdp, environment_rng)
-        return Call(play, (BEGIN, mdp, limit, environment_rng, (state, observation, steps, total, 0.0, False, False)))
+        mdp, _, limit, rng, *_ = self._plain_arguments
+        return Call(play, (BEGIN, mdp, limit, rng, (*start_off_policy(mdp, rng), 0.0, False, False)))
 
 
 def _opened(mdp: Any, agent: Any) -> _Opened:

@@ -47,6 +47,12 @@ class Lesson(NamedTuple):
     text: str
     figures: dict[str, bytes]
 
+    @property
+    def numbered(self) -> str:
+        """The title behind the number by which guides call the lesson."""
+        number = self.name.partition("_")[0]
+        return f"{number.removeprefix('0')}. {self.title}"
+
 
 def lessons() -> list[Lesson]:
     """Return all lessons, in order."""

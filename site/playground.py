@@ -171,7 +171,7 @@ def own_settings(race: Race) -> dict[str, float]:
 def _as_code(value: Any) -> str:
     return (
         f"edugym.{value!r}"
-        if isinstance(value, edugym.EpsilonGreedy | edugym.FinalGoal | edugym.FutureGoals)
+        if isinstance(value, edugym.EpsilonGreedy | edugym.Greedy | edugym.FinalGoal | edugym.FutureGoals)
         else "math.inf"
         if value == math.inf
         else repr(value)

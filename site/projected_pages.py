@@ -19,7 +19,7 @@ PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
 def pages(lessons: list[Lesson]) -> dict[str, str]:
     """Return the pages by their place, and the page that lists them."""
-    listed = [f"- [{lesson.title}](/{_place(lesson)}.md)\n" for lesson in lessons]
+    listed = [f"- [{lesson.numbered}](/{_place(lesson)}.md)\n" for lesson in lessons]
     return {
         "project/index": "# To project in class\n\nOne page a lesson. Show the task and the equations, let the class "
         "bet, count the hands, and only then open what was measured.\n\n" + "".join(listed),

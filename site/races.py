@@ -294,6 +294,14 @@ def distance(weight: float, whole: bool = True) -> dict[str, Any]:
     return {**DIVING, "weights": (1.0, weight), "whole_returns": whole}
 
 
+LIMITED = {
+    "learning_rate": 1.0,
+    "discount": 1.0,
+    "limits": (-float(objectives.LIMIT),),
+    "initial_values": (100.0, 0.0),
+    "multiplier_rate": objectives.PRICE_RATE,
+    "exploration": edugym.Greedy(),
+}
 CHEBYSHEV = edugym.objectives.ChebyshevQLearning
 ASKED = View(clean=as_it_is)
 DIVER = Race(
@@ -307,6 +315,13 @@ DIVER = Race(
         *(
             Agent(f"price {price:g}", f"a step costs {price:g} of the value", edugym.QLearning, DIVING, priced(price))
             for price in (1.0, 2.0, 5.0, 5.5, 5.75, 7.0)
+        ),
+        Agent(
+            "learned price",
+            "steps get dearer after a long dive, else cheaper",
+            edugym.objectives.LagrangianQLearning,
+            LIMITED,
+            ASKED,
         ),
         Agent("distance, rest only", "forgets the steps already taken", CHEBYSHEV, distance(8.0, False), ASKED),
     ),
@@ -322,7 +337,9 @@ DIVER = Race(
     episodes=1,
     answer="A price makes one number of value and steps. From a concavity of 0.5 on, no price prefers the "
     "treasure that takes seven steps: with every price a deeper one or the first is worth more. The distance looks "
-    "at value and steps one by one.",
+    "at value and steps one by one. A learned price keeps to seven steps on average only: it dives too deep, then not "
+    "deep enough. Pareto Q-learning does not race: its sets of vectors grow and shrink, which this page's machine "
+    "code cannot do.",
 )
 RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES, DIVER)
 """One for each environment that has a lesson, in the order of the lessons."""

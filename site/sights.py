@@ -29,7 +29,7 @@ class Noted(NamedTuple):
         places: the same task, observed as a place.
         visits: shape (1, n_places): how often each was seen.
         place: shape (1,): the latest.
-        known: the notes on what to ask, `Boards`, `Rows` or `Distances`.
+        known: the notes on what to ask, `Boards`, `Rows` or `Scores`.
     """
 
     mdp: Any
@@ -115,19 +115,25 @@ class Rows(NamedTuple):
             values[action] = self.agent.Q[self.latest[place], action]
 
 
-class Distances(NamedTuple):
-    """An agent that goes by how close its actions come to a point."""
+class Scores(NamedTuple):
+    """An agent that looks at a state first, and then has a number for each action.
+
+    Attributes:
+        agent: it has `look_at`.
+        numbers: shape (1, n_actions): where it leaves them.
+    """
 
     agent: Any
+    numbers: Reals
 
     def note(self, place: int, seen: int, state: Any, rng: Random) -> None:
         """Note nothing: a place is its state."""
 
     def write(self, place: int, values: Reals) -> None:
-        """Write how close the actions come from a place."""
+        """Write the numbers of a place."""
         self.agent.look_at(place)
         for action in range(len(values)):
-            values[action] = self.agent.closeness[0, action]
+            values[action] = self.numbers[0, action]
 
 
 def write_values(task: Noted, values: Reals) -> None:
@@ -160,7 +166,7 @@ def noted(mdp: Any, places: Any, clean: Any, contract: Contract) -> Noted:
     agent = contract.agent
     known: Any = Rows(agent, np.zeros(n, np.int64))
     if isinstance(agent, Informed):
-        known = Distances(agent.agent)
+        known = Scores(agent.agent, agent.agent.closeness if hasattr(agent.agent, "closeness") else agent.agent.values)
     if contract.takes_vectors:
         asked = Network(agent) if hasattr(agent, "write_values") else WeightedSum(agent)
         clean = in_place(clean)

@@ -51,8 +51,8 @@ def sources(with_lite: bool = False) -> dict[str, bytes]:
         **projected_pages.pages(lessons),
         **reference_pages.pages(),
     }
-    for folder, title in (("guides", "Guides"), ("lessons", "The lessons")):
-        texts[f"{folder}/index"] = f"# {title}\n\n" + "".join(_listed(folder, texts))
+    texts["guides/index"] = "# Guides\n\n" + "".join(_listed("guides", texts))
+    texts["lessons/index"] = "# The lessons\n\n" + "".join(map(_introduced, lessons))
     for race in RACES:
         page = f"environments/{race.environment.lower()}"
         texts[page] = texts[page].replace("\n```python", RACE.format(race.environment, race.question), 1)
@@ -62,7 +62,7 @@ def sources(with_lite: bool = False) -> dict[str, bytes]:
     texts["index"] = texts["index"].replace("<!-- gallery -->", _gallery())
     texts["students"] = texts["students"].replace("<!-- lite -->", LITE if with_lite else NO_LITE)
     texts["survey"] = texts["survey"].replace("<!-- form -->", form(lessons))
-    for folder, pages in _children(texts).items():
+    for folder, pages in _children(texts, lessons).items():
         texts[f"{folder}/index"] += "\n".join(["\n```{toctree}", ":hidden:", "", *pages, "```", ""])
     figures = {path: content for lesson in lessons for path, content in lesson.figures.items()}
     pictures = [path for path in (ROOT / "docs").rglob("*") if path.suffix in PICTURES]
@@ -97,13 +97,24 @@ def _listed(folder: str, texts: dict[str, str]) -> Iterator[str]:
             yield f"- [{title}](/{page}.md)\n"
 
 
-def _children(texts: dict[str, str]) -> dict[str, list[str]]:
-    """Return the pages below each index, in the order of the course where there is one."""
+def _introduced(lesson: lesson_pages.Lesson) -> str:
+    """Return a lesson's entry in the list of lessons, with its challenge."""
+    challenge = projected_pages.CHALLENGE.findall(lesson.text)[0].replace("\n", " ")
+    return f"- [{lesson.numbered}](/lessons/{lesson.name}.md)\\\n  {challenge}\n"
+
+
+def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict[str, list[str]]:
+    """Return the pages below each index, in the order of the course where there is one, lessons with their numbers."""
+    called = {
+        f"{folder}/{lesson.name}": f"{lesson.numbered} <{lesson.name}>"
+        for lesson in lessons
+        for folder in ("lessons", "project")
+    }
     order = {f"environments/{entry.name.lower()}": number for number, entry in enumerate(in_course_order())}
     folders = sorted({page.partition("/")[0] for page in texts if "/" in page} - {"reference"})
     return {
         folder: [
-            page.partition("/")[2]
+            called.get(page, page.partition("/")[2])
             for page in sorted(texts, key=lambda page: (order.get(page, 0), page))
             if page.startswith(f"{folder}/") and page != f"{folder}/index"
         ]

@@ -29,6 +29,9 @@ const SHORT = `class MyAgent(NamedTuple):
 
 agent = MyAgent(edugym.QLearning.create(mdp).Q)
 `
+// With the settings of the race, so that the same algorithm learns as fast.
+const short_one = ({ learning_rate, discount, epsilon }) => SHORT.replace('random() < 0.1', `random() < ${epsilon}`)
+  .replace('0.99 *', `${discount} *`).replace('0.1 * (target', `${learning_rate} * (target`)
 const LATE = 100 // points of a curve
 const PAUSE = 500 // milliseconds without a change after which the link has the program
 const FROM_LINK = 'This code comes from the link. Read it before you press Run: it then runs in your browser.'
@@ -98,7 +101,7 @@ export class Editor {
     this.template = this.find('template').selectedIndex
     const agent = this.race.agents[this.template - 1]
     const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
-    this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : SHORT
+    this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : short_one(this.race.own)
     this.found = undefined
     this.field.text = this.filled
   }

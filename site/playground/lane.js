@@ -12,10 +12,10 @@ export class Lane {
     this.id = 0
     this.article = document.createElement('article')
     this.article.style.setProperty('--lane', `var(--lane-${k})`)
-    this.article.innerHTML = `<select aria-label="Agent ${k + 1}"></select><p class="says"></p><div class="picture"></div>`
+    this.article.innerHTML = `<div class="agent"><span aria-hidden="true"></span><select aria-label="Agent ${k + 1}"></select></div><p class="says"></p><div class="picture"></div>`
       + '<p class="numbers"></p><button class="bet" type="button" aria-pressed="false">Bet on this one</button>'
     const find = selector => this.article.querySelector(selector)
-    Object.assign(this, { select: find('select'), says: find('.says'), place: find('.picture'), numbers: find('.numbers'), bet: find('.bet') })
+    Object.assign(this, { name: find('.agent span'), select: find('select'), says: find('.says'), place: find('.picture'), numbers: find('.numbers'), bet: find('.bet') })
     this.select.onchange = () => onAgent(k, this.select.selectedIndex)
     this.bet.onclick = () => onBet(k)
     this.worker = new Worker('worker.js', { type: 'module' })
@@ -29,6 +29,7 @@ export class Lane {
     if (this.race !== race) this.select.innerHTML = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
     this.race = race
     this.select.selectedIndex = agent
+    this.name.textContent = label
     this.says.textContent = says
     this.numbers.textContent = ''
     this.picture = new Picture(this.place, task.scene, this.table, task.marks, `${race.name}, as ${label} learns it`)

@@ -15,7 +15,8 @@ export class Learner {
     this.curve = []
     this.kernel.call(BEGIN, 0)
     const { names } = this.kernel
-    this.log = { sums: names['log.returns'], episodes: names['log.episodes'] }
+    this.log = { sums: names['training.log.returns'], episodes: names['training.log.episodes'] }
+    this.returns = names['evaluation.returns']
     this.visits = this.kernel.find('.visits') // of what counts around the agent, which comes first
     this.noted = names.values // where an agent has no row for a place: see sights.py
     this.values = this.noted ?? this.kernel.find('.Q')
@@ -39,7 +40,7 @@ export class Learner {
 
   // Evaluate the greedy policy, and add a point to the curve: steps, return, and the return while it explored.
   measure() {
-    const { returns } = this.kernel.names, { sums, episodes } = this.log
+    const { returns } = this, { sums, episodes } = this.log
     this.kernel.call(0, returns.length)
     const mean = returns.reduce((sum, one) => sum + one, 0) / returns.length
     this.curve.push([this.steps, mean, episodes[0] ? sums[0] / Number(episodes[0]) : null])

@@ -11,7 +11,7 @@ import { soon } from './soon.js'
 const find = id => document.getElementById(id)
 const data = await (await fetch('data/playground.json')).json()
 const STEPS = [10_000, 100_000, 1_000_000, 10_000_000] // how long a race may be
-const OWN = ['learning_rate', 'discount', 'epsilon'] // settings that all agents may be given, in place of the lesson's
+const OWN = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' } // settings that agents may be given, in place of the lesson's
 let state, race, task, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
@@ -103,10 +103,15 @@ function controls() {
   find('strength-shown').value = strength
   find('speed').value = state.speed
   find('speed-shown').value = rate() === Infinity ? 'full' : `${short(Math.round(rate()))} / s`
-  for (const name of OWN) {
+  for (const name in OWN) {
     find(name).value = state[name] ?? race.own[name]
     find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
   }
+  const racing = [...new Set(state.agents)].map(k => race.agents[k]), unmoved = Object.entries(OWN).flatMap(([name, sign]) => {
+    const others = racing.filter(({ takes }) => !takes.includes(name)).map(({ label }) => label)
+    return others.length ? `${sign}: ${others.join(', ')}` : []
+  })
+  find('unmoved').textContent = unmoved.length ? `A slider leaves an agent alone that has no such setting, or one on another scale. ${unmoved.join('; ')}.` : ''
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
   find('code-steps').value = state.steps
   find('code-show').value = state.show
@@ -162,7 +167,7 @@ function finish() {
   const first = good.length > winners.length ? ', and got there first' : ''
   const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on ${lanes[state.bet].label}.`
   const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
-  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} in the last tenth${first}.${bet}${luck}`)
+  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} on average in the last tenth of the training${first}.${bet}${luck}`)
 }
 
 function stop() {
@@ -210,8 +215,8 @@ find('speed').oninput = event => {
   if (running && rate() >= 1000) tell('They are learning …')
 }
 find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refresh))
-for (const name of OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
-find('own').onclick = () => { for (const name of OWN) state[name] = null; restart() }
+for (const name in OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
+find('own').onclick = () => { for (const name in OWN) state[name] = null; restart() }
 find('code-steps').onchange = event => set('steps', Number(event.target.value), () => settle(restart().then(refresh)))
 for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
 find('show').onchange = find('code-show').onchange = event => set('show', event.target.value, redraw)
@@ -306,6 +311,7 @@ function program() {
       + `${race.measure?.code ?? 'print(run.returns)'}\n`
   })
   find('same').textContent = 'EduGym gives the numbers of this page. (Where a task needs exponentials, sines or logarithms, the last digit can differ from machine to machine.)'
+    + (editor && !editable() ? ' Here your own agent can race on your computer only, since rewards are vectors: this page trains readers’ agents on one number.' : '')
   find('code').textContent = `import edugym${race.measure ? '.objectives' : ''}\n\n${blocks.join('\n')}`
 }
 

@@ -22,7 +22,7 @@ export class Play {
     this.picture = new Picture(this.board, task.scene, this.table, [], `${race.name}, as you play it`)
     this.actions.innerHTML = task.actions.map((name, k) => `<button type="button">${name}<kbd>${this.keys(k)}</kbd></button>`).join('')
     this.actions.querySelectorAll('button').forEach((button, k) => { button.onclick = () => this.step(k) })
-    this.record.textContent = task.optimum === null ? '' : `The best possible mean is ${short(task.optimum)}.`
+    this.record.textContent = task.optimum === null ? '' : `The best possible total is ${short(task.optimum)} on average.`
     this.restart()
   }
 
@@ -56,8 +56,8 @@ export class Play {
     if (!this.over) return
     this.returns.push(this.result(3))
     const mean = this.returns.reduce((sum, one) => sum + one, 0) / this.returns.length
-    const best = this.task.optimum === null ? '' : `; the best possible mean is ${short(this.task.optimum)}`
-    this.record.textContent = `Your games: ${this.returns.slice(-8).map(short).join(', ')}. Mean of ${this.returns.length}: ${short(mean)}${best}.`
+    const best = this.task.optimum === null ? '' : `; the best possible is ${short(this.task.optimum)} on average`
+    this.record.textContent = `Totals of your games: ${this.returns.slice(-8).map(short).join(', ')}. Mean of ${this.returns.length}: ${short(mean)}${best}.`
   }
 
   // The k-th part of what `play` in kernels.py returns.

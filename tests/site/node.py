@@ -58,10 +58,11 @@ def in_node(call: kernels.Call, seed: int, steps: int, every: int, **how: Any) -
 def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
     """Train with the very call that was compiled, interpreted."""
     rngs = streams(seed)
-    fresh = iter(rngs)
-    given = call.arguments[2:-1]
-    arguments: list[Any] = [next(fresh) if isinstance(part, np.random.Generator) else part for part in given]
-    log, returns, curve = arguments[5], arguments[11], list[list[float | None]]()
+    training, evaluation, *values = call.arguments[2:-1]
+    training = training._replace(environment_rng=rngs[0], agent_rng=rngs[1])
+    evaluation = evaluation._replace(environment_rng=rngs[2], actor_rng=rngs[3])
+    arguments = (training, evaluation, *values)
+    log, returns, curve = training.log, evaluation.returns, list[list[float | None]]()
     carry = call.loop(kernels.BEGIN, 0, *arguments, call.arguments[-1])
     for done in range(0, steps + 1, every):
         if done:

@@ -43,6 +43,14 @@ def test_the_short_agent_learns() -> None:
     assert found["said"] == []
 
 
+def test_the_short_agent_gets_the_settings_of_the_race() -> None:
+    """What the page replaces stands in the program, and once: α, γ and ε, so that it can learn as fast as Q-learning."""
+    text = (playground.PAGE / "editor.js").read_text(encoding="utf-8")
+    replaced = re.findall(r"\.replace\('([^']+)', `", text)
+    assert len(replaced) == 3
+    assert [SHORT.count(part) for part in replaced] == [1, 1, 1]
+
+
 QUICK, *OTHERS = [race for race in RACES if not race.measure]
 
 

@@ -43,7 +43,7 @@ def check_same(race: Race, agent: Agent) -> None:
     call = first_call(race, agent)
     steps = FEWER.get(agent.kind, STEPS)
     theirs, ours = in_node(call, SEED, steps, steps // 4), in_python(call, SEED, steps, steps // 4)
-    own = len(arrays_of(call.arguments[2])) if set(theirs.borrowed) - EXACT else 0
+    own = len(arrays_of(call.arguments[2].mdp)) if set(theirs.borrowed) - EXACT else 0
     assert theirs.curve == ours.curve
     assert theirs.generators == ours.generators
     assert theirs.arrays[own:] == ours.arrays[own:]
