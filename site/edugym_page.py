@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import edugym
+import edugym.objectives
 from edugym.adapters.fitting import fitted
-from edugym.checks.contract import actor, contract_of, tables_of
+from edugym.checks.contract import LEARN_PARAMETERS, actor, contract_of, tables_of
 from edugym.checks.values import deep_copy
 from edugym.compiled.javascript import program as javascript
 from edugym.compiled.javascript.libraries import LIBM
@@ -33,6 +34,7 @@ GAMES = 3
 MOST_STEPS = 100
 """Of a game that is shown: who has learned nothing may never come to its end."""
 Show = Callable[[Any, Any, list[Any]], Any]
+MAY_LEARN_FROM = (*LEARN_PARAMETERS, "rewards")
 NAMES = {"edugym": edugym, "np": np, "NamedTuple": NamedTuple, "__name__": "__main__"}
 
 
@@ -106,7 +108,7 @@ class Watch:
 
     def __init__(self, mdp: Any, agent: Any, n_steps: int, show: Show, look: Look | None) -> None:
         """See the class."""
-        contract = contract_of(agent)
+        contract = contract_of(agent, MAY_LEARN_FROM)
         self._mdp, self._look, self._games = mdp, look, 0
         self._agent, self._show, self._next = contract.agent, show, -math.inf
         self.agent = edugym.record_visits(agent, mdp, n_steps, n_intervals=1) if contract.tabular else agent
@@ -142,8 +144,9 @@ class Watch:
         """A game without exploring; a copy plays, with random numbers of its own, so that the run stays as it is."""
         self._games += 1
         try:
-            agent = contract_of(deep_copy(self._agent, "the page shows how a copy plays"))
-            task = fitted(task_of(self._mdp), agent)
+            agent = contract_of(deep_copy(self._agent, "the page shows how a copy plays"), MAY_LEARN_FROM)
+            task = task_of(self._mdp)  # where rewards are vectors, it has rows, and Q another shape
+            task = task if "rewards" in agent.learns_from else fitted(task, agent)
             moments = play(task, actor(agent), self._look, self._games) if self._look else []
         except Exception:  # what is wrong with the agent, `train` says
             moments = []
@@ -164,7 +167,15 @@ def play(task: Task, player: Any, look: Look, seed: int) -> list[list[float]]:
 
 
 def run(
-    source: str, task: str, n_steps: int, seed: int, episodes: int, show: Show, parts: Any, n_observations: int
+    source: str,
+    task: str,
+    n_steps: int,
+    seed: int,
+    episodes: int,
+    show: Show,
+    parts: Any,
+    n_observations: int,
+    measured: str | None = None,
 ) -> dict[str, Any]:
     """Train the agent of a reader's program.
 
@@ -177,6 +188,7 @@ def run(
         show: is told what the agent knows, again and again, see `Watch`.
         parts: which numbers decide the picture of the task, see `Look`.
         n_observations: how many observations the task has, see `Look`.
+        measured: where rewards are vectors, the numbers of the curve, from the `VectorRun` called `run`.
 
     Returns:
         The learning `curve`, the `seconds` that it took, and what was `said`; or an `error` and its `line`.
@@ -195,11 +207,13 @@ def run(
             mdp = space["mdp"]
             look = Look(tuple(parts), n_observations) if mdp is given else None  # the picture is of the page's task
             watch = Watch(mdp, with_64_bits(space["agent"]), n_steps, show, look)
-            done = edugym.train(mdp, watch.agent, n_steps, seed=seed, evaluation_episodes=episodes, stop=watch)
+            train = edugym.objectives.train_vectors if measured else edugym.train
+            done: Any = train(mdp, watch.agent, n_steps, seed=seed, evaluation_episodes=episodes, stop=watch)
             watch.show(GAMES)
         except (Exception, SystemExit, KeyboardInterrupt) as error:
             return {"error": _told(error), "line": _line(error)}
-    points = zip(done.steps.tolist(), done.returns.tolist(), strict=True)
+    values = eval(measured, {"run": done}) if measured else done.returns
+    points = zip(done.steps.tolist(), values.tolist(), strict=True)
     said = [str(one.message) for one in caught if issubclass(one.category, UserWarning)]
     return {"curve": [list(point) for point in points], "seconds": done.seconds, "said": said}
 

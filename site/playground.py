@@ -158,7 +158,7 @@ def menu(race: Race) -> dict[str, Any]:
 
 def sources(races: Sequence[Race]) -> dict[str, str]:
     """The files of the agents, by their classes: what a reader may begin with."""
-    kinds = {agent.kind for race in races for agent in race.agents if not race.measure}
+    kinds = {agent.kind for race in races for agent in race.agents}
     return {kind.__name__: Path(inspect.getfile(kind)).read_text(encoding="utf-8") for kind in kinds}
 
 

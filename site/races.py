@@ -332,7 +332,7 @@ DIVER = Race(
     measure=Measure(
         within_the_air,
         f"The value that a dive without exploring brings up within {objectives.LIMIT} steps",
-        f"print(run.returns[:, 0] * (run.returns[:, 1] >= -{objectives.LIMIT}))",
+        f"run.returns[:, 0] * (run.returns[:, 1] >= -{objectives.LIMIT})",
     ),
     episodes=1,
     answer="A price makes one number of value and steps. From a concavity of 0.5 on, no price prefers the "

@@ -101,7 +101,7 @@ export class Editor {
     this.template = this.find('template').selectedIndex
     const agent = this.race.agents[this.template - 1]
     const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
-    this.filled = agent ? `${sources[agent.kind]}\n\n${this.code.agent(agent)}` : short_one(this.race.own)
+    this.filled = agent ? `${sources[agent.kind.split('.').at(-1)]}\n\n${this.code.agent(agent)}` : short_one(this.race.own)
     this.found = undefined
     this.field.text = this.filled
   }
@@ -115,7 +115,8 @@ export class Editor {
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
     this.walk = new Walk(look => this.pictures.ours.happen(look), this.task.look.length)
     this.print([])
-    this.find('code-said').textContent = 'Your code finds the task as mdp. The seed is that of the race.'
+    const vectors = this.race.measure ? ' Its learn may also take rewards, the vector of rewards.' : ''
+    this.find('code-said').textContent = `Your code finds the task as mdp. The seed is that of the race.${vectors}`
     this.tell(this.found ?? (this.worker ? 'Change something, and run it.' : this.first))
     this.draw()
   }
@@ -156,7 +157,7 @@ export class Editor {
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
     this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes,
-      table, look: this.task.look })
+      table, look: this.task.look, measured: race.measure?.code })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
       if (data.id !== this.number) return
@@ -236,7 +237,7 @@ export class Editor {
   curves() {
     const { task, state, race, lane } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
     chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum })
-    this.find('code-caption').innerHTML = `Mean return of ${race.episodes} games without exploring. <b class="ours">Your agent</b>, <b class="theirs">${lane.label}</b>`
+    this.find('code-caption').innerHTML = `${race.measure?.says ?? `Mean return of ${race.episodes} games without exploring`}. <b class="ours">Your agent</b>, <b class="theirs">${lane.label}</b>`
     this.find('rival-name').textContent = lane.label
   }
 

@@ -89,12 +89,12 @@ async function begun(pyodide, memory, module, tables) {
   return page
 }
 
-function run(python, { source, task, steps, seed, episodes, table, look }) {
+function run(python, { source, task, steps, seed, episodes, table, look, measured }) {
   const show = (visits, Q, games) => { // a program may also make a task of its own, which has no picture here
     const known = visits.length === table.rows ? knowledge(visits.toJs(), Q.toJs(), table) : undefined
     postMessage({ kind: 'look', look: known, games: games.toJs() })
   }
-  const told = python.run(source, task, steps, seed, episodes, show, look, table.cell.length)
+  const told = python.run(source, task, steps, seed, episodes, show, look, table.cell.length, measured)
   const done = told.toJs({ dict_converter: Object.fromEntries })
   told.destroy()
   return done

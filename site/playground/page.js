@@ -57,8 +57,8 @@ async function open() {
   find('strength').max = race.strength.values.length - 1
   find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
-  find('tab-code').hidden = !editable()
-  state.code &&= editable()
+  find('tab-code').hidden = !editor
+  state.code &&= Boolean(editor)
   state.play &&= !state.code
   uncover()
   await begin()
@@ -123,8 +123,6 @@ function controls() {
 
 // The settings of the sliders that an agent takes, where the reader has moved them.
 const given = ({ takes }) => takes.filter(name => state[name] !== null)
-// Whether a reader's own agent can race: `edugym.train`, which trains it, knows one reward only.
-const editable = () => Boolean(editor) && !race.measure
 const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
 const rate = () => state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
 const tell = text => { find('verdict').textContent = text }
@@ -267,7 +265,7 @@ function uncover() {
 
 async function refresh() {
   if (state.play) await play.open(race, task, data.seeds[state.seed])
-  if (state.code) await settle(editor.open(race, task, state, { task: made, agent: agent => `agent = ${create(agent, agent.settings)}\n` }))
+  if (state.code) await settle(editor.open(race, task, state, { task: made, agent: agent => `agent = ${create({ kind: agent.kind.split('.').at(-1) }, agent.settings)}\n` }))
 }
 
 // The editor runs nothing before this has come.
@@ -308,10 +306,9 @@ function program() {
     }
     return `# ${label}\n${made(agent)}agent = edugym.${create(agent, Object.entries(known))}\n`
       + `run = edugym.${race.measure ? 'objectives.train_vectors' : 'train'}(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\n`
-      + `${race.measure?.code ?? 'print(run.returns)'}\n`
+      + `print(${race.measure?.code ?? 'run.returns'})\n`
   })
   find('same').textContent = 'EduGym gives the numbers of this page. (Where a task needs exponentials, sines or logarithms, the last digit can differ from machine to machine.)'
-    + (editor && !editable() ? ' Here your own agent can race on your computer only, since rewards are vectors: this page trains readers’ agents on one number.' : '')
   find('code').textContent = `import edugym${race.measure ? '.objectives' : ''}\n\n${blocks.join('\n')}`
 }
 

@@ -14,10 +14,11 @@ import playground
 import pytest
 from offers import Race
 from places import MAPS
-from races import RACES
+from races import DIVER, RACES
 from scenery import scenery, table
 
 import edugym
+import edugym.objectives
 
 SHORT = re.findall(r"SHORT = `(.*?)`", (playground.PAGE / "editor.js").read_text(encoding="utf-8"), re.DOTALL)[0]
 BOULDER_OF_4 = 'mdp = edugym.make_mdp("Boulder", height=4)'
@@ -31,9 +32,11 @@ def made(race: Race, seen: str) -> str:
     return f"mdp = edugym.make_mdp({text})\n" + (f"mdp = {seen}\n" if seen else "")
 
 
-def run(source: str, task: str = BOULDER_OF_4, steps: int = 300, show: Any = lambda *_: None) -> dict[str, Any]:
+def run(
+    source: str, task: str = BOULDER_OF_4, steps: int = 300, show: Any = lambda *_: None, measured: str | None = None
+) -> dict[str, Any]:
     """What comes of a program; Boulder's pictures are decided by the state itself."""
-    return edugym_page.run(source, task, steps, 0, 1, show, [""], 10)
+    return edugym_page.run(source, task, steps, 0, 1, show, [""], 10, measured)
 
 
 def test_the_short_agent_learns() -> None:
@@ -44,14 +47,14 @@ def test_the_short_agent_learns() -> None:
 
 
 def test_the_short_agent_gets_the_settings_of_the_race() -> None:
-    """What the page replaces stands in the program, and once: α, γ and ε, so that it can learn as fast as Q-learning."""
+    """What the page replaces stands in the program, and once: α, γ and ε, so that it learns as fast as Q-learning."""
     text = (playground.PAGE / "editor.js").read_text(encoding="utf-8")
     replaced = re.findall(r"\.replace\('([^']+)', `", text)
     assert len(replaced) == 3
     assert [SHORT.count(part) for part in replaced] == [1, 1, 1]
 
 
-QUICK, *OTHERS = [race for race in RACES if not race.measure]
+QUICK, *OTHERS = RACES
 
 
 @pytest.mark.parametrize(
@@ -63,8 +66,9 @@ def test_all_agents_run_from_their_files(races: list[Race]) -> None:
     for race in races:
         for entry in playground.menu(race)["agents"]:
             settings = "".join(f", {name}={value}" for name, value in entry["settings"])
-            source = f"{texts[entry['kind']]}\n\nagent = {entry['kind']}.create(mdp{settings})\n"
-            found = run(source, made(race, entry["seen"]), steps=60)
+            kind = entry["kind"].rpartition(".")[2]
+            source = f"{texts[kind]}\n\nagent = {kind}.create(mdp{settings})\n"
+            found = run(source, made(race, entry["seen"]), steps=60, measured=race.measure and race.measure.code)
             assert "curve" in found, (race.environment, entry["label"], found)
 
 
@@ -180,21 +184,35 @@ def test_of_another_task_no_game_is_shown() -> None:
     assert not any(map(len, games))
 
 
-@pytest.mark.parametrize("race", [race for race in RACES if not race.measure], ids=lambda race: race.environment)
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
 def test_games_are_pictures_of_the_page(race: Race) -> None:
-    """Every moment of a game is one that the page can draw. Where rewards are vectors, the page has no editor."""
+    """Every moment of a game is one that the page can draw."""
     mdp, where = race.mdp(race.strength.first), MAPS[race.environment]
     entry = playground.menu(race)["agents"][-1]
     scene = scenery(where, mdp)
     rows = len(table(where, mdp, race.agents[-1].view.of(mdp))["cell"])
-    source, games = f"agent = edugym.{entry['kind']}.create(mdp)", list[Any]()
-    done = edugym_page.run(
-        source, made(race, entry["seen"]), 60, 0, 1, lambda *given: games.extend(given[2]), where.look, rows
-    )
+    settings = "".join(f", {name}={value}" for name, value in entry["settings"])
+    source, games = f"agent = edugym.{entry['kind']}.create(mdp{settings})", list[Any]()
+    task, measured = made(race, entry["seen"]), race.measure and race.measure.code
+    done = edugym_page.run(source, task, 60, 0, 1, lambda *given: games.extend(given[2]), where.look, rows, measured)
     assert "curve" in done
     moments = np.concatenate(games).reshape(-1, len(where.look))
     assert len(moments) > len(games)
     assert "moves" in scene or {",".join(f"{part:g}" for part in moment) for moment in moments} <= {*scene["moments"]}
+
+
+def test_of_vectors_the_page_shows_its_own_number() -> None:
+    """An agent that takes the vector of rewards is trained on it, and the curve is what the race compares."""
+    assert DIVER.measure
+    agent = "agent = edugym.objectives.ChebyshevQLearning.create(mdp, (1.0, 8.0), discount=1.0)"
+    shown, task = list[Any](), made(DIVER, "")
+    found = run(agent, task, 500, lambda *given: shown.append(given[0]), DIVER.measure.code)
+    mdp = DIVER.mdp(DIVER.strength.first)
+    same = edugym.objectives.ChebyshevQLearning.create(mdp, (1.0, 8.0), discount=1.0)
+    expected = eval(DIVER.measure.code, {"run": edugym.objectives.train_vectors(mdp, same, 500)})
+    assert [value for _, value in found["curve"]] == expected.tolist()
+    assert shown[-1].sum() >= 500
+    assert "train_vectors" in run(agent, task)["error"]
 
 
 def test_what_is_interpreted_says_why() -> None:

@@ -324,7 +324,7 @@ def test_a_reader_writes_with_keys(size: tuple[int, int], theme: str, address: s
     reader.check()
 
 
-@pytest.mark.parametrize("race", [race for race in RACES if not race.measure], ids=lambda race: race.environment)
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
 def test_a_reader_runs_the_packages_agents(race: Any, address: str, browser: Any) -> None:
     """From their own files, in every task; Python is loaded by the run, and the curve is that of the kernel."""
     reader = Reader(browser, f"{address}#task={race.environment}&code=true&steps=10000")

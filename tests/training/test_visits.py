@@ -1,11 +1,13 @@
 """Recorded visits: every step once, where and when it was; and recording changes nothing else."""
 
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
 from edugym import SARSA, GoExplore, QLearning, make_mdp, record_visits, train
+from edugym.objectives import ChebyshevQLearning, ParetoQLearning, train_vectors
 from tests.messages import named
 from tests.training.tasks import StudentsSarsa
 
@@ -67,6 +69,19 @@ def test_recording_changes_nothing(make: Any, n_steps: int) -> None:
     np.testing.assert_array_equal(recorded.training_returns, alone.training_returns)
     assert (watched.Q == agent.Q).all()
     assert recorder.visits[:, :6].sum() == n_steps
+
+
+@pytest.mark.parametrize("kind", [ParetoQLearning, partial(ChebyshevQLearning.create, weights=(1.0, 8.0))])
+def test_recording_changes_nothing_where_rewards_are_vectors(kind: Any) -> None:
+    """The same curve; every step counts, and every treasure."""
+    diver = make_mdp("Diver")
+    make = getattr(kind, "create", kind)
+    recorder = record_visits(make(diver), diver, 300)
+    recorded, alone = (train_vectors(diver, one, 300, seed=5) for one in (recorder, make(diver)))
+    assert recorded.returns.tolist() == alone.returns.tolist()
+    assert recorder.visits.sum() == 300 + len(alone.training_returns)
+    with pytest.raises(ValueError, match="train_vectors"):
+        train(diver, recorder, 300)
 
 
 def test_warnings_are_about_the_agent() -> None:

@@ -4,9 +4,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks.contract import actor, contract_of, forget_episode, learner
+from edugym.checks.contract import FOR_OBJECTIVES, LEARN_PARAMETERS, actor, contract_of, forget_episode, learner
 from edugym.checks.parameters import number_of_steps, whole_number
-from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.task import table_size
 from edugym.system.memory import require_memory
 
@@ -68,8 +68,8 @@ class VisitRecorder(NamedTuple):
         self.steps[0] += 1
 
 
-class OnPolicyVisitRecorder(NamedTuple):
-    """The same for agents that learn from the action they will take next (SARSA).
+class _Around(NamedTuple):
+    """An agent that is told more than `VisitRecorder` is.
 
     Attributes:
         agent: the agent, with what counts around it.
@@ -92,6 +92,16 @@ class OnPolicyVisitRecorder(NamedTuple):
         """The action by which the agent is evaluated."""
         return self.agent.greedy(state, rng)
 
+    def forget_episode(self) -> None:
+        """Let the agent forget an episode that was not played to its end."""
+        self.agent.forget_episode()
+
+
+class OnPolicyVisitRecorder(_Around):
+    """The same for agents that learn from the action they will take next (SARSA)."""
+
+    __slots__ = ()
+
     def learn(
         self,
         state: int,
@@ -106,14 +116,30 @@ class OnPolicyVisitRecorder(NamedTuple):
         self.agent.record(state, next_state, terminated)
         self.agent.learner.learn(state, action, reward, next_state, next_action, terminated, truncated)
 
-    def forget_episode(self) -> None:
-        """Let the agent forget an episode that was not played to its end."""
-        self.agent.forget_episode()
+
+class VectorVisitRecorder(_Around):
+    """The same for agents that learn from a vector of rewards."""
+
+    __slots__ = ()
+
+    def learn(
+        self,
+        state: int,
+        action: int,
+        reward: float,
+        next_state: int,
+        terminated: bool,
+        truncated: bool,
+        rewards: Reals,
+    ) -> None:
+        """Count, and let the agent learn."""
+        self.agent.record(state, next_state, terminated)
+        self.agent.learner.learn(state, action, reward, next_state, terminated, truncated, rewards)
 
 
 def record_visits(
     agent: Any, environment: Any, n_steps: int, *, n_intervals: int = 100
-) -> VisitRecorder | OnPolicyVisitRecorder:
+) -> VisitRecorder | OnPolicyVisitRecorder | VectorVisitRecorder:
     """The agent, with a table `visits` that fills as it trains.
 
         watched = record_visits(QLearning.create(mdp), mdp, 20_000)
@@ -121,7 +147,8 @@ def record_visits(
         watched.visits.sum(axis=0)
 
     Args:
-        agent: an agent whose states are whole numbers; its own tables are changed in place as ever.
+        agent: an agent whose states are whole numbers; its own tables are changed in place as ever. It may be one for
+            `edugym.objectives.train_vectors`, too.
         environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
             (n_states, n_actions) of a table for it.
         n_steps: how many steps it will be trained for, 1 or more.
@@ -135,7 +162,11 @@ def record_visits(
     shape = n_intervals, table_size(environment)[0]
     require_memory("visits", shape, "take fewer n_intervals")
     visits = np.zeros(shape, np.int64)
-    contract = contract_of(agent)
+    contract = contract_of(agent, (*LEARN_PARAMETERS, "rewards"))
     evaluated = actor(contract) if contract.has_greedy else agent
-    recorder = VisitRecorder(agent, learner(contract), evaluated, visits, np.zeros(1, np.int64), n_steps)
+    takes_vectors = "rewards" in contract.learns_from
+    learns = learner(contract, FOR_OBJECTIVES if takes_vectors else LEARN_PARAMETERS)
+    recorder = VisitRecorder(agent, learns, evaluated, visits, np.zeros(1, np.int64), n_steps)
+    if takes_vectors:
+        return VectorVisitRecorder(recorder, visits)
     return OnPolicyVisitRecorder(recorder, visits) if contract.is_on_policy else recorder
