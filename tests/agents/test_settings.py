@@ -70,7 +70,7 @@ RANGES = {
     Range(0, 1): ("REINFORCE.value_learning_rate", "discount", "trace_decay", "epsilon", "start", "end"),
     Range(0, math.inf, open=True): ("error_clip", "temperature"),
     Range(0, open=True): ("spread", "clip"),
-    Range(0): ("bonus", "exploration_bonus", "threshold", "c", "constant", "entropy_bonus"),
+    Range(0): ("ThompsonSampling.spread", "bonus", "exploration_bonus", "threshold", "c", "constant", "entropy_bonus"),
     Range(1, math.inf): ("NStepSARSA.n",),
     Range(1): (
         "TreeBackup.n", "learn_every", "learn_from", "copy_every", "known_after", "explore_steps", "steps",

@@ -172,6 +172,7 @@ CALLS: dict[str, Callable[[], Case]] = {
         grading.check, {"exercise": right, "answer": 3, "quiet": True}, {"answer": ANY, "exercise": "function"}),
     "grading.seed_from_name": lambda: Case(
         grading.seed_from_name, {"name": "Ada"}, {"name": "text -1 0 1e30 1e400"}),
+    "Bandit.create": lambda: of_environment("Bandit", gap="0", drift="0"),
     "Casino.create": lambda: of_environment("Casino", noise="0 2.5", loss="0 2.5", advantage="0 2.5"),
     "Diver.create": lambda: of_environment("Diver", concavity="0"),
     "Golf.create": lambda: of_environment("Golf", green_radius="2.5", stochasticity_level="0 2.5"),
