@@ -165,7 +165,7 @@ function finish() {
   const first = good.length > winners.length ? ', and got there first' : ''
   const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on ${lanes[state.bet].label}.`
   const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
-  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} on average in the last tenth of the training${first}.${bet}${luck}`)
+  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} in the last tenth of training${first}.${bet}${luck}`)
 }
 
 function stop() {
