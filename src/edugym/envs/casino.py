@@ -1,4 +1,4 @@
-"""Casino: maximisation bias."""
+"""Casino: maximisation bias (lesson 17)."""
 
 from typing import Any, NamedTuple
 

@@ -1,0 +1,1 @@
+"""Maximisation bias (lesson 17)."""
