@@ -90,7 +90,7 @@ def test_unknown_names() -> None:
     """A name that is not there is answered with those that are."""
     for call in (find, make_mdp):
         for name in ("Boulders", "", "edugym/Boulder-v1"):
-            with pytest.raises(ValueError, match=f"environment must be one of Boulder, .*, but is {name!r}"):
+            with pytest.raises(ValueError, match=f"environment must be one of .*Boulder, .*, but is {name!r}"):
                 call(name)
     with pytest.raises(NameNotFound):
         gymnasium.make("edugym/Boulders-v0")
@@ -126,7 +126,7 @@ def test_what_a_specification_refuses(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setitem(gymnasium.registry, spec.id, spec)
     assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"
     for name, parameters, says in (
-        ("Bolder", {}, "environment must be one of Boulder, .*, or an id of Gymnasium's; .*Bolder"),
+        ("Bolder", {}, "environment must be one of .*Boulder, .*, or an id of Gymnasium's; .*Bolder"),
         ("CartPole-v1", {"x": 1}, "CartPole-v1 has no parameter 'x'; it has sutton_barto_reward"),
         ("Boulder", {"height": 3, "n": 1}, "Boulder has no parameter 'n'; it has height, n_grips, max_st.*, layout"),
         ("Copies-v0", {}, "env.* must exist as a single one, but 'Copies-v0' is a vector of copies"),
