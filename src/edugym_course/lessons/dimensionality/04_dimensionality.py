@@ -277,8 +277,8 @@ slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
 # pixels get normal noise ($\sigma = 0.1$), cut off at 0 and 1. Or the whole board is darkened at every step by a random
 # factor between 0.4 and 1.
 #
-# **Predict.** In how many of the three does the table come to a return above 0.5 within 30 000 steps? Decide for each,
-# then count.
+# **Predict.** In how many of the three does the table come to a return above 0.5 within 30 000 steps? (The cell takes
+# about 15 seconds.)
 
 # %%
 sees = predict("The table gets above 0.5 in ...", ["none of the three", "one", "two", "all three"])
@@ -453,8 +453,8 @@ source(dqn.adam)
 # (A tile is at most two columns wide, and two or three rows of the board high. SARSA takes the value of the next action
 # in place of the maximum. Each agent has ten runs, and 20 test balls from each column.)
 #
-# **Predict.** How many of the six catch at least 9 of 10 balls from the columns that they never saw? Decide for each,
-# then count.
+# **Predict.** How many of the six catch at least 9 of 10 balls from the columns that they never saw? (This takes about
+# 20 seconds.)
 
 # %%
 unseen = predict("Balls from withheld columns are caught by ...", unit="of the six agents")
@@ -690,7 +690,8 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # %% [markdown] tags=["aside"]
 # ### Aside: what a larger board costs
 # **Predict.** The board grows from 3 columns and 6 rows to 9 columns and 18 rows, so that about 30 times as many boards
-# can occur. How many times as many steps does a table need to a return of 0.99?
+# can occur. How many times as many steps does a table need to a return of 0.99? (The next cell but one takes about 20
+# seconds.)
 
 # %%
 factor = predict("The table needs ... times as many steps:", unit="times")
