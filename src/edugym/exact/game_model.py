@@ -1,5 +1,6 @@
 """The exact model of a Markov game: against a fixed policy the game is an MDP, which planning solves."""
 
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.markov_game import a_player, n_actions, require_game
 from edugym.mdp.player_policies import checked_policies, checked_policy, uniform_policy
-from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.system.packages import is_own
 
 
@@ -68,7 +69,8 @@ class JointGame(NamedTuple):
         return (own, other) if self.player == 0 else (other, own)
 
 
-class GameModel(NamedTuple):
+@dataclass(frozen=True, eq=False, repr=False)
+class GameModel:
     """The tables of a finite Markov game, as `game_model` makes them.
 
     Attributes:
@@ -78,6 +80,7 @@ class GameModel(NamedTuple):
 
     game: Any
     joint: tuple[FiniteModel, FiniteModel]
+    _seen: dict[int, Integers] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """What it is a model of, and its sizes."""
@@ -90,7 +93,7 @@ class GameModel(NamedTuple):
         Raises:
             ValueError: a parameter is not as it must be, or what the player observes is random.
         """
-        table: Reals = checked_policy(self.game, a_player(player), policy)[self.joint[player].observations()]
+        table: Reals = checked_policy(self.game, a_player(player), policy)[self._observations(player)]
         return table
 
     def by_observation(self, player: int, policy: Reals) -> Reals:
@@ -100,7 +103,7 @@ class GameModel(NamedTuple):
             ValueError: two states look the same to the player, and the policy is another one there.
         """
         rows = np.flatnonzero(~self.joint[player].terminal)
-        table, seen = uniform_policy(self.game, player), self.joint[player].observations()[rows]
+        table, seen = uniform_policy(self.game, player), self._observations(player)[rows]
         table[seen] = policy[rows]
         for s, other in zip(rows.tolist(), table[seen], strict=True):
             if not np.array_equal(other, policy[s]):
@@ -143,6 +146,12 @@ class GameModel(NamedTuple):
             mdp=None,
         )
 
+    def _observations(self, player: int) -> Integers:
+        """Shape (S,): what a player sees in each state. Every policy asks for it, so it is worked out once."""
+        if player not in self._seen:
+            self._seen[player] = self.joint[player].observations()
+        return self._seen[player]
+
 
 def require_game_model(model: Any) -> None:
     """Refuse what is no model of a game.
@@ -183,10 +192,7 @@ def expected_returns(model: GameModel, policies: Any, discount: float = 1.0) -> 
         ValueError: a parameter is not as above, or at discount 1 the values do not settle.
     """
     π, ρ = _checked(model, policies)
-    return (
-        policy_evaluation(model.against(0, ρ), model.by_state(0, π), discount).start,
-        policy_evaluation(model.against(1, π), model.by_state(1, ρ), discount).start,
-    )
+    return _expected(model, (model.against(0, ρ), model.against(1, π)), (π, ρ), discount)
 
 
 def exploitability(model: GameModel, policies: Any, discount: float = 1.0) -> float:
@@ -209,9 +215,21 @@ def exploitability(model: GameModel, policies: Any, discount: float = 1.0) -> fl
     sum of both NashConv; half of it is what OpenSpiel calls exploitability.
     """
     π, ρ = _checked(model, policies)
-    best = value_iteration(model.against(0, ρ), discount).start, value_iteration(model.against(1, π), discount).start
-    gain = sum(best) - sum(expected_returns(model, (π, ρ), discount))
+    tasks = model.against(0, ρ), model.against(1, π)
+    best = value_iteration(tasks[0], discount).start, value_iteration(tasks[1], discount).start
+    gain = sum(best) - sum(_expected(model, tasks, (π, ρ), discount))
     return max(0.0, gain / 2)  # rounding can make a 0 negative
+
+
+def _expected(
+    model: GameModel, tasks: tuple[FiniteModel, FiniteModel], policies: tuple[Reals, Reals], discount: float
+) -> tuple[float, float]:
+    """What each player expects in its task, which holds the other's policy."""
+    first, second = (
+        policy_evaluation(task, model.by_state(player, policy), discount).start
+        for player, (task, policy) in enumerate(zip(tasks, policies, strict=True))
+    )
+    return first, second
 
 
 def _checked(model: Any, policies: Any) -> tuple[Reals, Reals]:
