@@ -14,7 +14,7 @@
 # %%
 import numpy as np
 
-from edugym import DoubleQLearning, MaxminQLearning, QLearning, expected_choice, expected_maximum, make_mdp
+from edugym import DoubleQLearning, MaxminQLearning, expected_choice, expected_maximum, make_mdp
 from edugym.envs.casino import CASINO, Casino
 from edugym_course.lessons.maximisation_bias import figures, methods
 from edugym_course.notebook import play, predict, sliders, source
