@@ -230,6 +230,11 @@ def _panels(mdp: Any) -> Iterator[Panel]:
     return (Panel(switches, goal) for switches in patterns for goal in patterns)
 
 
+def _by_the_casino(mdp: Any, seen: tuple[int, ...]) -> Place:
+    face = circle(mdp.scene(seen[0]))
+    return Cell(face.x - 0.5, face.y - 0.45, 1.0, 0.9), 0
+
+
 def _in_the_sea(mdp: Any, seen: tuple[int, ...]) -> Place:
     y, x = divmod(seen[0], N_COLUMNS)
     return (Cell(float(x), y + 1.0, 1.0, 1.0) if y <= x + 1 else None), 0
@@ -259,6 +264,7 @@ MAPS = {
         moves=_arm,
     ),
     "Golf": Map(_on_the_course, (".x", ".y"), signs("p", "c", "d"), _balls, _without_text, _ball),
+    "Casino": Map(_by_the_casino, ("",)),
     "Diver": Map(_in_the_sea, ("",), signs("↓", "→"), scene=_without_steps),
     "Switches": Map(_by_what_is_wrong, (".switches", ".goal"), pictures=_panels),
     "Supermarket": Map(_in_the_aisles, ("",), signs("↑", "↓", "←", "→")),

@@ -19,6 +19,7 @@ from edugym_course.lessons.depth import targets
 from edugym_course.lessons.dimensionality import methods as dimensionality
 from edugym_course.lessons.exploration import methods as exploration
 from edugym_course.lessons.goals import methods as goals
+from edugym_course.lessons.maximisation_bias import methods as maximisation_bias
 from edugym_course.lessons.memory import players as memory
 from edugym_course.lessons.model_based import methods as model_based
 from edugym_course.lessons.objectives import methods as objectives
@@ -341,5 +342,36 @@ DIVER = Race(
     "deep enough. Pareto Q-learning does not race: its sets of vectors grow and shrink, which this page's machine "
     "code cannot do.",
 )
-RACES = (BOULDER, ROADRUNNER, STUDY, CATCH, MEMORY_CORRIDOR, TAMAGOTCHI, TRASHBOT, GOLF, SUPERMARKET, SWITCHES, DIVER)
+PASSING = learning(maximisation_bias)
+TWO_TABLES, EIGHT_TABLES = ({**PASSING, "n_tables": n} for n in (2, 8))
+CASINO = Race(
+    "Casino",
+    "Every machine loses. Who stays out?",
+    "Go home for nothing, or go in and play a machine. It pays 0.9 or takes 1.1, with equal chances.",
+    (
+        Agent("Q-learning", "believes the machine that looks best", edugym.QLearning, PASSING),
+        Agent("double", "a second table says what that one is worth", edugym.DoubleQLearning, PASSING),
+        Agent("maxmin", "believes the smaller of two values", edugym.MaxminQLearning, TWO_TABLES),
+        Agent("maxmin, eight", "believes the smallest of eight values", edugym.MaxminQLearning, EIGHT_TABLES),
+        *usual(PASSING, edugym.ExpectedSARSA, edugym.SARSA),
+    ),
+    200,  # some 120 episodes: later the machines have been found out, by Q-learning too
+    Strength("n_machines", (1, 2, 5, 10, 15), 3),
+    ("place",),
+    episodes=50,
+)
+RACES = (
+    BOULDER,
+    ROADRUNNER,
+    STUDY,
+    CATCH,
+    MEMORY_CORRIDOR,
+    TAMAGOTCHI,
+    TRASHBOT,
+    GOLF,
+    SUPERMARKET,
+    SWITCHES,
+    DIVER,
+    CASINO,
+)
 """One for each environment that has a lesson, in the order of the lessons."""

@@ -239,7 +239,7 @@ quiet.measured(100 * methods.walks("Q-learning", 100, noise=0.0).share().mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 9 %, hardly more often than home is left by chance. Until all ten machines have been tried, the largest value in the casino is 0, the
+# **Measured.** 9 %, little more than by chance. Until all ten machines have been tried, the largest value in the casino is 0, the
 # first value of a machine that was not tried; so home and casino seem equally good. One noisy machine is not enough either (9 %): there is no other one that could look better. It takes noise *and*
 # a choice. Both controls came out the same with a learning rate of 0.3, and with 20 machines.
 # </details>
