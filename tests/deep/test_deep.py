@@ -42,7 +42,7 @@ def test_one_copy_is_dummy_vec_env(entry: Entry) -> None:
     assert plain(ours.reset()) == plain(theirs.reset())
     ours.action_space.seed(3)
     ended = 0
-    for _ in range(600):
+    for _ in range(1_001):
         actions = np.array([ours.action_space.sample()])
         *given, infos = ours.step(actions)
         *expected, infos_there = theirs.step(actions)
