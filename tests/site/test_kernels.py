@@ -129,7 +129,9 @@ def test_the_page_has_the_numbers_of_train() -> None:
 @pytest.mark.slow
 @needs_node
 @pytest.mark.parametrize(
-    "agent", [agent for agent in DIVER.agents if agent.label in ("price 6", "distance", "learned price")], ids=str
+    "agent",
+    [agent for agent in DIVER.agents if agent.label in ("price 6", "distance", "learned price")],
+    ids=lambda agent: agent.label,
 )
 def test_a_race_of_vectors_has_the_numbers_of_train_vectors(agent: Agent) -> None:
     """Of the learning curve a reader's line makes what the page shows, and the tables are the same."""
