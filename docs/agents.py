@@ -80,7 +80,6 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
     everywhere = [agent for agent, challenges in stale.items() if set(challenges) >= set(names)]
     old = [f"{agent}: {', '.join(stale[agent])}" for agent in stale if agent not in everywhere]
     old += [f"{listed(everywhere)}: everywhere"] if everywhere else []
-    slow = [f"{agent} on {', '.join(challenges)}" for agent, challenges in agent_profiles.TOO_SLOW.items()]
     return "\n".join(
         [
             "# Which agent works with which environment",
@@ -119,7 +118,6 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`.",
             *([f"- SB3 agents: measured with {libraries}, by `edugym profile --libraries`."] if libraries else []),
             *(fill(f"- {name} has no ladder{WITHOUT_LADDER.get(name, ' yet.')}", 120) for name in missing),
-            f"- Not measured, since its planning at every step takes a quarter of an hour in all: {'; '.join(slow)}.",
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
             "",
         ]

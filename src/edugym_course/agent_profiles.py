@@ -40,12 +40,6 @@ WRIST = (1, 1, 9, 9, 1, 1, 2)
 SETTINGS: dict[str, Any] = {"GaussianActorCritic": WRIST}
 """What is not at its default, by agent."""
 
-TOO_SLOW = {"RMax": ["Switches"]}
-"""Ladders that are not measured, by agent.
-
-R-max plans 1000 updates at each step as long as pairs become known, and with 4 switches or more they do all the time: a
-run of 20 000 steps takes 10 seconds or more, and all of them about a quarter of an hour of one core.
-"""
 Parts = dict[str, list[Ladder]]
 """For each agent, ladders."""
 
@@ -107,10 +101,7 @@ def library_versions() -> dict[str, str]:
 
 
 def stale() -> Parts:
-    """The ladders on which an agent of the package was not measured, or with other code.
-
-    Those that are `TOO_SLOW` do not count; agents without any are left out.
-    """
+    """The ladders on which an agent of the package was not measured, or with other code; other agents are left out."""
     return _stale(agents())
 
 
@@ -135,12 +126,7 @@ def _differ(here: dict[str, str], there: dict[str, str]) -> bool:
 def _stale(names: Iterable[str]) -> Parts:
     made = _about()["code"] if PATH.exists() else {}
     found = {
-        name: [
-            ladder
-            for ladder in LADDERS
-            if ladder.name not in TOO_SLOW.get(name, [])
-            and made.get(name, {}).get(ladder.name) != code_of(name, ladder)
-        ]
+        name: [ladder for ladder in LADDERS if made.get(name, {}).get(ladder.name) != code_of(name, ladder)]
         for name in names
     }
     return {name: ladders for name, ladders in found.items() if ladders}

@@ -367,9 +367,6 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
         agent_profiles, "code_of", lambda name, ladder: name if name == "SARSA" else code_of(name, ladder)
     )
     assert agent_profiles.stale() == {"SARSA": [LOW]}
-    with monkeypatch.context() as slow:
-        slow.setattr(agent_profiles, "TOO_SLOW", {"SARSA": ["Boulder"]})
-        assert agent_profiles.stale() == {}
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
     assert "No stored profile was made from the present code of SARSA" in done.output
     assert "best of the others" in (tmp_path / "out" / "report.md").read_text()

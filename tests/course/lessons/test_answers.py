@@ -63,7 +63,9 @@ def _no_hints(node: ast.AST) -> Iterator[ast.AST]:
             yield from (end for part in parts if part for end in ast.walk(part))
         case ast.FunctionDef(name=name) if name.startswith(("exercise_", "project_")):
             yield from (part for end in ast.walk(node) if isinstance(end, ast.Return) for part in ast.walk(end))
-        case ast.Assign([ast.Name("CHALLENGE")]) | ast.Call(func=ast.Name("Own" | "step_cost")):
+        case ast.Assign([ast.Name("CHALLENGE" | "OWN_MISTAKE")]):
+            yield from ast.walk(node)
+        case ast.Call(func=ast.Name("Own" | "step_cost" | "use_your_own")):
             yield from ast.walk(node)
 
 

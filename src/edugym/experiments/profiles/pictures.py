@@ -25,6 +25,8 @@ LOWEST = -0.25
 """The lowest score that a ladder shows."""
 NEAR, MOST_ENDS = 0.1, 3
 """Grey lines that end so near to each other have one name, and so many ends are named."""
+MOST_LETTERS = 22
+"""More letters than these below a ladder stand aslant, so that they do not touch."""
 RINGS = (0.25, 0.5, 0.75, 1.0)
 
 
@@ -165,7 +167,8 @@ class Rungs(NamedTuple):
             ax.fill_between(x, low, high, where=finite, color=line.color, alpha=0.16, linewidth=0)
         ax.axhline(HALF, **REFERENCE)
         dress(ax, ladder.strength, "score", self.title)
-        ax.set_xticks(x, [written(strength) for strength in ladder.strengths])
+        labels = [written(strength) for strength in ladder.strengths]
+        ax.set_xticks(x, labels, rotation=40 if sum(map(len, labels)) > MOST_LETTERS else 0)
         ax.set_ylim(LOWEST, 1.1)
         if place.alone and ax.get_legend_handles_labels()[1]:
             add_legend(ax)

@@ -209,6 +209,27 @@ slow.measured("stays about the same" if change > -0.15 else "falls by half" if c
 # So "this setting is bad" is no sentence about an agent. It is a sentence about an agent and a challenge.
 
 # %% [markdown]
+# ### The whole profile: one agent on all ladders
+#
+# All ladders together are the profile of an agent. To climb them takes a while, so here is one that is stored with the course: ten runs on each
+# rung, at the defaults.
+
+# %%
+for sentence in methods.whole_profile("QLearning"):
+    print(sentence)
+figures.all_ladders("QLearning")
+
+# %% [markdown]
+# Q-learning masters no ladder up to its last rung. Choose another agent, and say of each ladder, before you look, whether it climbs higher. Which part of
+# its equation should help there?
+
+# %%
+sliders(figures.beside_q_learning, agent=methods.stored_agents())
+
+# %% [markdown]
+# One mean over all ladders would hide most of this: agents with different holes may have the same mean.
+
+# %% [markdown]
 # ## Exercises
 
 # %%
@@ -228,6 +249,7 @@ def ladder_score(returns, random, best):
     ### BEGIN SOLUTION
     scores = [(mine - low) / (high - low) for mine, low, high in zip(returns, random, best, strict=True)]
     return sum(scores) / len(scores)
+    # own: return (sum(scores) + ({times} - 1) * scores[-1]) / (len(scores) - 1 + {times})
     ### END SOLUTION
 
 
@@ -250,6 +272,7 @@ def make_mine(environment):
     """Return an agent for an environment."""
     ### BEGIN SOLUTION
     return QLearning.create(environment, discount=0.0)
+    # own: return QLearning.create(environment, discount=0.0, initial_value={first})
     ### END SOLUTION
 
 

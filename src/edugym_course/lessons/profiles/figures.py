@@ -6,6 +6,7 @@ from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.profiles.pictures import Dots, Rungs
 from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
+from edugym_course.lessons.profiles.methods import stored
 
 
 def ladders(found: Profile, name: str = "ladders") -> Sheet:
@@ -16,6 +17,18 @@ def ladders(found: Profile, name: str = "ladders") -> Sheet:
 def scores(found: Profile) -> Sheet:
     """Draw the scores of a profile."""
     return Sheet("scores", [[Dots(found)]])
+
+
+def all_ladders(*agents: str) -> Sheet:
+    """Draw all ladders of stored profiles that one of the agents can enter."""
+    found = stored(agents)
+    drawn = [Rungs(found, name) for name in found.challenges if any(found.score(agent, name).n for agent in agents)]
+    return Sheet("all_ladders", [drawn[first : first + 3] for first in range(0, len(drawn), 3)])
+
+
+def beside_q_learning(agent: str = "DynaQ") -> Sheet:
+    """Draw all ladders of an agent, with those of Q-learning."""
+    return all_ladders(*dict.fromkeys(("QLearning", agent)))
 
 
 def one_setting(learning_rate: float = 0.1, discount: float = 0.99, epsilon: float = 0.1) -> Sheet:

@@ -1,14 +1,17 @@
 """The agents of lesson 15, and their profiles."""
 
 from collections.abc import Sequence
-from functools import partial
+from dataclasses import replace
+from functools import cache, partial
 from typing import Any
 
 from edugym.agents.q_learning import QLearning
 from edugym.agents.r_max import RMax
 from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
+from edugym.experiments.profiles.verdicts import said
 from edugym.experiments.results.statistics import Interval, mean_interval, paired_difference
+from edugym_course import agent_profiles
 
 Q_LEARNING, R_MAX, R_MAX_10 = "Q-learning", "R-max", "R-max, 10 tries"
 SLOW, SHORT_SIGHTED = "α = 0.000001", "γ = 0"
@@ -26,6 +29,30 @@ HOLE = 0.2
 WITH_AND_WITHOUT = ("Tamagotchi", "Study")
 """The ladder on which an agent should be as good as before, and that of the hole."""
 TRAINING = "training what make_mine returns"
+
+
+@cache
+def stored(agents: tuple[str, ...] = ()) -> Profile:
+    """Return the profiles that are stored with the course, by default of all agents."""
+    found = agent_profiles.load()
+    assert found is not None  # it comes with the package
+    return replace(found, agents=agents) if agents else found
+
+
+def stored_agents() -> list[str]:
+    """Return the agents with a stored profile of all ladders that they can enter."""
+    found = stored()
+    return [
+        agent
+        for agent in found.agents
+        if all(found.score(agent, name).n or name in found.blank[agent] for name in found.challenges)
+    ]
+
+
+def whole_profile(agent: str) -> list[str]:
+    """Return how far an agent gets on each ladder, a sentence a challenge."""
+    found = stored((agent,))
+    return [f"{name} ({found.ladder(name).challenge}). {said(found, name).sentence}" for name in found.challenges]
 
 
 def climb(names: Sequence[str], challenges: Sequence[str], **how: Any) -> Profile:
