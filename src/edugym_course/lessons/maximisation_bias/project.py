@@ -33,6 +33,9 @@ FEWEST = 0.6
 OFTEN = 0.5
 BAD = Casino.create()
 GOOD = Casino.create(n_machines=3, noise=0.5, advantage=1.1)
+FAIR, FAIR_RUNS = Casino.create(loss=0.0), 4
+"""A casino in which luck decides what is done next. In a few of a hundred runs its steps hang on nothing but the
+exploration, and whoever throws the coin without the seed is found in another one of so many."""
 
 
 class Shuffled(gymnasium.Env[Any, Any]):
@@ -117,7 +120,8 @@ def our_shares() -> tuple[float, float]:
 
 def project_17(answer: Any, seed: int) -> str:
     """Check a program with double Q-learning."""
-    require_reproducible(answer, partial(Shuffled, GOOD, seed), PAYING_STEPS, seed)
+    for number in range(FAIR_RUNS * seed, FAIR_RUNS * (seed + 1)):
+        require_reproducible(answer, partial(Shuffled, FAIR, number), PAYING_STEPS, number)
     found = [
         visit(answer, GOOD, PAYING_STEPS, number) for number in range(PAYING_RUNS * seed, PAYING_RUNS * (seed + 1))
     ]
