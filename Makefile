@@ -73,7 +73,7 @@ test-lowest:
 	rm -rf $(LOWEST) && $(PYTHON) -m venv $(LOWEST)
 	$(PYTHON) .ci/lowest.py > $(LOWEST)/constraints.txt
 	$(LOWEST)/bin/pip install --quiet --constraint $(LOWEST)/constraints.txt --editable ".[notebook]" \
-		hypothesis pytest pytest-xdist
+		hypothesis pytest pytest-timeout pytest-xdist
 	@# Old libraries use what newer ones call deprecated: that is no fault of ours.
 	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning $(ARGS) \
 		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \

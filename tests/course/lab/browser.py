@@ -191,8 +191,9 @@ def screenshots(page: Page, folder: Path, name: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     page.command("application:toggle-left-area") if page("jupyterapp.shell.leftCollapsed === false") else None
     view = f"{PANEL}.content.node.querySelector('.jp-WindowedPanel-outer')"
-    for width in (1400, 800):
-        page.driver.set_window_size(width, 1700)
+    for width in (1400, 390):  # a window itself is never narrower than 500
+        screen = {"width": width, "height": 1700, "deviceScaleFactor": 1, "mobile": False}
+        page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
         page(f"{view}.scrollTo(0, 0)")
         for number in range(100):
             time.sleep(1)
@@ -200,4 +201,4 @@ def screenshots(page: Page, folder: Path, name: str) -> None:
             if page(f"{view}.scrollTop + {view}.clientHeight > {view}.scrollHeight - 5"):
                 break
             page(f"{view}.scrollBy(0, {view}.clientHeight - 60)")
-    page.driver.set_window_size(*WINDOW)
+    page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
