@@ -32,7 +32,7 @@ METHODS = [
     ("return s + rng.permuted(np.ones(3))[0]", "it uses rng's permuted"),
     ("return range(3)[int(s)]", "Numba has no getitem(range, int)"),
     ("a = None\n        if s > 3: a = 0\n        return 1 if a else 2", "Numba has no bool(int or None)"),
-    ("return s + 1 if s < 3 else (1, 2)", "one name stands for values of two types, float and tuple"),
+    ("return s + 1 if s < 3 else (1, 2)", "values of two types, "),
     ("a, *b = (s, 1, 2)\n        return a", "it has a statement that Numba does not know, UNPACK_EX"),
     ("return s + A.T", "it takes T from the class A: take it from a value, as in self.T"),
     ("t = (1.5, s > 3)\n        for i in range(2): s += t[i]\n        return s", "can be indexed only by a constant"),

@@ -33,6 +33,7 @@ MESSAGES = (
         r"the \3 should always be of the same type, but is of two, \1 and \2",
     ),
     (r"Cannot unify (.+) and (.+) for .*", r"one name stands for values of two types, \1 and \2"),
+    (r"Can't unify return type from the following types: (.+), (\w+)", r"it returns values of two types, \1 and \2"),
     (r"Unsupported array index type (\S+) in .*", r"an index of an array is of type \1"),
     (r">>> NumPyRandomGeneratorType_(\w+)\(.*array\(.*", r"rng.\1 draws an array of numbers: draw them one by one"),
     (r">>> rng.integers\(.*array\(.*", "rng.integers draws an array of numbers: draw them one by one"),

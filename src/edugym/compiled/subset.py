@@ -227,8 +227,13 @@ def _code_problem(code: CodeType, function: FunctionType) -> str | None:
     line: int | None = code.co_firstlineno
     value: Any = UNKNOWN  # what the instruction before has loaded by a global name
     path = ""
-    for instruction in dis.get_instructions(code):
-        line = getattr(instruction.positions, "lineno", None) or line
+    byte_code = dis.Bytecode(code)
+    entries = vars(byte_code).get("exception_entries", ())
+    guarded = {entry.target: entry.start for entry in entries}  # what `try` or `with` stands around
+    lines: dict[int, int | None] = {}
+    for instruction in byte_code:
+        line = getattr(instruction.positions, "lineno", None) or lines.get(guarded.get(instruction.offset, -1), line)
+        lines[instruction.offset] = line
         name, found = instruction.argval, None
         is_outer = name in function.__code__.co_freevars
         if instruction.opname in GLOBAL_LOADS or (is_outer and instruction.opname in OUTER_LOADS):

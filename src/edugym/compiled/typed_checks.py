@@ -29,7 +29,7 @@ ALLOWED = (
     types.Array | types.BoundFunction | types.Callable | types.DType | types.EllipsisType | types.EnumClass
     | types.EnumMember | types.ExceptionClass | types.ExceptionInstance | types.IteratorType | types.Module
     | types.NoneType | types.NumberClass | types.NumPyRandomGeneratorType | types.RangeType | types.SliceType
-    | types.UnicodeType | types.Omitted | types.Phantom
+    | types.UnicodeType | types.Omitted | types.Phantom | types.misc.UndefVar
 )  # fmt: skip
 """Allowed types, besides numbers and what holds other values, which are looked at closer."""
 FILLING = (np.array, np.full, np.full_like)

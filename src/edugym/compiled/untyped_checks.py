@@ -98,7 +98,9 @@ def _require_values(func_ir: Any) -> None:
     while changed:
         changed = False
         for label in graph.topo_order():
-            assigned = before(label) | {s.target.name for s in blocks[label].body if isinstance(s, ir.Assign)}
+            assigned = set(before(label))
+            for statement in blocks[label].body:
+                _assign(statement, assigned, everything)
             if after.get(label) != assigned:
                 after[label], changed = assigned, True
     for label in graph.topo_order():
@@ -107,8 +109,22 @@ def _require_values(func_ir: Any) -> None:
             for variable in _variables_used(statement):
                 if variable.name in everything and variable.name not in assigned and not variable.is_temp:
                     refuse(f"the variable {variable.unversioned_name} may have no value", statement.loc)
-            if isinstance(statement, ir.Assign):
-                assigned.add(statement.target.name)
+            _assign(statement, assigned, everything)
+
+
+def _assign(statement: Any, assigned: set[str], everything: set[str]) -> None:
+    """Change the set of the variables that have a value as a statement does.
+
+    Since Python 3.12 a list comprehension runs in the function that it stands in. It sets its variable aside, which may
+    have no value yet, and puts it back at the end.
+    """
+    if isinstance(statement, ir.Assign):
+        value = statement.value
+        of_none = isinstance(value, ir.Var) and value.is_temp and value.name in everything - assigned
+        if of_none or getattr(value, "op", "") == "undef":
+            assigned.discard(statement.target.name)
+        else:
+            assigned.add(statement.target.name)
 
 
 def _variables_used(statement: Any) -> list[Any]:

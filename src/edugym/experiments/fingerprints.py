@@ -231,6 +231,8 @@ _PLAIN = frozenset({bool, int, complex, str, bytes})
 _OF_EVERY_CLASS = frozenset(
     {"__module__", "__dict__", "__weakref__", "__doc__", "__qualname__", "__firstlineno__", "__static_attributes__"}
     | {"__abstractmethods__", "_abc_impl", "__slotnames__", "__annotations__", "__parameters__", "__orig_bases__"}
+    # Where Python 3.14 keeps annotations until somebody asks for them.
+    | {"__annotate__", "__annotate_func__", "__annotations_cache__", "__classdictcell__", "__conditional_annotations__"}
 )
 
 
