@@ -1,18 +1,40 @@
-"""Policies that were written for Gymnasium alone, as agents: objects with `predict`, and functions."""
+"""Agents of students, and policies that were written for Gymnasium alone: objects with `predict`, and functions."""
 
 import inspect
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from gymnasium import spaces
 
+from edugym.adapters.fitting import tabular
 from edugym.checks.agents import is_action, wrong_action
 from edugym.mdp.protocol import Random
+from edugym.mdp.task import table_size
 
 
 def is_policy(value: Any) -> bool:
     """Whether a value acts by `predict(observation)`, as models of Stable-Baselines3 do, and has no `act`."""
     return callable(getattr(value, "predict", None)) and not hasattr(value, "act")
+
+
+def made_by(make: Callable[[Any], Any], environment: Any) -> Any:
+    """What a function makes for an environment.
+
+    One that asks for `observation_space.n`, to make a table, gets an environment with the rows that `train` will
+    show to its agent, even where the observations are several numbers.
+
+    Raises:
+        ValueError: it asks so, and the environment fits no table.
+        Exception: what the function raises.
+    """
+    try:
+        return make(environment)
+    except AttributeError as error:
+        if error.name != "n" or not isinstance(error.obj, spaces.Space):
+            raise
+    table_size(environment)  # says why it fits no table
+    return make(tabular(environment))
 
 
 class Player:

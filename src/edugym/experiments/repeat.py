@@ -19,7 +19,7 @@ from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
-from edugym.experiments.players import Player, is_policy
+from edugym.experiments.players import Player, is_policy, made_by
 from edugym.experiments.results.rows import MEASURED, Rows
 from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
@@ -248,7 +248,7 @@ def _maker(label: str, agent: Any, methods: Collection[str]) -> Maker:
         ) from None
 
     def make(environment: Any) -> Any:
-        made = agent(environment)
+        made = made_by(agent, environment)
         is_agent = any(hasattr(made, name) for name in methods)
         if is_policy(made) or (callable(made) and not is_agent and not isinstance(made, type)):
             return Player(made, environment)

@@ -1,6 +1,7 @@
 """Profiles: who can enter, what is kept, and what follows from the scores."""
 
 import math
+import operator
 import re
 import signal
 from functools import partial
@@ -75,15 +76,32 @@ def test_who_cannot_enter_is_blank_and_not_zero() -> None:
     assert "agents['Q'] can enter none" in raised.value.__notes__[0]
 
 
-def test_a_students_agent_that_fails_in_a_challenge_is_blank_there() -> None:
-    """Whatever it raises: it may ask a space for what it does not have."""
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [("observation_space.n", "a table needs observations"), ("observation_space.m", "AttributeError")],
+)
+def test_a_students_agent_that_fails_in_a_challenge_is_blank_there(asked: str, said: str) -> None:
+    """Whatever it raises: it may ask a space for what it does not have. Why it fits no table is a sentence."""
 
     def make(environment: Any) -> QLearning:
+        if environment.observation_space.shape:
+            operator.attrgetter(asked)(environment)
         return QLearning.create((int(environment.observation_space.n), int(environment.action_space.n)))
 
     found = profile({"mine": make}, challenges=["Catch", WALKS], repetitions=2)
     assert list(found.blank["mine"]) == ["Catch"]
-    assert "AttributeError" in found.blank["mine"]["Catch"]
+    assert said in found.blank["mine"]["Catch"]
+
+
+def test_who_asks_for_the_number_of_rows_is_given_rows() -> None:
+    """It learns the same table as the package's agent where the observations are several numbers."""
+
+    def make(environment: Any) -> QLearning:
+        return QLearning.create((int(environment.observation_space.n), int(environment.action_space.n)))
+
+    exam = LADDERS[2]._replace(strengths=(5,), n_steps=500, evaluation_episodes=10)
+    found = profile({"mine": make, "Q": QLearning.create}, challenges=[exam], repetitions=2)
+    assert found.score("mine", "Study") == found.score("Q", "Study")
 
 
 def test_wrappers_are_part_of_an_agent() -> None:
