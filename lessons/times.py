@@ -84,7 +84,7 @@ def announced(counts: Counts) -> str:
     told += f"{rounded(counts.tasks / TASK_WORDS + counts.lines)} for the exercises"
     if counts.extra:
         told += f"; {' and '.join(counts.extra)} come{'s' if len(counts.extra) == 1 else ''} on top"
-    return f"{told}. (Reckoned from the number of words, not measured.)"
+    return f"{told} (estimated)."
 
 
 def announce(cells: Sequence[NotebookNode]) -> None:

@@ -18,6 +18,22 @@ AND_ELSEWHERE = "in the others it looks like this: "
 UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
+LONG = 150
+"""From so many letters on, what came is told after the mistake: nobody finds a sentence behind three tables."""
+
+
+def told_wrong(came: str, why: str) -> str:
+    """Return the sentence of a wrong answer.
+
+    Args:
+        came: what was expected, and what came.
+        why: the mistake that this looks like, or that it is none of the usual ones.
+    """
+    if len(came) < LONG or why in (UNUSUAL, UNUSUAL_NUMBER):
+        return f"{came}: {why}"
+    return f"Not yet: {why}{'' if why.endswith('?') else '.'} Here {came}"
+
+
 def mistake_that_fits(
     mistakes: Mapping[str, Mistake],
     everywhere: Callable[[Mistake], bool],
@@ -119,4 +135,5 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
         otherwise = ROUNDED
     why = mistake_in_cases({sentence: sentence for sentence in cases[0].mistakes}, explained, wrong, otherwise)
     what, found, expected, _ = cases[wrong.index(True)]
-    raise WrongAnswer(f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}: {why}")
+    came = f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
+    raise WrongAnswer(told_wrong(came, why))

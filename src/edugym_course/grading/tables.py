@@ -7,7 +7,7 @@ import numpy as np
 
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_in_cases
+from edugym_course.grading.mistakes import UNUSUAL, mistake_in_cases, told_wrong
 from edugym_course.grading.values import all_same, given
 
 
@@ -36,8 +36,19 @@ def compare_tables(
     calls: Sequence[str],
     mistakes: Mapping[str, Mapping[str, Any]],
     rule: Callable[..., Reals],
+    verb: str = "give",
+    otherwise: Callable[[Sequence[bool]], str] = lambda wrong: UNUSUAL,
 ) -> None:
     """Check several arrays. The first wrong one is told, with the mistake that explains all of them, or most.
+
+    Args:
+        cases: what the answer was given.
+        found: its arrays, by case.
+        calls: what gave them, for the sentence.
+        mistakes: what changes the rule into a mistake, by the sentence that tells of it.
+        rule: the right array for a case, and with other arguments that of a mistake.
+        verb: what the calls do.
+        otherwise: what to say if no mistake fits, given which cases are wrong.
 
     Raises:
         WrongAnswer: one is not right.
@@ -50,7 +61,7 @@ def compare_tables(
     def explained(change: Mapping[str, Any]) -> list[bool]:
         return [all_same(rule(case, **change), mine) for case, mine in zip(cases, found, strict=True)]
 
-    why = mistake_in_cases(mistakes, explained, wrong)
+    why = mistake_in_cases(mistakes, explained, wrong, otherwise(wrong))
     first = wrong.index(True)
     told, came = (np.round(table[first], 4).tolist() for table in (right, found))
-    raise WrongAnswer(f"{calls[first]} should give {told}, but gives {came}: {why}")
+    raise WrongAnswer(told_wrong(f"{calls[first]} should {verb} {told}, but {verb}s {came}", why))

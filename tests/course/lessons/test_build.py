@@ -271,7 +271,7 @@ def test_an_aside_is_folded_below_its_heading(source: Path) -> None:
         assert inside == [folded[0], "Halves are fun.", "half = 1 / 2", folded[1], "third = 1 / 3"]
         opening = notebook.cells[0].source
         assert "**Time.** About 5 minutes, 10 more for the asides, which are folded" in opening
-        assert "and 5 for the exercises. (Reckoned" in opening
+        assert "and 5 for the exercises (estimated)." in opening
 
 
 def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> None:

@@ -7,7 +7,6 @@ import pytest
 
 from edugym import expected_choice, expected_maximum, make_mdp, mean_interval, paired_difference
 from edugym.envs.casino import STREET
-from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.maximisation_bias import methods, project
 from edugym_course.lessons.maximisation_bias.methods import DOUBLE, EIGHT, PAYING, Q_LEARNING, Walks
 
@@ -88,5 +87,5 @@ def test_casinos_of_the_project_have_new_numbers_each_time() -> None:
                 environment.reset()
         return lambda state: 0
 
-    with pytest.raises(WrongAnswer, match="it has learned little"):
-        project.project_17(program, 0)
+    played = [project.visit(program, project.GOOD, 200, seed).plays for seed in range(60)]
+    assert np.mean([machine == project.GOOD.n_machines - 1 for machine in played]) < project.FEWEST / 2

@@ -14,7 +14,7 @@
 # %%
 import numpy as np
 
-from edugym import DoubleQLearning, MaxminQLearning, expected_choice, expected_maximum, make_mdp
+from edugym import DoubleQLearning, MaxminQLearning, expected_choice, expected_maximum, make_mdp, mean_interval
 from edugym.envs.casino import CASINO, Casino
 from edugym_course.lessons.maximisation_bias import figures, methods
 from edugym_course.notebook import play, predict, sliders, source
@@ -27,7 +27,7 @@ from edugym_course.notebook import play, predict, sliders, source
 # | | | in words |
 # |---|---|---|
 # | states | $s \in \{0, 1, 2\}$ | street, casino, home |
-# | actions | $\mathcal{A} = \{0, \dots, k - 1\}$ | in the street 0 goes in, and every other action goes home; in the casino action $a$ plays machine $a$ |
+# | actions | $\mathcal{A} = \{0, \dots, k - 1\}$ | in the street 0 goes in, and every other action goes home; in the casino action $a$ plays machine $a$. (There are always two or more: with one machine action 1 plays none, and costs 2.1) |
 # | dynamics | $p(s' \mid s, a)$ | nothing is random here |
 # | reward | $r$ | a machine pays 0.9 or −1.1, each with probability 1/2: −0.1 on average |
 # | discount | $\gamma = 1$ | an episode has one step or two |
@@ -47,17 +47,10 @@ play(make_mdp("Casino"))
 # %% [markdown]
 # ## The idea: the maximum picks the lucky one
 #
-# ### Each estimate is right on average, and the largest is not
+# ### What does the largest of ten means promise?
 # Try each machine $n$ times, and let $Q(a)$ be the mean of its payoffs. On average $Q(a)$ is −0.1, as it should be. But we want the value of
-# the *casino*, and Q-learning takes $\max_a Q(a)$ for it. This is one draw of ten means of five tries:
-
-# %%
-rng = np.random.default_rng(1)
-means = rng.choice([0.9, -1.1], (10, 5)).mean(axis=1)
-print("means:  ", means.round(1))
-print(f"average: {means.mean():.2f}, largest: {means.max():.2f}, truth: -0.10")
-
-# %% [markdown]
+# the *casino*, and Q-learning takes $\max_a Q(a)$ for it.
+#
 # **Predict.** Try each of the ten machines five times, and take the largest mean. Do this many times. What is the largest mean
 # *on average*?
 
@@ -66,9 +59,12 @@ largest = predict("On average the largest of ten means is ...", unit="(each mach
 largest
 
 # %%
+rng = np.random.default_rng(1)
+means = rng.choice([0.9, -1.1], (10, 5)).mean(axis=1)
+print("one draw of ten means:", means.round(1))
+print(f"their average is {means.mean():.2f}, the largest {means.max():.2f}, and the truth -0.10")
 machines = make_mdp("Casino").payoffs
-simulated = methods.tried(5).largest
-print(f"simulated {simulated.mean():.3f}, exact {expected_maximum(machines, 5):.3f}")
+print(f"largest, 1000 draws: {mean_interval(methods.tried(5).largest)}, exact {expected_maximum(machines, 5):.3f}")
 largest.measured(expected_maximum(machines, 5))
 
 # %% [markdown]
@@ -109,7 +105,7 @@ figures.measured_promises()
 source(DoubleQLearning, "learn")
 
 # %% [markdown]
-# **Maxmin Q-learning** keeps $N$ tables, and takes the *smallest* of their values for each action. A table that is drawn learns:
+# **Maxmin Q-learning** keeps $N$ tables, and takes the *smallest* of their values for each action. One table, drawn at random, learns:
 #
 # $$
 # Q(s, a) = \min_i Q_i(s, a), \qquad
@@ -124,8 +120,9 @@ source(MaxminQLearning, "learn")
 # %% [markdown]
 # ## The experiment: who goes in?
 #
-# This is figure 6.5 of the book. The book has payoffs from a normal distribution; ours have the same mean and the same spread,
-# but two values only, so that everything can be computed.
+# This is after figure 6.5 of the book. There payoffs are normal; ours have the same mean and the same spread,
+# but two values only, so that everything can be computed. And in the book's street there are two actions, so that by chance one goes in every
+# second time; here there are ten.
 #
 # | setting | value |
 # |---|---|
@@ -134,8 +131,8 @@ source(MaxminQLearning, "learn")
 # | what counts | the share of runs that go in, in blocks of ten episodes |
 # | repetitions | 100; bands are 95 % intervals |
 #
-# The dashed line is the best policy that takes a random action in a share $\varepsilon$ of its steps: it goes in in 1 % of the episodes. Expected SARSA has no
-# pure maximum in its target: it takes 0.9 of the maximum, and 0.1 of the mean.
+# The dashed line is the best policy that takes a random action in a share $\varepsilon$ of its steps: it enters the casino in 1 % of the episodes. Expected
+# SARSA (section 6.6 of the book) learns from the mean over what its $\varepsilon$-greedy policy does next.
 #
 # **Predict.** In which order, from the most visits to the fewest, are the three in episodes 31 to 100?
 
@@ -156,7 +153,8 @@ found = {method: methods.walks(method) for method in methods.IN_THE_FIGURE}
 display(figures.visits(found))
 share = {method: one.share().mean() for method, one in found.items()}
 for method, visits in share.items():
-    print(f"{method:25} goes in in {visits:.0%} of episodes 31 to 100")
+    later = found[method].share(slice(200, 300)).mean()
+    print(f"{method:25} goes in: {visits:4.0%} of episodes 31 to 100, {later:4.0%} of 201 to 300")
 q, expected, double = share["Q-learning"], share["expected SARSA"], share["double Q-learning"]
 order.measured(order.options[0 if q > expected + 0.05 > double + 0.1 else 1 if expected > q else 3])
 
@@ -164,16 +162,16 @@ order.measured(order.options[0 if q > expected + 0.05 > double + 0.1 else 1 if e
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Q-learning, expected SARSA, double Q-learning: 71 %, 46 % and 9 %. At first nobody knows the casino, and all go in by chance, in one of ten episodes. Then some machine has paid.
-# Q-learning believes it, goes in, and plays it until it has lost enough. Then it believes the next one. It takes some 200 episodes
-# until all ten have been found out. Maxmin Q-learning with two tables goes in less, and later. (A guess: each of its tables
-# learns from half of the steps.)
+# Q-learning believes it, goes in, and plays it until it has lost enough. Then it believes the next one. In the last 100 episodes it
+# seldom goes in: 3 %. The target of expected SARSA is 0.9 of the maximum and 0.1 of the mean. Maxmin Q-learning with two tables goes in less
+# often than Q-learning.
 # </details>
 
 # %% [markdown]
 # ## Your turn
 #
-# How many machines does it take? How much noise? And how many tables? (20 runs; with many machines it takes longer until the
-# casino is found, for one of $k$ actions goes in.)
+# How much does it take? Change the number of machines, the noise, and the number of tables. (20 runs. What happens without any
+# noise, with one machine and with eight tables, you predict below.)
 
 
 # %%
@@ -182,13 +180,13 @@ def one_setting(n_machines=10, noise=1.0, n_tables=2):
     return figures.one_setting(n_machines, noise, n_tables)
 
 
-sliders(one_setting, n_machines=[1, 2, 5, 10, 20], noise=[0.0, 0.5, 1.0, 2.0], n_tables=[1, 2, 4, 8])
+sliders(one_setting, n_machines=[2, 5, 10, 20], noise=[0.5, 1.0, 2.0], n_tables=[1, 2, 4])
 
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With one machine, all go in about as seldom. With two, Q-learning already goes in more often. Without noise nobody
-# stays: all values are right as soon as each machine was tried. With one table, maxmin Q-learning is Q-learning. With eight it stays outside like double Q-learning.
+# The more machines there are, the more often Q-learning goes in, although by chance one goes in the less often: in one of $k$ episodes.
+# With one table maxmin Q-learning is Q-learning (with other random numbers). With four it seldom goes in more often than by chance.
 # </details>
 
 # %% [markdown]
@@ -205,19 +203,15 @@ print(f"truth: -0.10 each; their mean is {learner.Q[CASINO].mean():.2f}, and the
 print(f"so going in seems to be worth {learner.Q[0, 0]:.2f}, and it went in {went_in.sum():.0f} times in 60 episodes")
 
 # %% [markdown]
-# The mean of the ten values is near the truth. The largest is well above it, and that one is what the street learns from.
-#
-# And how much of the bias do more tables take away? The largest estimate on average, after $n$ tries for each table, exactly:
+# The largest value is well above the truth, and that one is what the street learns from. Is this learner an exception? Here are a hundred:
 
 # %%
-print("tries   " + "".join(f"N = {n_tables:<6}" for n_tables in (1, 2, 4, 8)))
-for n_tries in (1, 5, 20, 100):
-    promised = [expected_maximum(machines, n_tries, n_tables=n_tables) for n_tables in (1, 2, 4, 8)]
-    print(f"{n_tries:5}   " + "".join(f"{value:<10.2f}" for value in promised))
+Q_values = methods.values("Q-learning", 60)[:, CASINO]
+print(f"mean of the ten values: {mean_interval(Q_values.mean(axis=1))}, largest: {mean_interval(Q_values.max(axis=1))}")
 
 # %% [markdown]
-# The truth is −0.10 everywhere. One table promises too much, and eight promise too little. With four the bias is nearly gone, *for ten equal machines*: for other numbers of
-# machines, other numbers of tables would be right.
+# On average the ten values are a little too high, for they begin at 0, and a machine that was not tried keeps its 0. The largest is
+# much too high: it promises a gain.
 
 # %% [markdown]
 # ## Predict, then check
@@ -228,7 +222,7 @@ for n_tries in (1, 5, 20, 100):
 # **Predict.** In which share of episodes 31 to 100 does Q-learning go in now? (With noise it was 71 %.)
 
 # %%
-quiet = predict("Without noise it goes in in ...", unit="% of the episodes")
+quiet = predict("Without noise it goes in ...", unit="% of the time")
 quiet
 
 # %%
@@ -239,9 +233,10 @@ quiet.measured(100 * methods.walks("Q-learning", 100, noise=0.0).share().mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 9 %, little more than by chance. Until all ten machines have been tried, the largest value in the casino is 0, the
-# first value of a machine that was not tried; so home and casino seem equally good. One noisy machine is not enough either (9 %): there is no other one that could look better. It takes noise *and*
-# a choice. Both controls came out the same with a learning rate of 0.3, and with 20 machines.
+# **Measured.** 9 %, about what chance gives (10 %). Until all ten machines have been tried, the largest value in the casino is 0, the
+# first value of a machine that was not tried; so home and casino seem equally good. One noisy machine is not enough either: 9 %. (With one machine there are two actions, in or home. So by chance one goes in
+# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) It takes noise *and* a choice. With a learning rate of 0.3 it came out the same for both, no noise
+# and one machine; so did it without noise for 20 machines.
 # </details>
 
 # %% [markdown]
@@ -260,16 +255,18 @@ for advantage in (0.0, 0.3):
     machines_now = make_mdp("Casino", advantage=advantage).payoffs
     truth = machines_now.mean(axis=1).max()
     first = expected_maximum(machines_now, 5)
-    other, measured = expected_choice(machines_now, 5), methods.tried(5, advantage=advantage).second_opinion.mean()
-    print(f"truth {truth:5.2f}: largest mean {first:.2f}, second opinion {other:.2f} (simulated {measured:.2f})")
+    other = expected_choice(machines_now, 5)
+    simulated = mean_interval(methods.tried(5, advantage=advantage, repetitions=10_000, seed=1).second_opinion)
+    print(f"truth {truth:5.2f}: largest mean {first:.2f}, second opinion {other:.3f}, 10 000 draws: {simulated}")
 second.measured(second.options[0 if other > truth + 0.02 else 2 if other < truth - 0.02 else 1])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Below 0.2: it is −0.04. The second opinion is right about the machine *that was chosen*. But after five tries the chosen machine is often not the best one, and
-# every other machine is worth less. So double Q-learning is not unbiased: it has no bias where all actions are equal, and else
-# its bias is downward. The exact sum needs no simulation here either (`expected_choice`).
+# every other machine is worth less. So this estimator is not without bias: it has none where all machines are equal, and else
+# its bias is downward. Double Q-learning asks for such a second opinion in each update. The exact sum needs no simulation here either
+# (`expected_choice`).
 # </details>
 
 # %% [markdown]
@@ -291,20 +288,38 @@ paying = {method: methods.walks(method, methods.LONG, repetitions=50, **methods.
 display(figures.incomes(paying, methods.best_income()))
 income = {method: one.income().mean() for method, one in paying.items()}
 for method, earned in income.items():
-    print(f"{method:25} earns {earned:.2f}")
+    early = paying[method].income(slice(0, 300)).mean()
+    print(f"{method:25} earns {early:.2f} in episodes 1 to 300, {earned:.2f} in 301 to 600")
 still = methods.walks(learners[-1], methods.LONG, repetitions=20, noise=0.0, **methods.PAYING).income().mean()
 print(f"without noise {learners[-1]} earns {still:.2f}; the best ε-greedy policy {methods.best_income():.2f}")
+for actions, epsilon in (("its own", methods.EPSILON), ("random", 1.0)):
+    eight = methods.values(learners[-1], methods.LONG, epsilon=epsilon, **methods.PAYING)
+    goes_in, too_low = methods.goes_in(eight).mean(), (eight[:, CASINO, 2] < 0).mean()
+    print(f"N = 8, actions {actions}: {goes_in:.0%} of the runs prefer to go in; {too_low:.0%} put the machine below 0")
 least = min(income, key=income.get)
 poorest.measured(least if income[least] < max(income.values()) - 0.05 else poorest.options[-1])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Maxmin Q-learning, N = 8, by far: it earns 0.03, where Q-learning earns 0.76. Double Q-learning and maxmin Q-learning with two tables need longer to find the machine.
-# The smallest of eight noisy values is often below 0 even for a machine that wins, so the agent stays outside. Without noise it earns as much as the others. And whoever stays
-# outside gets few tries that could correct the value: if its actions are random instead, 75 % of the runs learn in 600 episodes that going in is best, and else hardly any. So pessimism is
+# **Measured.** Maxmin Q-learning, N = 8, by far: it earns 0.03, where Q-learning earns 0.76. Double Q-learning and maxmin Q-learning with two tables earn less than Q-learning in the first 300 episodes.
+# The smallest of eight noisy values is below 0 in 83 % of the runs, even for the machine that wins, and the agent stays outside. Without noise it earns as much as the others. And whoever stays
+# outside gets few tries that could correct the value: if its actions are random instead, 74 % of the runs learn in 600 episodes that going in is best, and else hardly any. So pessimism is
 # not free. Who thinks too much of a place goes there, and sees. Who thinks too little of it stays away.
 # </details>
+
+# %% [markdown]
+# How much of the bias do more tables take away? Here is the largest estimate on average in the casino that does *not* pay, after $n$ tries for each table, exactly:
+
+# %%
+print("tries   " + "".join(f"N = {n_tables:<6}" for n_tables in (1, 2, 4, 8)))
+for n_tries in (1, 5, 20, 100):
+    promised = [expected_maximum(machines, n_tries, n_tables=n_tables) for n_tables in (1, 2, 4, 8)]
+    print(f"{n_tries:5}   " + "".join(f"{value:<10.2f}" for value in promised))
+
+# %% [markdown]
+# The truth is −0.10 everywhere. One table promises too much, and eight promise too little. With four the bias is nearly gone, *for ten equal machines*: for other numbers of
+# machines, other numbers of tables would be right.
 
 # %% [markdown]
 # ## Exercises
@@ -415,7 +430,8 @@ check(exercise_3, maxmin_target, seed=1, quiet=True)
 # The check runs it in casinos whose states and actions have other numbers each time. Where no machine pays, it must go in about as seldom as ours;
 # where one pays, its policy must play that one.
 # <details><summary>A plan</summary>Reset. In each step: choose the action, step, throw the coin, change one table by exercise 2, and go on from the next state, or
-# from a new reset if the episode is over.</details>
+# from a new reset if <code>terminated</code> or <code>truncated</code> is True. (Only <code>terminated</code> means that nothing follows: the target of a step that is
+# merely truncated has its future.)</details>
 
 # %% tags=["project"]
 my_program = ...  # your program
@@ -457,7 +473,7 @@ check(project_17, my_program)
 #
 # - Ten machines that lose 0.1 each promise 0.56 after five tries of each: the largest of several estimates is too high, though each one is right on average.
 # - The bias is a finite sum, and simulation agrees with it. It grows with the number of machines, and gets smaller with the number of tries.
-# - Q-learning went in in 71 % of episodes 31 to 100, expected SARSA in 46 %, double Q-learning in 9 %. Without noise, or with one machine, Q-learning did in 9 %.
+# - Q-learning entered the casino in 71 % of episodes 31 to 100, expected SARSA in 46 %, double Q-learning in 9 %. Without noise, or with one machine, Q-learning did so in 9 %.
 # - A second opinion has no bias where all actions are equal. Where they differ its bias is downward: −0.04 where the truth was 0.2.
 # - Maxmin Q-learning sets the balance by its number of tables. With eight it stayed outside a casino that pays.
 #
@@ -465,7 +481,7 @@ check(project_17, my_program)
 # *Learn it by heart, or better, say it in your own words.* Q-learning takes the largest of its estimates for the value of a state. The largest one is
 # mostly one that was lucky, so the value is too high, the more so the more actions there are and the less each was tried. If one set of experiences chooses the
 # action and another one says what it is worth, the luck of the choice does not count; but the choice may be wrong, and then the value is
-# too low. Every remedy moves the bias, and none is free.
+# too low. Both remedies of this lesson move the bias, and both had a price where a machine paid.
 #
 # ### Limits
 # A table and an episode of two steps show the bias itself. In longer tasks it is carried back from state to state, and

@@ -4,8 +4,9 @@ Agents learn for 300 episodes in Casino (10 machines, each loses 0.1 on average,
 rate 0.1, ε = 0.1, discount 1, first values 0): Q-learning, expected SARSA, double Q-learning and maxmin Q-learning with
 2 and with 8 tables. What counts is the share of episodes 31 to 100 that lead into the casino. Beside the lesson's
 setting there are a learning rate of 0.3, and 20 machines; the cause is removed by taking away the
-noise, and by leaving one machine. In casinos that pay (3 machines, the last of which wins 0.9; 2 machines; a smaller
-advantage) agents learn for 600 episodes, and the returns of the last 300 count. 100 repetitions. Sample means of 1, 5
+noise, and by leaving one machine. After 60 episodes it is noted what Q-learners think of the machines. In casinos that
+pay (3 machines, the last of which wins 0.9; 2 machines; a smaller advantage) agents learn for 600 episodes, and the
+returns of the first and of the last 300 count, and what 8 tables say in the end. 100 repetitions. Sample means of 1, 5
 and 20 tries are compared with exact sums; 1000 repetitions.
 """
 
@@ -14,6 +15,7 @@ from types import MappingProxyType
 from typing import Any
 
 from edugym.adapters.registration import make_mdp
+from edugym.envs.casino import CASINO
 from edugym.exact.maximisation import expected_choice, expected_maximum
 from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.experiments.results.statistics import mean_interval, paired_difference
@@ -34,8 +36,9 @@ from edugym_course.lessons.maximisation_bias.methods import (
     Tried,
     Walks,
     best_income,
-    convinced,
+    goes_in,
     tried,
+    values,
     walks,
 )
 from edugym_course.report import Report
@@ -66,6 +69,11 @@ SAMPLED: Mapping[str, dict[str, Any]] = MappingProxyType(
         "5 tries for each of 2 tables": {"n_tries": 5, "n_tables": 2},
     }
 )
+CASINOS: Mapping[str, Settings] = MappingProxyType(
+    {"in the lesson's casino": {}, "with more noise": {"noise": 2.0}, "with 20 machines": {"n_machines": 20}}
+)
+SOON = 60
+"""After so many episodes it is noted what Q-learners think of the machines."""
 DIFFERENT: Settings = MappingProxyType({"n_tries": 5, "advantage": 0.3})
 """A casino whose last machine wins 0.2 on average."""
 
@@ -96,16 +104,20 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     sampled = {name: tried(**case, **many) for name, case in SAMPLED.items()}
     lines = {f"{k} machines": [tried(n, n_machines=k, **many) for n in TRIES] for k in (10, 2)}
     beliefs = {
-        name: (convinced(EPSILON, **settings, **shared), convinced(1.0, **settings, **shared))
+        name: tuple(
+            values(EIGHT, LONG, epsilon=epsilon, **{**PAYING, **settings}, **shared) for epsilon in (EPSILON, 1.0)
+        )
         for name, settings in PAYING_SETTINGS.items()
     }
-    return found, paying, beliefs, sampled, lines, tried(**DIFFERENT, **many)
+    hopeful = {name: values(Q_LEARNING, SOON, **settings, **shared) for name, settings in CASINOS.items()}
+    return found, paying, beliefs, hopeful, sampled, lines, tried(**DIFFERENT, **many)
 
 
 def judge(
     found: Mapping[str, tuple[Mapping[str, Walks], Walks, Walks]],
     paying: Mapping[str, tuple[Mapping[str, Walks], Mapping[str, Walks]]],
     beliefs: Mapping[str, tuple[Reals, Reals]],
+    hopeful: Mapping[str, Reals],
     sampled: Mapping[str, Tried],
     lines: Mapping[str, list[Tried]],
     different: Tried,
@@ -114,6 +126,8 @@ def judge(
     claims = [claim for name, one in found.items() for claim in visiting_claims(name, *one)]
     claims += [claim for name, one in paying.items() for claim in paying_claims(name, *one)]
     claims += [claim for name, one in beliefs.items() for claim in belief_claims(name, *one)]
+    claims += [claim for name, one in hopeful.items() for claim in hope_claims(name, one)]
+    claims += [found_out(found["in the lesson's casino"][0][Q_LEARNING])]
     claims += [*sampling_claims(sampled), *second_opinions(sampled["5 tries of each of 10 machines"], different)]
     figure = found["in the lesson's casino"][0]
     cost = paying["where one of 3 machines pays"][0]
@@ -181,6 +195,7 @@ def visiting_claims(name: str, methods: Mapping[str, Walks], still: Walks, one: 
     ]
 
 
+EARLY = slice(0, 300)
 INCOME = "mean return of episodes 301 to 600"
 
 
@@ -213,6 +228,15 @@ def paying_claims(name: str, methods: Mapping[str, Walks], still: Mapping[str, W
             paired_difference(quietly[EIGHT], quietly[Q_LEARNING]),
             Within(-0.1, 0.05),
         ),
+        *(
+            Claim(
+                f"{method[0].upper()}{method[1:]}, {name}, earns less than Q-learning at first",
+                "mean return of episodes 1 to 300, less that of Q-learning",
+                paired_difference(methods[method].income(EARLY), methods[Q_LEARNING].income(EARLY)),
+                Below(-0.02),
+            )
+            for method in (DOUBLE, TWO)
+        ),
         Claim(
             f"Maxmin Q-learning with 2 tables, {name}, earns more than with 8",
             f"{INCOME}, less that with 8 tables",
@@ -227,9 +251,10 @@ def sent(name: str) -> str:
     return f"Where its actions are random, {name}, maxmin Q-learning with 8 tables learns more often to go in"
 
 
-def belief_claims(name: str, at_will: Reals, at_random: Reals) -> list[Claim]:
-    """Return the claims on what those learn who stay outside, and those who are sent in."""
+def belief_claims(name: str, of_their_own: Reals, sent_in: Reals) -> list[Claim]:
+    """Return the claims on what those learn who stay outside, and those who are sent in, from their action values."""
     share = "share of runs in which going in has the highest value after 600 episodes"
+    at_will, at_random = goes_in(of_their_own), goes_in(sent_in)
     return [
         Claim(
             f"Maxmin Q-learning with 8 tables, {name}, mostly does not learn to go in",
@@ -245,7 +270,42 @@ def belief_claims(name: str, at_will: Reals, at_random: Reals) -> list[Claim]:
             paired_difference(at_random, at_will),
             Above(0.25),
         ),
+        Claim(
+            f"The smallest of 8 values of the machine that wins, {name}, is often below 0",
+            "share of runs, after 600 episodes",
+            mean_interval((of_their_own[:, CASINO, -1] < 0).astype(float)),
+            Above(0.4),
+        ),
     ]
+
+
+def hope_claims(name: str, Q: Reals) -> list[Claim]:
+    """Return the claims on what Q-learners think of machines that all lose, from their action values."""
+    inside = Q[:, CASINO]
+    return [
+        Claim(
+            f"To Q-learners, {name}, the best machine seems to win",
+            f"largest of its values in the casino, after {SOON} episodes",
+            mean_interval(inside.max(axis=1)),
+            Above(0.03),
+        ),
+        Claim(
+            f"To Q-learners, {name}, an average machine does not",
+            f"mean of its values in the casino, after {SOON} episodes",
+            mean_interval(inside.mean(axis=1)),
+            Below(0.0),
+        ),
+    ]
+
+
+def found_out(walked: Walks) -> Claim:
+    """Return the claim on what Q-learning does late in the lesson's casino."""
+    return Claim(
+        "Q-learning, in the lesson's casino, seldom goes in later",
+        "share of episodes 201 to 300 in the casino",
+        mean_interval(walked.share(slice(200, 300))),
+        Below(0.12),
+    )
 
 
 def sampling_claims(sampled: Mapping[str, Tried]) -> list[Claim]:

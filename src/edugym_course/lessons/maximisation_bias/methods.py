@@ -66,10 +66,16 @@ class Walks(NamedTuple):
         return income
 
 
-def agent_of(method: str, mdp: Any, learning_rate: float = LEARNING_RATE, n_tables: int | None = None) -> Any:
+def agent_of(
+    method: str,
+    mdp: Any,
+    learning_rate: float = LEARNING_RATE,
+    n_tables: int | None = None,
+    epsilon: float = EPSILON,
+) -> Any:
     """Return a new agent with the settings of the lesson; with `n_tables`, maxmin Q-learning with so many."""
     make = METHODS[method] if n_tables is None else partial(MaxminQLearning.create, n_tables=n_tables)
-    return make(mdp, learning_rate=learning_rate, discount=DISCOUNT, exploration=EpsilonGreedy(EPSILON))
+    return make(mdp, learning_rate=learning_rate, discount=DISCOUNT, exploration=EpsilonGreedy(epsilon))
 
 
 def walk(mdp: Any, agent: Any, n_episodes: int, seed: int) -> tuple[Reals, Reals]:
@@ -121,23 +127,31 @@ def walks(
     return Walks(*np.array(runs).reshape(-1, 2, n_episodes).swapaxes(0, 1))
 
 
-def convinced(
-    epsilon: float,
+def values(
+    method: str,
+    n_episodes: int,
     *,
-    method: str = EIGHT,
+    epsilon: float = EPSILON,
     repetitions: int = REPETITIONS,
     seed: int = 0,
     stop: threading.Event | None = None,
     **casino: Any,
 ) -> Reals:
-    """Whether agents that took random actions in a share ε of their steps think it best to go in, 1 or 0, by run."""
-    mdp = make_mdp("Casino", **{**PAYING, **casino})
+    """The action values of agents after some episodes, shape (runs, 3, n_actions); for the arguments see `walks`."""
+    mdp = make_mdp("Casino", **casino)
     found = []
     for number in seeds(seed, repetitions, stop):
-        agent = METHODS[method](mdp, learning_rate=LEARNING_RATE, discount=DISCOUNT, exploration=EpsilonGreedy(epsilon))
-        walk(mdp, agent, LONG, number)
-        found.append(float(agent.Q[STREET, IN] > np.delete(agent.Q[STREET], IN).max()))
-    return np.array(found)
+        agent = agent_of(method, mdp, epsilon=epsilon)
+        walk(mdp, agent, n_episodes, number)
+        found.append(agent.Q)
+    return np.array(found).reshape(-1, 3, int(mdp.action_space.n))
+
+
+def goes_in(Q: Reals) -> Reals:
+    """Whether going in has the highest value, 1 or 0, by run; Q has the shape (runs, 3, n_actions)."""
+    street = Q[:, STREET]
+    best: Reals = (street[:, IN] > np.delete(street, IN, axis=1).max(axis=1)).astype(float)
+    return best
 
 
 def best_income() -> float:

@@ -11,7 +11,7 @@ def largest_promise(n_machines, n_tries, win, lose):
 # + at_most = np.cumsum(p) ** n_tries
 
 # %% the smallest
-# says: that is what the *smallest* of the means is on average
+# says: that is what the *smallest* of the means is on average (or is x_w the mean with w losses?)
 # in: with differences of F to the power of k
 # - at_most = np.cumsum(p) ** n_machines
 # + at_most = 1 - (1 - np.cumsum(p)) ** n_machines
@@ -58,6 +58,91 @@ def largest_promise(n_machines, n_tries, win, lose):
 # in: with differences of F to the power of k
 # - return (x * np.diff(at_most, prepend=0)).sum()
 # + return n_machines * (x * np.diff(at_most, prepend=0)).sum()
+
+
+# %% before is not raised
+# says: F(x)^k less F of the value before, which is not raised: take off its power too
+# in: the solution of largest_promise
+# - before = F**n_machines
+# + before = F
+
+# %% F is p
+# says: F(x) is the probability of *at most* x: add up the probabilities of all values so far
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F = comb(n_tries, wins) * 0.5**n_tries
+
+# %% the difference backwards
+# says: the sign is wrong: F(x)^k less what it was for the value before, and not the other way round
+# in: the solution of largest_promise
+# - promise += mean * (F**n_machines - before)
+# + promise += mean * (before - F**n_machines)
+
+# %% by the machines
+# says: the payoffs are divided by the number of machines; the mean of one machine is over its n tries
+# in: the solution of largest_promise
+# - mean = (wins * win + (n_tries - wins) * lose) / n_tries
+# + mean = (wins * win + (n_tries - wins) * lose) / n_machines
+
+# %% a loss subtracted
+# says: a loss is subtracted, but `lose` has its sign already
+# in: the solution of largest_promise
+# - mean = (wins * win + (n_tries - wins) * lose) / n_tries
+# + mean = (wins * win - (n_tries - wins) * lose) / n_tries
+
+# %% only what is won
+# says: what the lost tries pay is left out
+# in: the solution of largest_promise
+# - mean = (wins * win + (n_tries - wins) * lose) / n_tries
+# + mean = wins * win / n_tries
+
+# %% one order
+# says: comb(n, w) is left out: w wins come in so many orders
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F += 0.5**n_tries
+
+# %% no probability
+# says: comb(n, w) alone is no probability: multiply it by that of one order, 0.5^n
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F += comb(n_tries, wins)
+
+# %% all equally likely
+# says: the n + 1 values are not equally likely: w wins have the probability comb(n, w) 0.5^n
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F += 1 / (n_tries + 1)
+
+# %% to the power of the wins
+# says: one order of n tries has the probability 0.5^n, and not 0.5 to the power of its wins
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F += comb(n_tries, wins) * 0.5**wins
+
+# %% among the machines
+# says: the wins are counted among the machines; they are those of one machine, which has n tries
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F += comb(n_machines, wins) * 0.5**n_machines
+
+# %% return in the loop
+# says: only the first term counts, the value without a win: does `return` stand inside the loop?
+# in: the solution of largest_promise
+# - before = F**n_machines
+# + return promise
+
+# %% nothing added up
+# says: only the last term counts, the value with n wins: is `=` written for `+=`?
+# in: the solution of largest_promise
+# - promise += mean * (F**n_machines - before)
+# + promise = mean * (F**n_machines - before)
+
+
+# %% the best payoff
+# says: that is the larger payoff itself; it is the mean only if all tries of a machine are wins
+def largest_promise(n_machines, n_tries, win, lose):
+    return win
 
 
 # %% no return

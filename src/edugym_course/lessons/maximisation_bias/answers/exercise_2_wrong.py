@@ -91,8 +91,132 @@ def double_update(Q1, Q2, first, state, action, reward, next_state, terminated, 
 # - own[state, action] += learning_rate * (target - own[state, action])
 # + own[state, action] += learning_rate * target
 
+# %% wrong way round
+# says: `terminated` is taken the wrong way round: what follows counts where it is *False*
+# in: the solution of double_update
+# - if not terminated:
+# + if terminated:
+
+# %% no reward at the end
+# says: the reward of the step that ends an episode is lost: where `terminated` is True the target is the reward
+# in: the solution of double_update
+# - target = reward
+# + target = 0 if terminated else reward
+
+# %% the end changes nothing
+# says: the step that ends an episode changes nothing; it has a target, too: the reward alone
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[state, action] += (not terminated) * learning_rate * (target - own[state, action])
+
+# %% all discounted
+# says: the reward is discounted, too; only what follows is
+# in: the solution of double_update
+# - target = reward
+# + target = reward if terminated else discount * reward
+
+# %% discounted twice
+# says: the target is discounted once more; only what follows is discounted, and once
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + target *= 1 if terminated else discount
+# + own[state, action] += learning_rate * (target - own[state, action])
+
+# %% only what follows
+# says: the reward is left out where something follows
+# in: the solution of double_update
+# - target = reward
+# + target = reward if terminated else 0
+
+# %% subtracted
+# says: what follows is subtracted; it is added to the reward
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target -= discount * other[next_state, own[next_state].argmax()]
+
+# %% both choose
+# says: the action is the best one by both tables together; the table that learns chooses it alone
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[next_state, (own + other)[next_state].argmax()]
+
+# %% chosen too early
+# says: the action is the best one of `state`; it is chosen in `next_state`
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[next_state, own[state].argmax()]
+
+# %% asked too early
+# says: the other table is asked about `state`; what counts is the value in `next_state`
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[state, own[next_state].argmax()]
+
+# %% the action taken
+# says: the other table is asked about the action that was taken; it is asked about the best one in `next_state`
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[next_state, action]
+
+# %% a number of an action
+# says: argmax is the *number* of the best action; the other table says what it is worth
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * own[next_state].argmax()
+
+# %% the worst
+# says: the action with the *smallest* value is chosen
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[next_state, own[next_state].argmin()]
+
+# %% the mean of the row
+# says: that is the mean of the other table's values; it is asked about one action only
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[next_state].mean()
+
+# %% the next state learns
+# says: the value of `next_state` is changed; what is learned is the value of `state`
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[next_state, action] += learning_rate * (target - own[next_state, action])
+
+# %% a whole row
+# says: the values of *all* actions of `state` are changed; learn about the action that was taken
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[state] += learning_rate * (target - own[state])
+
+# %% away from it
+# says: the value moves *away* from the target: the error is the target less the old value
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[state, action] += learning_rate * (own[state, action] - target)
+
+# %% swapped rates
+# says: the learning rate and the discount are swapped
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += learning_rate * other[next_state, own[next_state].argmax()]
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[state, action] += discount * (target - own[state, action])
+
+
+# %% two halves that differ
+# says: it is right where `first` is True, and wrong where it is False: both halves are the same, but for the names of
+#   the tables
+def double_update(Q1, Q2, first, state, action, reward, next_state, terminated, learning_rate, discount):
+    if first:
+        target = reward if terminated else reward + discount * Q2[next_state, Q1[next_state].argmax()]
+        Q1[state, action] += learning_rate * (target - Q1[state, action])
+    else:
+        target = reward if terminated else reward + discount * Q1[next_state, Q2[next_state].argmax()]
+        Q2[state, action] = Q1[state, action] + learning_rate * (target - Q1[state, action])
+
+
 # %% copies
-# says: are what they were before: change an entry in place, as in Q1[state, action] += ..., and return nothing
+# says: leaves the tables as they were before: change an entry in place, as in Q1[state, action] += ..., and return nothing
 # in: the solution of double_update
 # - own, other = (Q1, Q2) if first else (Q2, Q1)
 # + own, other = (Q1.copy(), Q2.copy()) if first else (Q2.copy(), Q1.copy())

@@ -64,6 +64,91 @@ def maxmin_target(tables, reward, next_state, terminated, discount):
 # - return reward + discount * tables[:, next_state].min(axis=0).max()
 # + return reward + tables[:, next_state].min(axis=0).max()
 
+# %% wrong way round
+# says: `terminated` is taken the wrong way round: what follows counts where it is *False*
+# in: the solution of maxmin_target
+# - if terminated:
+# + if not terminated:
+
+# %% no reward at the end
+# says: the reward of the step that ends an episode is lost: where `terminated` is True the target is the reward
+# in: the solution of maxmin_target
+# - return reward
+# + return 0
+
+# %% all discounted
+# says: the reward is discounted, too; only what follows is
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return discount * (reward + tables[:, next_state].min(axis=0).max())
+
+# %% only what follows
+# says: the reward is left out where something follows
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return discount * tables[:, next_state].min(axis=0).max()
+
+# %% subtracted
+# says: what follows is subtracted; it is added to the reward
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward - discount * tables[:, next_state].min(axis=0).max()
+
+# %% two tables
+# says: only the first two tables count; there may be more
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * np.minimum(tables[0, next_state], tables[1, next_state]).max()
+
+# %% the last index
+# says: `next_state` is the last index; the shape is (tables, states, actions)
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, :, next_state].min(axis=0).max()
+
+# %% the number of an action
+# says: argmax is the *number* of an action; the target needs its value
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, next_state].min(axis=0).argmax()
+
+# %% the number of a table
+# says: argmin is the *number* of a table; take its value
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, next_state].argmin(axis=0).max()
+
+# %% the sum
+# says: the smallest values of the actions are added up; take the largest of them
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, next_state].min(axis=0).sum()
+
+# %% the mean of the smallest
+# says: the smallest values of the actions are averaged; take the largest of them
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, next_state].min(axis=0).mean()
+
+# %% the first action
+# says: only the first action counts: does `return` stand inside a loop?
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + for action in range(tables.shape[2]):
+# +     return reward + discount * tables[:, next_state, action].min()
+
+# %% from 0
+# says: the search for the largest value begins at 0, and here all may be below: begin at −infinity
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * max(0, *tables[:, next_state].min(axis=0))
+
+# %% at most 0
+# says: the search for the smallest value begins at 0, and here all may be above: begin at infinity
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * np.minimum(0, tables[:, next_state].min(axis=0)).max()
+
 # %% one value an action
 # says: maxmin_target(
 # in: the solution of maxmin_target

@@ -1,0 +1,111 @@
+"""Exercise 1 of lesson 17: what the largest mean promises, and what the usual mistakes make of it."""
+
+from collections.abc import Mapping
+from math import comb
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Machines(NamedTuple):
+    """A casino for exercise 1: k machines, of which each was tried n times, and what a try may pay."""
+
+    k: int
+    n: int
+    win: float
+    lose: float
+
+
+def promised(
+    case: Machines,
+    *,
+    likely: str = "binomial",
+    power: str = "k",
+    over: str = "differences",
+    kept: str = "all",
+    pays: str = "mean",
+    times: str = "one",
+    chance: float = 0.5,
+) -> float:
+    """Return what the largest mean is on average; other arguments than the defaults are mistakes."""
+    k, n, win, lose = case
+    w, orders = np.arange(n + 1), np.array([comb(n, wins) for wins in range(n + 1)])
+    p = {
+        "binomial": orders * chance**w * (1 - chance) ** (n - w),
+        "one order": chance**w * (1 - chance) ** (n - w),
+        "orders": 1.0 * orders,
+        "equally": np.full(n + 1, 1 / (n + 1)),
+        "wins only": orders * chance**w,
+        "of machines": np.array([comb(k, wins) * chance**wins * (1 - chance) ** (k - wins) for wins in range(n + 1)]),
+    }[likely]
+    means = {
+        "mean": (w * win + (n - w) * lose) / n,
+        "sum": w * win + (n - w) * lose,
+        "of machines": (w * win + (n - w) * lose) / k,
+        "minus": (w * win - (n - w) * lose) / n,
+        "wins": w * win / n,
+        "win": np.full(n + 1, win),
+    }[pays]
+    at_most = np.cumsum(p)
+    one = at_most
+    at_most = 1 - (1 - at_most) ** k if power == "smallest" else at_most ** {"k": k, "one": 1, "n": n}[power]
+    weights = {
+        "differences": np.diff(at_most, prepend=0.0),
+        "half raised": at_most - np.append(0.0, one[:-1]),
+        "not added up": np.diff(p**k, prepend=0.0),
+        "backwards": -np.diff(at_most, prepend=0.0),
+        "at most": at_most,
+        "of one": p**k,
+        "times k": k * p,
+    }[over]
+    terms = {
+        "all": slice(None),
+        "no first": slice(1, None),
+        "no last": slice(-1),
+        "first": slice(1),
+        "last": slice(-1, None),
+    }[kept]
+    return float(means[terms] @ weights[terms]) * (k if times == "k" else 1)
+
+
+PROMISE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "that is the mean of one machine; the largest of several is larger: F(x) to the power of the number of machines": {
+        "power": "one"
+    },
+    "F is raised to the power of the number of tries; raise it to that of the machines": {"power": "n"},
+    "that is what the *smallest* of the means is on average (or is x_w the mean with w losses?)": {"power": "smallest"},
+    "each value is weighed by F(x)^k, the probability that the largest mean is *at most* x; take off what it was for"
+    " the value before": {"over": "at most"},
+    "each value is weighed by p(x)^k, the probability that *all* machines have this mean": {"over": "of one"},
+    "each value is weighed by k p(x), as if only one machine could be lucky at a time": {"over": "times k"},
+    "F(x)^k less F of the value before, which is not raised: take off its power too": {"over": "half raised"},
+    "F(x) is the probability of *at most* x: add up the probabilities of all values so far": {"over": "not added up"},
+    "the sign is wrong: F(x)^k less what it was for the value before, and not the other way round": {
+        "over": "backwards"
+    },
+    "the payoffs are added up; a mean is divided by the number of tries": {"pays": "sum"},
+    "the payoffs are divided by the number of machines; the mean of one machine is over its n tries": {
+        "pays": "of machines"
+    },
+    "a loss is subtracted, but `lose` has its sign already": {"pays": "minus"},
+    "what the lost tries pay is left out": {"pays": "wins"},
+    "that is the larger payoff itself; it is the mean only if all tries of a machine are wins": {"pays": "win"},
+    "comb(n, w) is left out: w wins come in so many orders": {"likely": "one order"},
+    "comb(n, w) alone is no probability: multiply it by that of one order, 0.5^n": {"likely": "orders"},
+    "the n + 1 values are not equally likely: w wins have the probability comb(n, w) 0.5^n": {"likely": "equally"},
+    "one order of n tries has the probability 0.5^n, and not 0.5 to the power of its wins": {"likely": "wins only"},
+    "the wins are counted among the machines; they are those of one machine, which has n tries": {
+        "likely": "of machines"
+    },
+    "the value with n wins is left out: there are n + 1 values, from 0 wins to n": {"kept": "no last"},
+    "the value without a win is left out: there are n + 1 values, from 0 wins to n": {"kept": "no first"},
+    "only the first term counts, the value without a win: does `return` stand inside the loop?": {"kept": "first"},
+    "only the last term counts, the value with n wins: is `=` written for `+=`?": {"kept": "last"},
+    "the sum is multiplied by the number of machines; only one of them has the largest mean": {"times": "k"},
+}
+
+
+def casinos(rng: np.random.Generator) -> list[Machines]:
+    """Make up casinos: one with one try, one with one machine, and larger ones."""
+    sizes = ((2, 1), (1, 3), (3, 2), (2, 4), (5, 3))
+    return [Machines(k, n, float(rng.integers(1, 6)), -float(rng.integers(1, 6))) for k, n in sizes]
