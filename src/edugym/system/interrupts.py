@@ -124,7 +124,7 @@ class SignalGuard:
         _current.guard = self
         if threading.current_thread() is threading.main_thread():
             self._deferring = True  # until all are in place
-            for number in signal.valid_signals():
+            for number in _SIGNALS:
                 handler = signal.getsignal(number)
                 if callable(handler):
                     self._handlers[number] = handler
@@ -232,6 +232,7 @@ class SignalGuard:
             _press_ctrl_c()
 
 
+_SIGNALS = tuple(signal.valid_signals())  # to ask for them takes as long as the rest of a guard
 _current = threading.local()  # its `guard` is the innermost guard of a thread
 _in_threads: dict[SignalGuard, int] = {}  # the guards of other threads than the main one, and the numbers of these
 _ending = threading.Lock()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from edugym.training.train import train
-from tests.course.lessons.answers import Answer, Exercise, read_answers, read_exercises, verdict
+from tests.course.lessons.answers import TRAINING, Answer, Exercise, read_answers, read_exercises, verdict
 
 WITHOUT_A_GENERATOR = {
     *("06_signal-3", "09_model_based-1", "12_objectives-3", "13_several_agents-1", "13_several_agents-2"),
@@ -22,7 +22,7 @@ DRAWN = {
 """Every exercise whose answer is a function or a class, and what runs before it."""
 
 
-@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in TRAINING)) for name in DRAWN])
 def test_solutions_are_right_with_other_seeds(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Cases in which all mistakes differ are found with each of them."""
     monkeypatch.setattr("edugym.experiments.repeat.train", train)

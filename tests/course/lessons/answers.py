@@ -18,7 +18,10 @@ from edugym_course.grading import WrongAnswer
 
 NAME = re.compile(r"(exercise_(?P<exercise>\d+)|project)_(?P<verdict>right|wrong)")
 SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
+SLOW = re.compile(r"^# slow\n", flags=re.MULTILINE)
 SOLUTION = "the solution of "
+TRAINING = {"15_profiles-2"}
+"""The exercises whose check trains agents, which takes a second or more."""
 EDIT = re.compile(r"((?:^# - .+\n)+)((?:^# \+ .+\n)*)", flags=re.MULTILINE)
 
 
@@ -31,6 +34,7 @@ class Answer(NamedTuple):
     name: str
     says: tuple[str, ...]  # what the message must contain; if the answer is right, the line that is printed
     code: str  # what stands in the cell, or methods that replace those of the solution
+    slow: bool = False  # whether only the slow tests try it
 
 
 class Exercise(NamedTuple):
@@ -56,7 +60,7 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
             name, _, body = part.partition("\n")
             says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
             assert right or says, f"{path}: {name!r}: a wrong answer has a line '# says: ...'"
-            code = SAYS.sub("", body).strip() + "\n"
+            code = SLOW.sub("", SAYS.sub("", body)).strip() + "\n"
             if code.startswith("# in: "):
                 of, _, edits = code.removeprefix("# in: ").partition("\n")
                 if of.startswith(SOLUTION):
@@ -66,7 +70,7 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
                     programs = {answer.name: answer.code for answer in answers if answer[1:3] == (exercise, True)}
                 assert of in programs, f"{path}: {name!r}: no right answer to this exercise is called {of!r}"
                 code = _edited(programs[of], edits, f"{path}: {name!r}")
-            answers.append(Answer(lesson, exercise, right, name, says, code))
+            answers.append(Answer(lesson, exercise, right, name, says, code, bool(SLOW.search(body))))
     return setup, answers
 
 

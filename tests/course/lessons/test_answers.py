@@ -99,7 +99,17 @@ def hints_of(lesson: str) -> dict[str, bool]:
     return {hint: whole for path in paths for hint, whole in hints(path).items()}
 
 
-@pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: f"{answer.lesson}-{answer.exercise}-{answer.name}")
+@pytest.mark.parametrize(
+    "answer",
+    [
+        pytest.param(
+            answer,
+            marks=[pytest.mark.slow] * answer.slow,
+            id=f"{answer.lesson}-{answer.exercise}-{answer.name}",
+        )
+        for answer in ANSWERS
+    ],
+)
 def test_an_answer(answer: Answer, capsys: pytest.CaptureFixture[str]) -> None:
     """A right one passes, with one line; a wrong one is refused in one sentence that says which mistake it is."""
     said = verdict(answer, checked_by(answer), exercises_of(answer.lesson)[0])

@@ -33,6 +33,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a memory in arrays
+# slow
 import itertools
 
 

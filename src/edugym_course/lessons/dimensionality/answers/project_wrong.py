@@ -25,6 +25,7 @@
 # + W += 5.0 * delta * np.outer(g, x)
 
 # %% too slow
+# slow
 # says: in a riddle of six images, the policy of
 # says:  takes the right action in
 # says:  of the questions after
@@ -45,6 +46,7 @@
 # + V, c = np.zeros((k, 64)), np.zeros(k)
 
 # %% rewards only
+# slow
 # says: the right action brings nothing but a better next image: the target is R + γ max Q(S', a), and S' is the state of the next step
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
@@ -57,12 +59,14 @@
 # + y = R[i] + 0.9 * old.layers(S2[i])[2].max(axis=1)
 
 # %% a truncated end
+# slow
 # says: after the right action the episode is truncated: the clock was stopped, and the image that step gave (not that of reset) still has its value, so only `terminated` makes R alone the target
 # in: a memory in arrays
 # - S[t], A[t], R[t], S2[t], goes_on[t] = s.ravel(), a, r, s2.ravel(), not terminated
 # + S[t], A[t], R[t], S2[t], goes_on[t] = s.ravel(), a, r, s2.ravel(), not (terminated or truncated)
 
 # %% the image of reset
+# slow
 # says: after the right action the episode is truncated: the clock was stopped, and the image that step gave (not that of reset) still has its value, so only `terminated` makes R alone the target
 # in: a memory in arrays
 # - S[t], A[t], R[t], S2[t], goes_on[t] = s.ravel(), a, r, s2.ravel(), not terminated
@@ -74,12 +78,14 @@
 # -     s, _ = environment.reset()
 
 # %% the first state for ever
+# slow
 # says: while it learned, it caught
 # says:  in the end. A policy sees a new image at each step. Does the program, too, or is `state = next_state` missing?
 # in: a memory in arrays
 # - s = s2
 
 # %% all actions
+# slow
 # says: In this riddle,
 # says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken? Is each image stored with its own action and reward?
 # in: a memory in arrays
@@ -87,6 +93,7 @@
 # + d = (q - y[:, None]).clip(-1, 1)
 
 # %% a target that is never brought up to date
+# slow
 # says: the right action brings nothing but a better next image: the target is R + γ max Q(S', a), and S' is the state of the next step
 # in: a memory in arrays
 # - if t % 50 == 0:
@@ -152,6 +159,7 @@ def my_program(environment, n_steps, seed):
 # + back = (d @ self.W[1].T * (h > 0))[:, :-1]
 
 # %% rewards in whole numbers
+# slow
 # says: the right action brings 0.5, and another one 0: is the reward stored as it is? An array of whole numbers makes 0 of it
 # in: a memory in arrays
 # - A, R, goes_on = np.zeros(n_steps, int), np.zeros(n_steps), np.zeros(n_steps)

@@ -1,4 +1,5 @@
 # %% numbers for patterns
+# slow
 def my_program(environment, n_steps, seed):
     n = environment.action_space.n
     powers = 2 ** np.arange(n)
@@ -30,6 +31,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a class
+# slow
 from collections import defaultdict
 
 

@@ -66,6 +66,7 @@
 # + for s, a, s2 in episode[-1:]:
 
 # %% a list that grows
+# slow
 # says: the steps of earlier episodes are learned again too: empty the list at each reset
 # in: numbers for patterns
 # - episode = []

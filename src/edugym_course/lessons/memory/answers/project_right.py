@@ -1,4 +1,5 @@
 # %% tuples in a dictionary
+# slow
 def my_program(environment, n_steps, seed):
     n = environment.action_space.n
     Q, rng = {}, np.random.default_rng(seed)
@@ -27,6 +28,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% numbered rows, filled up
+# slow
 from collections import deque
 
 

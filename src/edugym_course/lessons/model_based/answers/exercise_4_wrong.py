@@ -1,4 +1,5 @@
 # %% more sampled updates
+# slow
 # says: it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said, however many
 #   updates it makes
 # says: Share of evaluation episodes that reach the goal, in the second half of training:

@@ -1,4 +1,5 @@
 # %% lists of lists
+# slow
 class Dyna:
     def __init__(self, n_states, n_actions, rng):
         self.values = [[0.0] * n_actions for _ in range(n_states)]

@@ -15,6 +15,7 @@ def switch(model):
 
 
 # %% by playing the run
+# slow
 def switch(model):
     def steps(epsilon):
         policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
@@ -28,6 +29,7 @@ def switch(model):
 
 
 # %% which of two policies is better
+# slow
 def switch(model):
     fast = value_iteration(model, epsilon=1e-6, horizon=50).greedy_policy()
     fastest = policy_evaluation(model, fast, horizon=50).start

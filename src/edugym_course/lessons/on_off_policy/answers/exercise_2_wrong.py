@@ -52,6 +52,7 @@ def switch(model):
 
 
 # %% in percent
+# slow
 # says: that is in percent
 def switch(model):
     fastest = value_iteration(model, horizon=50).start

@@ -1,4 +1,5 @@
 # %% one step behind
+# slow
 def my_program(env, n_steps, seed):
     rng = np.random.default_rng(seed)
     Q = {}

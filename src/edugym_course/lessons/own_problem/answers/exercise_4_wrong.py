@@ -110,6 +110,7 @@ my_problem = Plain()
 
 
 # %% a queue without end
+# slow
 # says: states: does a number in its state grow without end? Give it a largest value, for example by min(queue + 1, 10)
 # says: my_problem has more than
 class Queue(NamedTuple):

@@ -1,4 +1,5 @@
 # %% gradient steps and planning by counting
+# slow
 def my_program(environment, compare, n_comparisons, seed):
     rng = np.random.default_rng(seed)
     length, depths = (int(n) for n in environment.observation_space.nvec)

@@ -1,4 +1,5 @@
 # %% weights in an array
+# slow
 def my_program(environment, n_steps, seed):
     W, N, L = (
         environment.observation_space.nvec[1],
@@ -29,6 +30,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a dictionary, word by word
+# slow
 import random
 
 
