@@ -136,3 +136,12 @@ def test_along_the_cliff(kind: Any, n_steps: int, settings: dict[str, Any]) -> N
         agent = kind.create(env, discount=1.0, **rate, **settings)
         how: dict[str, Any] = {"evaluate_every": n_steps, "evaluation_episodes": 1, "max_steps": 200}
         assert eg.train(env, agent, n_steps, seed=seed, **how).returns[-1] == -13
+
+
+@pytest.mark.parametrize(("settings", "top"), [({}, 0.0), ({"discount": 0.9}, 1.0), ({"bonus": 0.01}, 1.0)])
+def test_a_large_bonus_outweighs_the_reward(settings: dict[str, float], top: float) -> None:
+    """At its defaults, count-based exploration does not end the climb; it does with less of the bonuses to come."""
+    for seed in range(5):
+        wall = eg.make_mdp("Boulder", height=8, layout_seed=seed)
+        run = eg.train(wall, eg.CountBased.create(wall, **settings), 20_000, seed=seed)
+        assert run.returns[-1] == top

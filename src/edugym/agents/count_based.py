@@ -20,6 +20,10 @@ class CountBased(NamedTuple):
     The bonus fades as a state becomes familiar. Q-learning carries it back along the way that leads there, so the
     agent is drawn to the edge of what it knows.
 
+    A large bonus outweighs the reward: an episode that goes on earns more bonuses than the end pays. On a wall of
+    height 8 in Boulder, the default settings end with a greedy policy that never reaches the top; with a discount of
+    0.9, or with a bonus of 0.01, it always does (20 000 steps, 5 seeds).
+
     Attributes:
         Q: shape (n_states, n_actions): the action values, of reward and bonus together.
         visits: shape (n_states,): N(s), how often each state was entered.
