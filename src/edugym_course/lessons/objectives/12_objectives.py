@@ -284,7 +284,8 @@ print(
     f"{share:.1%} of the dives take too long; on average {-bent[:, 1].mean():.2f} steps, value {bent[:, 0].mean():.2f}"
 )
 exact = methods.constrained(1.0)
-print("the exact best average:", {k: round(part, 3) for k, part in enumerate(exact.shares) if part}, exact.mean)
+shares = ", ".join(f"treasure {k} in {part:.1%}" for k, part in enumerate(exact.shares) if part)
+print(f"the exact best average: {shares} of the dives; {-exact.mean[1]:.2f} steps, value {exact.mean[0]:.2f}")
 dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 else "none")
 
 # %% [markdown]

@@ -60,7 +60,8 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?": (
         lambda values: _best_of(values, LIMIT + 2)
     ),
-    "that is always the treasure at the shore: does your program learn anything?": lambda values: 0,
+    "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the"
+    " value of a treasure come back to the states before it?": lambda values: 0,
     "that is always the deepest treasure within seven steps; a nearer one may be worth more": lambda values: 3,
     "that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?": (
         lambda values: int(np.where(STEPS_TO <= LIMIT, values, np.inf).argmin())

@@ -164,3 +164,110 @@ def pareto_optimal(points):
 def pareto_optimal(points):
     table = np.array(points)
     return [(table, table)]
+
+
+# %% the best of one
+# says: only the best ones in one objective are kept; between them lie compromises
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if p[0] == max(q[0] for q in points) or p[1] == max(q[1] for q in points):
+
+
+# %% for each time
+# says: only the best one for each time is kept; another one may be better in both
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if p[0] == max(q[0] for q in points if q[1] == p[1]):
+
+
+# %% value for a step
+# says: only the point with the most value for each step is kept; that is one more way to weigh
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if p[0] / p[1] == min(q[0] / q[1] for q in points):
+
+
+# %% the same time
+# says: of two points with the same time the one with the lower value stays; it must go
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] > p[1] for q in points):
+
+
+# %% the same value
+# says: of two points with the same value the one with more steps stays; it must go
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] > p[0] and q[1] >= p[1] for q in points):
+
+
+# %% all stay
+# says: no point has gone: is a point compared with others, and left out if one of them dominates it?
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if True:
+
+
+# %% all must dominate
+# says: a point goes only if *all* others dominate it; a single one is enough
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not all(q[0] >= p[0] and q[1] >= p[1] for q in points if q != p):
+
+
+# %% one of them
+# says: a point is compared with a single other one; compare each with all others
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in [q for q in points if q != p][:1]):
+
+
+# %% those before
+# says: a point is compared with those before it only; compare each with all others
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in kept):
+
+
+# %% those after
+# says: a point is compared with those after it only; compare each with all others
+def pareto_optimal(points):
+    return [
+        p
+        for i, p in enumerate(points)
+        if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points[i:])
+    ]
+
+
+# %% return in the loop
+# says: only the first point is looked at: does `return` stand inside the loop?
+def pareto_optimal(points):
+    kept = []
+    for p in points:
+        if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+            kept.append(p)
+        return kept
+
+
+# %% once for each
+# says: a point is appended once for each other one that does not dominate it; look at all of them first
+def pareto_optimal(points):
+    return [p for p in points for q in points if not (q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]))]
+
+
+# %% changed on the way
+# says: the list is changed while a loop goes through it, which skips points; make a new list
+def pareto_optimal(points):
+    kept = [*points]
+    for p in kept:
+        if any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in kept):
+            kept.remove(p)
+    return kept
+
+
+# %% a set
+# says: each point comes once, and not in the order of the list: keep the order, and points that are equal
+def pareto_optimal(points):
+    return sorted(
+        {p for p in points if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points)}
+    )

@@ -35,7 +35,7 @@
 
 
 # %% divided
-# says: the distances are divided by the weights, and not multiplied
+# says: the distances are divided by the weights, or each has the weight of the other objective
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = np.abs(utopian - Q[state]) / weights
@@ -110,11 +110,11 @@ def closest_action(Q, state, weights, utopian):
 # + return distances.max(axis=1).min()
 
 
-# %% the wrong axis
+# %% the values times the weights
 # says: that is none of the usual mistakes, so work out d(s, a) of two actions by hand
 # in: arrays
 # - return np.argmin(distances.max(axis=1))
-# + return np.argmin(distances.max(axis=0))
+# + return np.argmin(-(weights * Q[state]).max(axis=1))
 
 
 # %% of all
@@ -134,3 +134,50 @@ def closest_action(Q, state, weights, utopian):
 # %% a number
 # says: Q, state, weights and utopian
 closest_action = 3
+
+
+# %% added
+# says: z and Q are added; a distance is a difference
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.abs(utopian + Q[state])
+
+
+# %% only z
+# says: only z is weighted; weigh the distances
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = np.abs(weights * utopian - Q[state])
+
+
+# %% they cancel
+# says: the differences are added up, so that they cancel; take the size of each, and the largest
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * (utopian - Q[state])
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(np.abs(distances.sum(axis=1)))
+
+
+# %% weighted squares
+# says: squares are added up, each times its weight; only the largest distance counts
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * (utopian - Q[state]) ** 2
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.sum(axis=1))
+
+
+# %% the other axis
+# says: the largest distance is taken over the actions, with axis=0; it is that of each action, with axis=1
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.max(axis=0))
+
+
+# %% one number
+# says: that is always action 0: does each action have a distance of its own (axis=1)? Does a search begin at
+#   infinity, and does `return` stand below the loop?
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.max())

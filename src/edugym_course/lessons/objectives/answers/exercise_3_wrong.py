@@ -106,3 +106,66 @@
 # %% a number
 # says: price, steps, limit and rate
 new_price = 3.0
+
+
+# %% no parentheses
+# says: the rate multiplies the steps alone: put steps − limit in parentheses
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * steps - limit)
+
+
+# %% the rate before the price
+# says: the rate stands before the old price; it belongs to the excess
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, rate * price + steps - limit)
+
+
+# %% the rate of all
+# says: the rate multiplies the old price, too, and that counts in full
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, rate * (price + steps - limit))
+
+
+# %% divided
+# says: the excess is divided by the rate; multiply it
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + (steps - limit) / rate)
+
+
+# %% nothing below the limit
+# says: after a dive below the limit the price is 0; it should fall by the rate times what was left
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return 0.0 if steps < limit else price + rate * (steps - limit)
+
+
+# %% nothing within the limit
+# says: after a dive within the limit the price is 0; it should fall by the rate times what was left
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return price + rate * (steps - limit) if steps > limit else 0.0
+
+
+# %% the size of the price
+# says: the size of the new price is taken; where it would fall below 0 it is 0
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return abs(price + rate * (steps - limit))
+
+
+# %% a step more
+# says: the excess is a step too large: a dive of exactly the limit is not too long
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps - limit + 1))
+
+
+# %% a step less
+# says: the excess is a step too small: a dive is too long from limit + 1 on
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps - limit - 1))

@@ -29,7 +29,7 @@
 
 
 # %% the shore
-# says: that is always the treasure at the shore: does your program learn anything?
+# says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the value of a treasure come back to the states before it?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 0

@@ -1,0 +1,135 @@
+"""Exercises 2 and 3 of lesson 12: the closest action, the price of a step, and the usual mistakes in both."""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from edugym.mdp.protocol import Reals
+
+Choice = tuple[Reals, int, Reals, Reals]
+"""A table Q of shape (states, actions, 2), a state, weights and the utopian point."""
+
+
+def _distances(Q: Reals, s: int, w: Reals, z: Reals) -> Reals:
+    return np.asarray(w * np.abs(z - Q[s]))
+
+
+CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
+    "the action that is *farthest* is taken": lambda Q, s, w, z: -_distances(Q, s, w, z).max(axis=1),
+    "the distances of the objectives are added up; only the largest counts": lambda Q, s, w, z: _distances(
+        Q, s, w, z
+    ).sum(axis=1),
+    "the *smallest* distance of an action counts; it should be the largest of its objectives": (
+        lambda Q, s, w, z: _distances(Q, s, w, z).min(axis=1)
+    ),
+    "the weights are left out": lambda Q, s, w, z: np.abs(z - Q[s]).max(axis=1),
+    "the distances are divided by the weights, or each has the weight of the other objective": lambda Q, s, w, z: (
+        np.abs(z - Q[s]) / w
+    ).max(axis=1),
+    "the size is left out: a value beyond the utopian point is also at a distance": lambda Q, s, w, z: (
+        w * (z - Q[s])
+    ).max(axis=1),
+    "the sign is wrong, and the size is left out: that is Q − z": lambda Q, s, w, z: (w * (Q[s] - z)).max(axis=1),
+    "the values are weighted before they are taken from z; weigh the distances": lambda Q, s, w, z: np.abs(
+        z - w * Q[s]
+    ).max(axis=1),
+    "z and Q are added; a distance is a difference": lambda Q, s, w, z: (w * np.abs(z + Q[s])).max(axis=1),
+    "only z is weighted; weigh the distances": lambda Q, s, w, z: np.abs(w * z - Q[s]).max(axis=1),
+    "the differences are added up, so that they cancel; take the size of each, and the largest": lambda Q, s, w, z: (
+        np.abs((w * (z - Q[s])).sum(axis=1))
+    ),
+    "squares are added up, each times its weight; only the largest distance counts": lambda Q, s, w, z: (
+        w * (z - Q[s]) ** 2
+    ).sum(axis=1),
+    "the largest distance is taken over the actions, with axis=0; it is that of each action, with axis=1": (
+        lambda Q, s, w, z: _distances(Q, s, w, z).max(axis=0)
+    ),
+    "that is always action 0: does each action have a distance of its own (axis=1)? Does a search begin at infinity,"
+    " and does `return` stand below the loop?": lambda Q, s, w, z: np.zeros(1),
+    "the squares of the distances are added up, as in the Euclidean distance; only the largest counts": (
+        lambda Q, s, w, z: (_distances(Q, s, w, z) ** 2).sum(axis=1)
+    ),
+    "that is the highest weighted sum, in which z plays no part": lambda Q, s, w, z: -(w * Q[s]).sum(axis=1),
+    "only the first objective counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, 0],
+    "only the second objective counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, 1],
+    "the utopian point is left out: the values themselves are compared": lambda Q, s, w, z: (w * np.abs(Q[s])).max(
+        axis=1
+    ),
+    "the state is left out: it looks up Q[0]": lambda Q, s, w, z: _distances(Q, 0, w, z).max(axis=1),
+}
+"""By what number, the lowest of which wins, each mistake compares the actions."""
+NO_USUAL_CHOICE = "that is none of the usual mistakes, so work out d(s, a) of two actions by hand"
+
+
+def choices(rng: np.random.Generator) -> list[Choice]:
+    """Make up tables; no two numbers that any rule compares are equal."""
+    made = []
+    for _ in range(8):
+        Q = np.round(rng.uniform(-9, 9, (3, 4, 2)), 2)
+        Q[..., 0] += 20.0
+        weights, z = np.round(rng.uniform(0.3, 3.0, 2), 2), np.array([25.0, 2.0]) + np.round(rng.uniform(-4, 1, 2), 2)
+        made.append((Q, int(rng.integers(1, 3)), weights, z))
+    return made
+
+
+def chosen(rule: Callable[[Reals, int, Reals, Reals], Reals], case: Choice) -> int:
+    """Return the action that a rule takes."""
+    return int(rule(*case).argmin())
+
+
+def right_choice(Q: Reals, s: int, w: Reals, z: Reals) -> Reals:
+    """Return the Chebyshev distance of each action from z."""
+    return np.asarray(_distances(Q, s, w, z).max(axis=1))
+
+
+PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
+    "the sign is wrong: a dive that takes too long makes time dearer": lambda p, n, most, r: max(
+        0.0, p - r * (n - most)
+    ),
+    "the price may not fall below 0: then time would be worth something": lambda p, n, most, r: p + r * (n - most),
+    "the rate multiplies the steps alone: put steps − limit in parentheses": lambda p, n, most, r: max(
+        0.0, p + r * n - most
+    ),
+    "the rate stands before the old price; it belongs to the excess": lambda p, n, most, r: max(0.0, r * p + n - most),
+    "the rate multiplies the old price, too, and that counts in full": lambda p, n, most, r: max(
+        0.0, r * (p + n - most)
+    ),
+    "the excess is divided by the rate; multiply it": lambda p, n, most, r: max(0.0, p + (n - most) / r),
+    "after a dive below the limit the price is 0; it should fall by the rate times what was left": (
+        lambda p, n, most, r: 0.0 if n < most else p + r * (n - most)
+    ),
+    "after a dive within the limit the price is 0; it should fall by the rate times what was left": (
+        lambda p, n, most, r: 0.0 if n <= most else p + r * (n - most)
+    ),
+    "the size of the new price is taken; where it would fall below 0 it is 0": lambda p, n, most, r: abs(
+        p + r * (n - most)
+    ),
+    "the excess is a step too large: a dive of exactly the limit is not too long": lambda p, n, most, r: max(
+        0.0, p + r * (n - most + 1)
+    ),
+    "the excess is a step too small: a dive is too long from limit + 1 on": lambda p, n, most, r: max(
+        0.0, p + r * (n - most - 1)
+    ),
+    "the rate is missing": lambda p, n, most, r: max(0.0, p + (n - most)),
+    "the old price is missing: the step is added to it": lambda p, n, most, r: max(0.0, r * (n - most)),
+    "the limit is missing: what counts is how far the dive is above it": lambda p, n, most, r: max(0.0, p + r * n),
+    "the price only rises; after a short dive it should fall": lambda p, n, most, r: p + r * max(0.0, n - most),
+    "the price rises by the same step for each long dive, however long: multiply by the steps beyond the limit": (
+        lambda p, n, most, r: max(0.0, p + r * float(np.sign(n - most)))
+    ),
+    "the price is multiplied; the step is added": lambda p, n, most, r: max(0.0, p * (1 + r * (n - most))),
+    "a weighted mean of the old price and the excess: the old price counts in full": lambda p, n, most, r: max(
+        0.0, (1 - r) * p + r * (n - most)
+    ),
+    "that is the smaller one of 0 and the new price: write max": lambda p, n, most, r: min(0.0, p + r * (n - most)),
+    "the excess is a share of the limit; it should be a number of steps": lambda p, n, most, r: max(
+        0.0, p + r * (n - most) / most
+    ),
+    "the size of the difference is taken; below the limit the price falls": lambda p, n, most, r: p + r * abs(n - most),
+}
+"""The price after a dive, by mistake; the mistakes that come to the same stand once."""
+
+
+def right_price(p: float, n: float, most: float, r: float) -> float:
+    """Return the price after a dive, by dual ascent."""
+    return max(0.0, p + r * (n - most))
