@@ -3,7 +3,6 @@
 import ast
 import importlib.metadata
 import importlib.util
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -272,17 +271,6 @@ def test_an_aside_is_folded_below_its_heading(source: Path) -> None:
         opening = notebook.cells[0].source
         assert "**Time.** About 5 minutes, 10 more for the asides, which are folded" in opening
         assert "and 5 for the exercises (estimated)." in opening
-
-
-def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> None:
-    """Main path and exercises together."""
-    plans = (build.ROOT / "docs" / "course-plans.md").read_text(encoding="utf-8")
-    hours = re.findall(r"/notebooks/(\w+)\.ipynb\).*\| (\d):(\d\d) \|$", plans, re.MULTILINE)
-    assert hours
-    for name, hour, minute in hours:
-        opening = build.read_lesson(build.lesson_sources()[name]).cells[0].source
-        path, exercises = re.findall(r"About (\d+) minutes.* (\d+) for the exercises", opening)[0]
-        assert 60 * int(hour) + int(minute) == int(path) + int(exercises), name
 
 
 @pytest.mark.slow

@@ -76,3 +76,14 @@ def test_every_check_checks_what_stands_before_it(lesson: str) -> None:
     cells = build.read_lesson(NOTEBOOKS[lesson]).cells
     assert sum("\n### BEGIN HIDDEN TESTS\n" in cell.source for cell in cells) == n_hidden
     assert {cell.metadata.get("points", 1) for cell in cells} <= {*range(1, 6)}
+
+
+def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> None:
+    """Main path and exercises together."""
+    plans = (build.ROOT / "docs" / "course-plans.md").read_text(encoding="utf-8")
+    hours = re.findall(r"/notebooks/(\w+)\.ipynb\).*\| (\d):(\d\d) \|$", plans, re.MULTILINE)
+    assert hours
+    for name, hour, minute in hours:
+        opening = build.read_lesson(build.lesson_sources()[name]).cells[0].source
+        path, exercises = re.findall(r"About (\d+) minutes.* (\d+) for the exercises", opening)[0]
+        assert 60 * int(hour) + int(minute) == int(path) + int(exercises), name
