@@ -27,6 +27,7 @@ from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
+from edugym_course.lab.records import number_of, without_number
 
 PAGES = Path(__file__).parent / "environments"
 ORIGINAL = "../coming-from-the-original-edugym.md"
@@ -57,8 +58,8 @@ def parameters(entry: Entry) -> str:
 def lesson_link(entry: Entry) -> str:
     """Return a link to the lesson on an environment, or nothing if there is none."""
     lessons = PAGES.parents[1] / "src/edugym_course/lessons"
-    sources = [] if entry.lesson is None else lessons.glob(f"*/{entry.lesson:02d}_*.py")
-    links = [f" · lesson: [{source.stem[3:]}](../../notebooks/{source.stem}.ipynb)" for source in sources]
+    sources = [source for source in lessons.glob("*/[0-9]*_*.py") if number_of(source.stem) == entry.lesson]
+    links = [f" · lesson: [{without_number(source.stem)}](../../notebooks/{source.stem}.ipynb)" for source in sources]
     return "".join(links)
 
 

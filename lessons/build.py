@@ -100,7 +100,7 @@ class LessonError(Exception):
 
 def lesson_sources(root: Path = ROOT) -> dict[str, Path]:
     """The texts of all lessons, by name (`01_exploration`) and in order."""
-    paths = sorted((root / LESSONS).glob("*/[0-9][0-9]_*.py"), key=lambda path: path.name)
+    paths = sorted((root / LESSONS).glob("*/[0-9][0-9]*_*.py"), key=lambda path: path.name)
     return {path.stem: path for path in paths}
 
 

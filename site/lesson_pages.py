@@ -16,6 +16,7 @@ from repository import REPOSITORY, ROOT, with_links
 
 from edugym import ENVIRONMENTS
 from edugym.adapters.registration import find
+from edugym_course.lab.records import number_of
 
 NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
@@ -50,8 +51,7 @@ class Lesson(NamedTuple):
     @property
     def numbered(self) -> str:
         """The title behind the number by which guides call the lesson."""
-        number = self.name.partition("_")[0]
-        return f"{number.removeprefix('0')}. {self.title}"
+        return f"{number_of(self.name)}. {self.title}"
 
 
 def lessons() -> list[Lesson]:
@@ -109,7 +109,7 @@ def _opening(first: str, path: Path) -> str:
 
 def _races(path: Path) -> list[str]:
     """Return the race of a lesson's environment, with sliders that need no Python; none where it has no race."""
-    number = int(path.name[:2])
+    number = number_of(path.stem)
     return [RACE.format(race.environment) for race in RACES if find(race.environment).lesson == number]
 
 

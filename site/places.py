@@ -230,6 +230,15 @@ def _panels(mdp: Any) -> Iterator[Panel]:
     return (Panel(switches, goal) for switches in patterns for goal in patterns)
 
 
+def _below_the_arms(mdp: Any, seen: tuple[int, ...]) -> Place:
+    face = circle(mdp.scene(mdp.first_best))
+    return Cell(face.x - 0.5, face.y - 0.45, 1.0, 0.9), 0
+
+
+def _arms(mdp: Any) -> Marks:
+    return [(0.9, 0.0, str(arm)) for arm in range(mdp.n_arms)]
+
+
 def _by_the_casino(mdp: Any, seen: tuple[int, ...]) -> Place:
     face = circle(mdp.scene(seen[0]))
     return Cell(face.x - 0.5, face.y - 0.45, 1.0, 0.9), 0
@@ -248,6 +257,7 @@ def _without_steps(mdp: Any, state: Any) -> Scene:
 
 
 MAPS = {
+    "Bandit": Map(_below_the_arms, ("",), _arms),
     "Boulder": Map(_on_the_wall, ("",), _grips, lambda mdp: iter(range(mdp.height + 1)), _whole_wall),
     "Roadrunner": Map(_on_the_road, (".x", ".dx"), signs("−", "=", "+")),
     "Study": Map(_on_the_calendar, (".knowledge", ".energy", ".day", ".passed"), signs("S", "z", "o", "·", "·")),

@@ -36,6 +36,7 @@ from edugym.adapters.registration import find
 from edugym.mdp.task import task_of
 from edugym.training.trainers import streams
 from edugym.training.visits import record_visits
+from edugym_course.lab.records import number_of
 
 HERE = Path(__file__).parent
 PAGE, BUILT = HERE / "playground", HERE / "build" / "playground"
@@ -178,9 +179,9 @@ def _as_code(value: Any) -> str:
     )
 
 
-def lesson(number: int | None) -> dict[str, str]:
+def lesson(number: str | None) -> dict[str, str]:
     """The title of a lesson, three sentences that answer "why?", and where it is."""
-    (file,) = LESSONS.glob(f"*/{number:02}_*.py")
+    (file,) = (path for path in LESSONS.glob("*/[0-9]*_*.py") if number_of(path.stem) == number)
     text = file.read_text(encoding="utf-8")
     (title,) = re.findall(r"^# # (.*)$", text, re.MULTILINE)[:1]
     paragraph = text.split("### In one paragraph\n")[1].split("\n#\n")[0].replace("\n# ", " ").removeprefix("# ")

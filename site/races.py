@@ -13,6 +13,7 @@ from offers import NONE, Agent, Measure, Race, Strength, View, as_it_is
 
 import edugym
 import edugym.objectives
+from edugym_course.lessons.bandits import methods as bandits
 from edugym_course.lessons.continuous_actions.methods import CELLS, in_a_table
 from edugym_course.lessons.depth import methods as depth
 from edugym_course.lessons.depth import targets
@@ -70,6 +71,28 @@ def usual(settings: Mapping[str, Any], *kinds: Any) -> tuple[Agent, ...]:
     return tuple(Agent(*USUAL[kind], kind, settings) for kind in kinds)
 
 
+PULLING = learning(bandits)
+HOPING = {**PULLING, "exploration": edugym.Greedy(), "initial_value": 1.0}
+BANDIT = Race(
+    "Bandit",
+    "One of ten machines pays best. Who finds it?",
+    "Pull an arm. The best one pays more often than the others, and nobody tells you which one it is.",
+    (
+        Agent("ε-greedy", "the best-known arm, sometimes a random one", edugym.QLearning, PULLING),
+        Agent("optimism", "greedy: every arm looks as if it always paid", edugym.QLearning, HOPING),
+        Agent(
+            "sample average",
+            "ε-greedy, and every reward counts equally",
+            edugym.SampleAverage,
+            {"exploration": edugym.EpsilonGreedy(bandits.EPSILON)},
+        ),
+        Agent("greedy", "always the best mean so far", edugym.SampleAverage, {"exploration": edugym.Greedy()}),
+    ),
+    2_000,
+    Strength("gap", (0.05, 0.1, 0.2, 0.5, 1.0), 2),
+    (),
+    parameters={"max_steps": 100},
+)
 CLIMBING = learning(exploration)
 RETURNING = {"learning_rate": exploration.LEARNING_RATE, "discount": exploration.DISCOUNT}
 GREEDY = {**RETURNING, "learning_rate": 1.0, "exploration": edugym.EpsilonGreedy(0.0), "initial_value": 1.0}
@@ -361,6 +384,7 @@ CASINO = Race(
     episodes=50,
 )
 RACES = (
+    BANDIT,
     BOULDER,
     ROADRUNNER,
     STUDY,

@@ -29,7 +29,7 @@ find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join(
 
 async function open() {
   state = read(location.hash)
-  race = data.races.find(({ name }) => name === state.task) ?? data.races[0]
+  race = data.races.find(({ name }) => name === state.task) ?? data.races.find(({ name }) => name === 'Boulder')
   state.task = race.name
   state.strength = within(state.strength ?? race.strength.first, race.strength.values.length)
   state.agents = state.agents.map(k => within(k, race.agents.length))

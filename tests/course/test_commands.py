@@ -90,7 +90,7 @@ def test_playing() -> None:
         ("play Boulder --render svg", "ansi"),
         ("play Boulder --seed -1", "'--seed'"),
         ("play missing.py", "No such file"),
-        ("reproduce explore", "LESSON: 'explore' is none of: loop, exploration"),
+        ("reproduce explore", "LESSON: 'explore' is none of: loop, bandits, exploration"),
         ("reproduce loop --repetitions 1", "'--repetitions'"),
         ("reproduce loop --seed -1", "'--seed'"),
         ("reproduce loop --jobs 0", "--jobs: 0"),

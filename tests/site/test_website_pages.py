@@ -20,6 +20,7 @@ from repository import ROOT
 import edugym
 from edugym.adapters.registration import find
 from edugym_course import agent_profiles
+from edugym_course.lab.records import number_of
 
 
 @pytest.fixture(scope="module")
@@ -160,7 +161,7 @@ def test_asides_are_folded_and_are_not_projected(lessons: list[lesson_pages.Less
 def test_a_lesson_has_the_race_of_its_environment(lessons: list[lesson_pages.Lesson]) -> None:
     """Once, below its first sliders; lessons whose environment has no race have none."""
     for lesson in lessons:
-        raced = [race.environment for race in RACES if find(race.environment).lesson == int(lesson.name[:2])]
+        raced = [race.environment for race in RACES if find(race.environment).lesson == number_of(lesson.name)]
         _, *found = lesson.text.split('<details class="live">')
         assert [re.findall("#task=([A-Za-z]+)", part)[0] for part in found] == raced, lesson.name
         assert "sliders(" in lesson.text.split('<details class="live">')[0]

@@ -7,6 +7,7 @@ the file says its challenge, and its lesson if it has one: "Boulder: exploration
 import dataclasses
 import importlib
 import inspect
+import math
 import pkgutil
 import re
 from collections.abc import Callable, Mapping
@@ -17,7 +18,7 @@ from typing import Any, NamedTuple
 import gymnasium
 from gymnasium.envs.registration import EnvSpec, load_env_creator
 
-FIRST_LINE = re.compile(r"(?P<name>\w+): (?P<challenge>.+?)( \(lesson (?P<lesson>\d+)\))?\.$")
+FIRST_LINE = re.compile(r"(?P<name>\w+): (?P<challenge>.+?)( \(lesson (?P<lesson>\d+[a-z]?)\))?\.$")
 
 
 class Entry(NamedTuple):
@@ -42,10 +43,9 @@ class Entry(NamedTuple):
         return self._from_first_line("challenge") or ""
 
     @property
-    def lesson(self) -> int | None:
-        """The number of its lesson, if it has one."""
-        number = self._from_first_line("lesson")
-        return None if number is None else int(number)
+    def lesson(self) -> str | None:
+        """The number of its lesson, such as "1" or "0b", if it has one."""
+        return self._from_first_line("lesson")
 
     def load_mdp(self) -> Any:
         """The class of its MDP."""
@@ -82,7 +82,13 @@ ENVIRONMENTS = _find_all()
 
 def in_course_order() -> list[Entry]:
     """The environments by the numbers of their lessons, those without one last."""
-    return sorted(ENVIRONMENTS, key=lambda entry: (entry.lesson is None, entry.lesson))
+    return sorted(ENVIRONMENTS, key=lambda entry: place_in_course(entry.lesson))
+
+
+def place_in_course(lesson: str | None) -> tuple[float, str]:
+    """What sorts lessons by their numbers: "0", "0b", "1", ... A lesson without a number comes last."""
+    letter = "" if lesson is None else lesson.lstrip("0123456789")
+    return (math.inf if lesson is None else int(lesson.removesuffix(letter))), letter
 
 
 def register_environments() -> None:

@@ -1,4 +1,4 @@
-"""Bandit: exploration, the beginning."""
+"""Bandit: exploration, the beginning (lesson 0b)."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple

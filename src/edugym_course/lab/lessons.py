@@ -5,6 +5,8 @@ import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from edugym_course.lab.records import number_of
+
 PACKAGED = Path(__file__).parent / "notebooks"
 """The folder of the lessons in an installed package."""
 
@@ -26,9 +28,9 @@ class Lesson(NamedTuple):
     cells: list[dict[str, Any]]
 
     @property
-    def number(self) -> int:
+    def number(self) -> str:
         """The number of the lesson."""
-        return int(self.name.partition("_")[0])
+        return number_of(self.name)
 
     @property
     def title(self) -> str:

@@ -43,4 +43,9 @@ def passed(folder: Path, lesson: str) -> set[int]:
 
 def without_number(lesson: str) -> str:
     """The name of a lesson without its number: "exploration" for "01_exploration"."""
-    return re.sub(r"^\d+_", "", lesson)
+    return re.sub(r"^\d+[a-z]?_", "", lesson)
+
+
+def number_of(lesson: str) -> str:
+    """The number of a lesson from its name: "1" from "01_exploration", "0b" from "00b_bandits"."""
+    return lesson.partition("_")[0].removeprefix("0")

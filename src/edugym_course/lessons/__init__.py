@@ -4,12 +4,12 @@ They are found by their place; there is no list of them.
 """
 
 import importlib
-import math
 import pkgutil
 import re
 from pathlib import Path
 from typing import Protocol, cast
 
+from edugym.adapters.registration import place_in_course
 from edugym.checks.parameters import one_of
 from edugym_course.reporting import Reporter
 
@@ -23,11 +23,11 @@ class Experiments(Protocol):
 def lesson_names() -> list[str]:
     """Return the names of all lessons, in order: by "(lesson 1)" in the first line of each folder's `__init__.py`."""
 
-    def place(name: str) -> tuple[float, str]:
+    def place(name: str) -> tuple[tuple[float, str], str]:
         files = (Path(path, name, "__init__.py") for path in __path__)
         with next(file for file in files if file.exists()).open(encoding="utf-8") as file:
-            number = re.search(r"\(lesson (\d+)\)", file.readline())
-        return (int(number[1]) if number else math.inf), name
+            number = re.search(r"\(lesson (\d+[a-z]?)\)", file.readline())
+        return place_in_course(number[1] if number else None), name
 
     return sorted((module.name for module in pkgutil.iter_modules(__path__) if module.ispkg), key=place)
 

@@ -38,10 +38,10 @@ DOUBLING = Lesson(
 
 def test_what_a_lesson_says_of_itself() -> None:
     """In one line each; a part ends at the next label or at the end of its paragraph."""
-    assert (DOUBLING.number, DOUBLING.title, DOUBLING.exercises) == (1, "Doubling #2: by `x + x`", 2)
+    assert (DOUBLING.number, DOUBLING.title, DOUBLING.exercises) == ("1", "Doubling #2: by `x + x`", 2)
     labels = ("The challenge", "Time", "Before you start", "Author")
     assert [DOUBLING.part(label) for label in labels] == ["One line.", "5 minutes.", "Read **this**.", ""]
-    assert DOUBLING._replace(name="12_x").number == 12
+    assert DOUBLING._replace(name="12_x").number == "12"
 
 
 def test_the_lessons_are_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -48,14 +48,19 @@ def test_every_claim_holds(lesson: str) -> None:
 
 def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A new folder needs no list: lessons come by their numbers, then by name; one that is unknown is named."""
-    for name, line in (("zebra", ""), ("first", '"""First (lesson 0): it comes first."""'), ("apple", "")):
+    for name, line in (
+        ("zebra", ""),
+        ("first", '"""First (lesson 0): it comes first."""'),
+        ("next", '"""Next (lesson 0b)."""'),
+        ("apple", ""),
+    ):
         (tmp_path / name).mkdir()
         (tmp_path / name / "__init__.py").write_text(f"{line}\n")
         (tmp_path / name / "experiments.py").write_text("report = 'found here'\n")
     monkeypatch.setattr(edugym_course.lessons, "__path__", [*edugym_course.lessons.__path__, str(tmp_path)])
     names = lesson_names()
-    assert [name for name in names if name in ("first", "exploration", "apple", "zebra")] == [
-        "first", "exploration", "apple", "zebra"
+    assert [name for name in names if name in ("first", "next", "exploration", "apple", "zebra")] == [
+        "first", "next", "exploration", "apple", "zebra"
     ]  # fmt: skip
     assert str(load_experiments("zebra").report) == "found here"
     with pytest.raises(ValueError, match=named("lesson", "'exploration'", "'explore'")):

@@ -1,0 +1,1 @@
+"""Bandits (lesson 0b)."""

@@ -1,0 +1,103 @@
+# %% a constant step size
+# says: the step size is constant: with 1/N(A) every reward counts equally in the mean
+# says: in small worlds with
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += 0.1 * (reward - means[arm])
+
+# %% counted too late
+# says: the mean moves by 1/(N + 1), as if a reward of 0 had come first: count the pull, then divide by N
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += (reward - means[arm]) / (pulls[arm] + 1)
+
+# %% the pulls of all arms
+# says: the mean moves by 1/t, with the pulls of all arms together: each arm has a number of its own
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += (reward - means[arm]) / sum(pulls)
+
+# %% sums
+# says: rewards are added up and not averaged, so the arm that is pulled most looks best: divide by N
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += reward
+
+# %% pulls in place of rewards
+# says: the arm that was *pulled* most is taken, and not that which pays best: is it N in place of Q?
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] = pulls[arm]
+
+# %% each arm once
+# says: every arm is pulled once before anything else; in the text the first values are 0, and ties are broken at random
+# in: with lists
+# - top = max(means)
+# + if 0 in pulls:
+# +     return pulls.index(0)
+# + top = max(means)
+
+# %% a win is a win
+# says: a reward counts as 1 or 0, for a win or none: take the reward itself into the mean
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] = (means[arm] * (pulls[arm] - 1) + (reward > 0)) / pulls[arm]
+
+# %% the worst arm
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# in: with lists
+# - top = max(means)
+# + top = min(means)
+
+# %% ties go to the first arm
+# says: first, though all arms look equally good then: argmax takes the first of several equal values; draw one of them at random
+# says: runs my_program pulls arm
+# in: with lists
+# - return int(rng.choice([a for a in range(n) if means[a] == top]))
+# + return int(np.argmax(means))
+
+# %% forgets at the end of an episode
+# says: ; look at three places: N has a number for each arm, N(A) counts the pull that is learned from, and nothing is forgotten when an episode ends
+# in: with lists
+# - environment.reset(seed=seed if taken == 0 else None)
+# + environment.reset(seed=seed if taken == 0 else None)
+# + means, pulls = [0.0] * n, [0] * n
+
+# %% never tries
+# says: it seldom tries an action at random: is ε that of the text, up to the last step?
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if rng.random() < 0.01 else best()
+
+# %% always random
+# says: So many come from chance alone, or from a table that never changes
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n))
+
+# %% no policy
+# says: gives None: return the policy, a function from a state to an action
+# in: with lists
+# - return lambda state: int(np.argmax(means))
+# + policy = lambda state: int(np.argmax(means))
+
+# %% another generator
+# says: does not repeat itself
+# in: with lists
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng()
+
+# %% the policy takes the worst
+# says: does this policy look up the state that it is given, and take the *best* action?
+# in: with lists
+# - return lambda state: int(np.argmax(means))
+# + return lambda state: int(np.argmin(means))
+
+# %% random pulls do not count
+# says: random pulls are not learned from, but every reward counts
+# in: with lists
+# - pulls[arm] += 1
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + if means[arm] == max(means):
+# +     pulls[arm] += 1
+# +     means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
