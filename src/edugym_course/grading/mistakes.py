@@ -131,9 +131,11 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
     def explained(sentence: str) -> list[bool]:
         return [same(case.found, case.mistakes[sentence]) for case in cases]
 
+    sentences = {sentence: sentence for sentence in cases[0].mistakes}
     if rounded_alike([case.found for case in cases], [case.expected for case in cases]):
-        otherwise = ROUNDED
-    why = mistake_in_cases({sentence: sentence for sentence in cases[0].mistakes}, explained, wrong, otherwise)
+        why = mistake_that_fits(sentences, lambda sentence: all(explained(sentence)), ROUNDED)
+    else:
+        why = mistake_in_cases(sentences, explained, wrong, otherwise)
     what, found, expected, _ = cases[wrong.index(True)]
     came = f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(told_wrong(came, why))

@@ -10,6 +10,7 @@ import pytest
 from edugym import games
 from edugym.envs.games.soccer import EAST, NORTH, STAND, WEST, Field
 from edugym_course.lessons.several_agents import exercises, experiments, methods, project
+from edugym_course.lessons.several_agents.exercises import gains, update
 from edugym_course.lessons.several_agents.turns import FieldInTurn
 from tests.course.lessons.made_up import finals, made_up, measured
 
@@ -104,14 +105,14 @@ def test_riddles_need_what_they_ask_for(riddle: int, seed: int) -> None:
 @pytest.mark.parametrize("seed", range(8))
 def test_cases_tell_all_mistakes_apart(seed: int) -> None:
     """No two of them give the same in all cases, and none gives what is right."""
-    pairs = [exercises._exploitability(pair) for pair in exercises.pairs(seed)]
-    mixed = [exercises._mixed(payoffs) for payoffs in exercises.games_of(seed)]
+    pairs = [gains.exploitability(pair) for pair in gains.pairs(seed)]
+    mixed = [gains.mixed(payoffs) for payoffs in gains.games_of(seed)]
     for cases in (pairs, mixed):
         given = {tuple(round(case[mistake], 9) for case in cases) for mistake in cases[0]}
         assert len(given) == len(cases[0])
     updates = [
-        np.concatenate([part.ravel() for case in exercises.cases_of(seed) for part in exercises._after(case, mistake)])
-        for mistake in ({}, *exercises.UPDATE_MISTAKES.values())
+        np.concatenate([part.ravel() for case in update.cases_of(seed) for part in exercises._after(case, mistake)])
+        for mistake in ({}, *update.UPDATE_MISTAKES.values())
     ]
     for one, other in itertools.combinations(updates, 2):
         assert not np.allclose(one, other)

@@ -108,12 +108,12 @@ for name, pair in {
     print(f"{name:29} {games.exploitability(model, pair):.3f}")
 
 # %% [markdown]
-# Always rock can be beaten in every game. And so, in this game, can any policy *without chance*, one that takes a single action in each state: who knows it takes what beats it.
+# Always rock can be beaten in every game.
 #
 # ### What Q-learning takes for granted
 # Q-learning learns $Q(s, a)$, the return of an action in a world with *one* $p(s' \mid s, a)$. But this $p$ contains $\rho$. When the
 # other learns, $\rho$ changes, and what was learned about an action is out of date. And in the end Q-learning has a policy
-# without chance: $\arg\max_a Q(s, a)$.
+# *without chance*, one that takes a single action in each state: $\arg\max_a Q(s, a)$.
 #
 # ### Minimax Q-learning
 # Littman's player learns the value of each *pair* of actions, $Q(s, a, o)$: it sees what the other did. With these it looks at each state
@@ -177,8 +177,8 @@ in_the_end.measured(str(round(games.exploitability(model, run.policies[-1]))))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 1, from the first look to the last. What they play changes again and again, but at any moment it is one action each, and for each of the
-# nine pairs of actions the mean gain of the best answers is exactly 1.
+# **Measured.** 1, from the first look to the last. What they play changes again and again, but at any moment it is one action each. Who knows it takes
+# what beats it: for each of the nine pairs of actions the mean gain of the best answers is exactly 1.
 # </details>
 
 # %% [markdown]
@@ -250,7 +250,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: both end up talking, and the
 # exploitability is 0 (close above 3 it takes them longer). Learning alone is harmless there. But it is not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two of them without chance, both silent and both talking, and it depends on
-# the first games which of them a pair finds: eight of ten ended up talking.
+# the first games which of them a pair finds. Most end up talking: eight of these ten.
 # </details>
 
 # %% [markdown]
@@ -270,7 +270,7 @@ sliders(one_match, contact=[0.0, 0.5, 1.0], discount=(0.5, 0.95, 0.05))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Without contact both kinds came to 0 at once: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end, and the less the future counted, the less could be won from either.
+# Without contact both kinds came to 0 at once: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners.
 # </details>
 
 # %% [markdown]
@@ -353,7 +353,7 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Less than 0.1, and after two million steps it was 0. Both learn, the world changes for each of them, and
+# **Measured.** Less than 0.1. Both learn, the world changes for each of them, and
 # the other matters: who plays as if there were no contact loses much. But in every state one action by itself is safe.
 # (Minimax Q-learning is not ahead here. A guess: it learns five times as many values.) So learning as if alone is not
 # wrong in itself: in soccer it fails where only a random choice is safe.
@@ -491,7 +491,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 # - Take $\gamma = 0.9$, and a learning rate of about 0.2.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check lets your program learn four small games, and computes exactly what the best opponent wins from your policy in each place. It does not look
+# The check lets your program learn five small games, and computes exactly what the best opponent wins from your policy in each place. It does not look
 # at your code. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]

@@ -5,17 +5,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.games.matrix_games import PrisonersDilemma
-from edugym.exact.game_model import game_model
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import With, on_axes
 from edugym.experiments.figures.sheet import Sheet, in_pairs
 from edugym.experiments.figures.style import REFERENCE, dress, format_steps, stroke
 from edugym.experiments.results.tables import Results
-from edugym.mdp.markov_game import table_shape
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.several_agents import methods
 
@@ -90,17 +85,9 @@ def cycle(seed: int = 0) -> Sheet:
 
 def dilemma(temptation: float, learning_rate: float, epsilon: float, pairs: int = 10) -> Sheet:
     """Return how exploitable pairs of Q-learners in the prisoner's dilemma are, and what they do in the end."""
-    game = PrisonersDilemma.create(temptation)
-    known = methods.Known(game, game_model(game))
-
-    def create(game: Any, player: int, n_steps: int, discount: float) -> Any:
-        settings: Any = {"learning_rate": learning_rate, "exploration": EpsilonGreedy(epsilon)}
-        return QLearning.create(table_shape(game, player), **settings)
-
-    results = methods.compare(known, {methods.ALONE: create}, 1_000, repetitions=pairs, points=10)
-    ends = [{int(agent.Q[0].argmax()) for agent in both} for both in results.agents[methods.ALONE].values()]
-    silent, talk = (ends.count({action}) for action in (0, 1))
-    title = f"temptation {temptation:g}: {silent} of {pairs} pairs silent, {talk} talk"
+    results = methods.dilemma(temptation, learning_rate, epsilon, repetitions=pairs)
+    silent, talk = (methods.choosing(results, action).sum() for action in (0, 1))
+    title = f"temptation {temptation:g}: {silent:.0f} of {pairs} pairs silent, {talk:.0f} talk"
     return Sheet("dilemma", [[exploited(results, title, top=max(2.0, temptation / 2))]])
 
 

@@ -12,6 +12,7 @@ from edugym.agents.fictitious_play import FictitiousPlay
 from edugym.agents.fixed_player import FixedPlayer
 from edugym.agents.minimax_q import MinimaxQ
 from edugym.agents.q_learning import QLearning
+from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import best_value, epsilon_greedy_action, greedy_action, one_step_target
 from edugym.envs.games.matrix_games import MatchingPennies, PrisonersDilemma, RockPaperScissors, matrix_game
 from edugym.envs.games.soccer import Soccer
@@ -268,6 +269,23 @@ def compare(
     if save_to is not None:
         results.save(save_to)
     return results
+
+
+def dilemma(temptation: float, learning_rate: float = 0.1, epsilon: float = 0.1, **how: Any) -> Results:
+    """Let pairs of Q-learners play the prisoner's dilemma for 1 000 games; for `how` see `compare`."""
+    game = PrisonersDilemma.create(temptation)
+    settings: Any = {"learning_rate": learning_rate, "exploration": EpsilonGreedy(epsilon)}
+
+    def create(game: Any, player: int, n_steps: int, discount: float) -> Any:
+        return QLearning.create(table_shape(game, player), **settings)
+
+    return compare(Known(game, game_model(game)), {ALONE: create}, 1_000, points=10, **how)
+
+
+def choosing(results: Results, action: int) -> Reals:
+    """Whether in the end both players of a pair prefer this action, 1 or 0, by pair."""
+    ends = [{int(agent.Q[0].argmax()) for agent in both} for both in results.agents[ALONE].values()]
+    return np.array([float(end == {action}) for end in ends])
 
 
 def best_actions(run: Any) -> Any:

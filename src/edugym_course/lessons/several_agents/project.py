@@ -24,7 +24,7 @@ from edugym_course.grading.programs import APART, ENOUGH, NAME
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.several_agents.methods import DARING, DISCOUNT
 
-N_STEPS, TRIAL, LONGER = 4_000, 60, 4
+N_STEPS, TRIAL, LONGER = 6_000, 60, 4
 """Training steps in a riddle, in a first trial, and how many times as long a slow program may take."""
 NEAR = 0.2
 """How much less than the value of a place a policy may guarantee there."""
@@ -49,12 +49,14 @@ class House(NamedTuple):
         rooms: shape (n_rooms, n_actions, n_actions): what player 0 gets.
         seen_at_end: which place is seen after the end, by the number of the pair of actions.
         max_steps: the step limit.
+        pays: what player 0 gets in the hall for each of its actions.
     """
 
     hall: Any
     rooms: Reals
     seen_at_end: tuple[int, ...]
     max_steps: int = 50
+    pays: tuple[float, ...] = (0.0,) * N_ACTIONS
 
     def initial(self, rng: Random) -> int:
         """Any place."""
@@ -66,8 +68,8 @@ class House(NamedTuple):
         return int(self.hall[actions[0], actions[1]]) if state == HALL else OVER + pair
 
     def rewards(self, state: int, actions: tuple[int, int], next_state: int, rng: Random) -> tuple[float, float]:
-        """What a room pays; the hall pays nothing."""
-        paid = 0.0 if state == HALL else float(self.rooms[state - 1, actions[0], actions[1]])
+        """What a room pays, and the hall."""
+        paid = self.pays[actions[0]] if state == HALL else float(self.rooms[state - 1, actions[0], actions[1]])
         return paid, -paid
 
     def terminal(self, state: int) -> bool:
@@ -132,6 +134,16 @@ def _cut(rng: Random) -> House:
     return _way(rng, max_steps=1)
 
 
+def _soon(rng: Random) -> House:
+    """A hall in which player 0 chooses between a room that is worth 5, 4.75 at once, and nothing."""
+    order = rng.permutation(N_ACTIONS)
+    hall, pays = np.ones((N_ACTIONS, N_ACTIONS), int), np.zeros(N_ACTIONS)
+    hall[order[0]] = 2
+    pays[order[1]] = 4.75
+    rooms = np.stack([_turned(ROCK, rng) * rng.choice(WILD) + one for one in (0.0, 5.0)])
+    return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=tuple(pays.tolist()))
+
+
 ROOMS = Riddle(
     _rooms,
     "its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] learned from every pair"
@@ -142,7 +154,11 @@ RIDDLES = (
     Riddle(
         _way,
         "it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is"
-        " the value of the matrix game of S'",
+        " the value of the matrix game of S'. (Is `terminated` read by the name of a player?)",
+    ),
+    Riddle(
+        _soon,
+        "there 4.75 at once is more than 5 a step later: what follows is multiplied by γ = 0.9",
     ),
     Riddle(
         _alike,
@@ -190,6 +206,10 @@ class Watched:
             raise WrongAnswer(
                 f"{NAME} calls reset(seed=...) more than once, and then all episodes have the same random numbers: give"
                 " the seed at the first reset only, and call reset() after that"
+            )
+        if self._has_begun and not self._is_new and self.agents:
+            raise WrongAnswer(
+                f"{NAME} calls reset() in the middle of an episode: go on until `environment.agents` is empty"
             )
         first, self._has_begun, self._is_new = None if self._has_begun else self._seed, True, True
         return self._env.reset(seed=first)
@@ -289,7 +309,10 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
             return "It is random play: does the policy that is returned come from what was learned?"
         worth = game.rooms[1].sum(axis=1)
         if policy[2, worth.argmin()] > SURE:
-            return "In one room it takes the worst action: is the reward that of player_0, with its own sign?"
+            return (
+                "In one room it takes the worst action: is the reward that of player_0, with its own sign, and are"
+                " its actions the rows of the matrix game, and the probabilities that are returned its own?"
+            )
         if policy[2, worth.argmax()] < SURE / 2:
             return (
                 "In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix"
@@ -298,7 +321,8 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
         if policy[1].max() > SURE:
             return (
                 "It has no chance in it: the best action against what the other does now is known to the other, too;"
-                " the policy is that of the matrix game, as solve_zero_sum finds it"
+                " the policy is that of the matrix game, as solve_zero_sum finds it. (It has none either"
+                " where hardly any pair of actions was tried: are some moves random?)"
             )
     longer = run(program, game, LONGER * N_STEPS, seed)[1]
     if weak_points(game_model(game), longer).max() < NEAR:
@@ -328,4 +352,4 @@ def project_13(answer: Any, seed: int) -> str:
     """Check a program that trains two players and returns the policy of the first."""
     _require_reproducible(answer, seed)
     most = max(check_riddle(answer, riddle, seed) for riddle in RIDDLES)
-    return f"Right: in four riddles the best opponent wins at most {most:.2f} from it that it would not win anyway."
+    return f"Right: in five riddles the best opponent wins at most {most:.2f} from it that it would not win anyway."

@@ -87,3 +87,102 @@ def exploitability(payoffs, first, second):
 # %% a number
 # says: payoffs, first and second
 exploitability = 0.5
+
+
+# %% the larger gain
+# says: that is the larger one of both gains, and the mean over the two players is asked
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return max(rows.max() - now, now - columns.min())
+
+
+# %% the gains subtracted
+# says: the gains are subtracted; the mean of both is asked
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.max() - now - (now - columns.min())) / 2
+
+
+# %% by the actions
+# says: the sum of both gains is divided by the number of actions; there are two players
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.max() - columns.min()) / len(rows)
+
+
+# %% the highest column taken off
+# says: player 1 takes the column with the highest payoff, and it wants the lowest
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.max() - now + now - columns.max()) / 2
+
+
+# %% no minus sign
+# says: player 1 gets the opposite of the payoff: its best answer lacks a minus sign
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.max() - now + columns.max() + now) / 2
+
+
+# %% swapped
+# says: the policies are swapped: payoffs @ second is what each row is worth, and first @ payoffs each column
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (columns.max() - now + now - rows.min()) / 2
+
+
+# %% against a die
+# says: the best answers are those to a player who takes each action equally often; answer the policy that is given
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (payoffs.mean(axis=1).max() - now + now - payoffs.mean(axis=0).min()) / 2
+
+
+# %% numbers of actions
+# says: argmax and argmin are the *numbers* of actions; what they pay is needed
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.argmax() - now + now - columns.argmin()) / 2
+
+
+# %% the number of a row
+# says: argmax is the *number* of a row; what it pays is needed
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.argmax() - now + now - columns.min()) / 2
+
+
+# %% beyond the game
+# says: that compares with the value of the game; a gain is what a best answer gets beyond what the player gets now
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return abs(now - games.solve_zero_sum(payoffs).value)
+
+
+# %% below the game
+# says: that is what the policy of player 0 loses to its best opponent; the mean of both gains is asked
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return games.solve_zero_sum(payoffs).value - columns.min()
+
+
+# %% sizes
+# says: the size of each difference is taken; a best answer is the best of them, with its sign
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (abs(rows - now).max() + abs(columns - now).max()) / 2
+
+
+# %% most probable
+# says: the most probable action stands for each policy; all of them count, by their probabilities
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (payoffs[:, second.argmax()].max() - payoffs[first.argmax()].min()) / 2
+
+
+# %% both at once
+# says: both players change at once, so that nothing is gained; each answers the policy that the other has now
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    best = payoffs[rows.argmax(), columns.argmin()]
+    return (best - now + now - best) / 2

@@ -54,3 +54,73 @@ def safe_probability(payoffs):
 # in: solved as a game
 # - return games.solve_zero_sum(payoffs).first[0]
 # + return games.solve_zero_sum(payoffs).first
+
+
+# %% the signs below
+# says: below the line stands a − b − c + d, with these signs
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (d - c) / (a + b - c - d) if a + b != c + d else 0.0
+
+
+# %% all below
+# says: below the line all four payoffs are added up; it is a − b − c + d
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (d - c) / (a + b + c + d)
+
+
+# %% upside down
+# says: the fraction is upside down: a probability is at most 1
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (a - b - c + d) / (d - c)
+
+
+# %% no parentheses
+# says: parentheses are missing: Python divides before it subtracts
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return d - c / (a or 1) - b - c + d
+
+
+# %% a percentage
+# says: that is a percentage; a probability goes from 0 to 1
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return 100 * (d - c) / (a - b - c + d)
+
+
+# %% that of the example
+# says: that is the answer to the example above; do the same with letters
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return 0.4
+
+
+# %% column 0 pays nothing
+# says: with it column 0 pays nothing; both columns must pay the same
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return c / (c - a)
+
+
+# %% shares of the payoffs
+# says: payoffs are no probabilities: the share of row 0 in their sum means nothing
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (a + b) / (a + b + c + d)
+
+
+# %% the better mean
+# says: that is the row with the better mean, without chance; who knows it takes the worse column
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return 1.0 if a + b > c + d else 0.0
+
+
+# %% the better minimum
+# says: that is the row whose worst payoff is the better one; a random choice guarantees more
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return 1.0 if min(a, b) > min(c, d) else 0.0

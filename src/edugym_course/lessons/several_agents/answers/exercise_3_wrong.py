@@ -168,3 +168,80 @@ def learn(Q, V, state, action, other_action, reward, next_state, terminated):
 # %% the class
 # says: Q, V, state, action, other_action, reward, next_state and terminated
 learn = games.MinimaxQ
+
+# %% all discounted
+# says: the reward is discounted, too; only the value of the next state is
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + target = 0.9 * (reward if terminated else reward + V[next_state])
+
+# %% rates swapped
+# says: α and γ have changed places: α = 0.5, and γ = 0.9
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + target = reward if terminated else reward + 0.5 * V[next_state]
+# - Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+# + Q[state, action, other_action] += 0.9 * (target - Q[state, action, other_action])
+
+# %% no last reward
+# says: the reward of the last step is lost: where `terminated` is True, the target is the reward
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + target = 0 if terminated else reward + 0.9 * V[next_state]
+
+# %% nothing at the end
+# says: the step that ends the game changes nothing; it has a target too, the reward
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + if terminated:
+# +     return
+# + target = reward + 0.9 * V[next_state]
+
+# %% away from it
+# says: the value moves *away* from the target: the error is the target less the old value
+# in: the solution of learn
+# - Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+# + Q[state, action, other_action] -= 0.5 * (target - Q[state, action, other_action])
+
+# %% the target added
+# says: − Q(S, A, O) is left out: the target takes the place of the error
+# in: the solution of learn
+# - Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+# + Q[state, action, other_action] += 0.5 * target
+
+# %% a copy
+# says: Q is copied, and the copy changes; write into the array that is given
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + target = reward if terminated else reward + 0.9 * V[next_state]
+# + Q = Q.copy()
+
+# %% axes mixed up
+# says: V is max_o min_a Q, with the axes mixed up; it is the value of the game
+# in: the solution of learn
+# - V[state] = games.solve_zero_sum(Q[state]).value
+# + V[state] = Q[state].min(axis=0).max()
+
+# %% the mean of the game
+# says: V is the mean of Q[state]; it is the value of the game
+# in: the solution of learn
+# - V[state] = games.solve_zero_sum(Q[state]).value
+# + V[state] = Q[state].mean()
+
+# %% half of the way
+# says: V goes half of the way to the value of the game; it *is* the value of Q[state]
+# in: the solution of learn
+# - V[state] = games.solve_zero_sum(Q[state]).value
+# + V[state] += 0.5 * (games.solve_zero_sum(Q[state]).value - V[state])
+
+# %% all states
+# says: the games of all states are solved anew; only that of `state` has changed
+# in: the solution of learn
+# - V[state] = games.solve_zero_sum(Q[state]).value
+# + V[:] = [games.solve_zero_sum(one).value for one in Q]
+
+# %% solved in the target
+# says: the target solves the game of the next state anew; its value stands in V[next_state]
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + target = reward if terminated else reward + 0.9 * games.solve_zero_sum(Q[next_state]).value

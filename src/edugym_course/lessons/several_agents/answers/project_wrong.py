@@ -3,7 +3,7 @@
 # says:  places, who knows the policy of
 # says:  more from it in place
 # says:  than from a safe one.
-# says: It has no chance in it: the best action against what the other does now is known to the other, too; the policy is that of the matrix game, as solve_zero_sum finds it
+# says: It has no chance in it: the best action against what the other does now is known to the other, too; the policy is that of the matrix game, as solve_zero_sum finds it. (It has none either where hardly any pair of actions was tried: are some moves random?)
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda state: np.eye(shape[1])[Q[state].mean(axis=1).argmax()]
@@ -15,7 +15,7 @@
 # + return lambda state: [1 / shape[1]] * shape[1]
 
 # %% the reward of the other
-# says: In one room it takes the worst action: is the reward that of player_0, with its own sign?
+# says: In one room it takes the worst action: is the reward that of player_0, with its own sign, and are its actions the rows of the matrix game, and the probabilities that are returned its own?
 # in: all pairs at random
 # - target = rewards[me]
 # + target = rewards[you]
@@ -34,16 +34,28 @@
 # + return lambda state: 0.6 * solved[state].first + 0.4 / shape[1]
 
 # %% reward alone
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.0
 
 # %% as if the other were kind
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return Q[state].max()
+
+# %% no discount
+# says: there 4.75 at once is more than 5 a step later: what follows is multiplied by γ = 0.9
+# in: all pairs at random
+# - target += 0.9 * value(int(seen[me]))
+# + target += value(int(seen[me]))
+
+# %% a reset after each step
+# says: calls reset() in the middle of an episode: go on until `environment.agents` is empty
+# in: all pairs at random
+# - if not environment.agents:
+# + if terminated:
 
 # %% beyond the end
 # says: after the end a number is seen that other places have, too: what comes then is worth 0, so with `terminated` the target is R alone
