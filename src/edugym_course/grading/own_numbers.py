@@ -12,6 +12,7 @@ import hashlib
 import hmac
 import inspect
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeVar, get_args
@@ -85,12 +86,14 @@ def draw_numbers(exercise: Exercise, key: bytes, others: Sequence[Mapping[str, A
     Args:
         exercise: the exercise.
         key: the student's key, which also depends on the teacher's secret.
-        others: the numbers of other students, which are drawn again only where all are taken.
+        others: the numbers of other students. A number that more of them have than another is not drawn, so that all
+            are given once before any is given twice.
     """
     numbers = {}
     for name, own in own_parameters(exercise).items():
-        taken = {given[name] for given in others}
-        free = [value for value in own.values if value not in taken] or own.values
+        given = Counter(numbers_given[name] for numbers_given in others)
+        fewest = min(given[value] for value in own.values)
+        free = [value for value in own.values if given[value] == fewest]
         numbers[name] = free[drawn(key, f"{exercise.__name__} {name}", len(free))]
     return numbers
 

@@ -168,7 +168,8 @@ def assign(notebook: Path, students: list[Student], output: Path) -> Assignment:
 
     `output/handout/ID/LESSON.ipynb` is for the student; `output/teacher` is for nobody else. Who does it again,
     with more students, gets the same numbers for those who were there: they are in the teacher's folder. No two
-    students of a class have the same number, as long as there are enough.
+    students of a class have the same number, as long as there are enough; then each is given a second time, in the
+    order of the list.
 
     Args:
         notebook: the teacher's notebook of the lesson, with solutions and hidden tests.

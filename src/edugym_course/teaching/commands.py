@@ -34,9 +34,12 @@ def assign(
         made = assignment.assign(assignment.teacher_edition(lesson), read_students(students), output)
     except (OSError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
-    for task, draw in zip(made.tasks, next(iter(made.draws.values())), strict=True):
-        own = f"own {' and '.join(draw.numbers)}" if draw.numbers else "the same for all, with other cases"
-        typer.echo(f"Exercise {task.number}: {own}.")
+    for place, task in enumerate(made.tasks):
+        given = [draws[place].numbers for draws in made.draws.values()]
+        most = max(map(given.count, given))
+        own = f"own {' and '.join(given[0])}" if given[0] else "the same for all, with other cases"
+        shared = f", which up to {most} students share" if given[0] and most > 1 else ""
+        typer.echo(f"Exercise {task.number}: {own}{shared}.")
     count = len(made.students)
     typer.echo(
         f"{count} lessons to hand out are in {output / assignment.HANDOUT}. Keep {made.path.parent} to yourself."

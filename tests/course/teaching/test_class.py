@@ -2,7 +2,9 @@
 
 import csv
 import json
+import math
 import re
+from collections import Counter
 from collections.abc import Callable
 from itertools import count
 from pathlib import Path
@@ -15,6 +17,7 @@ from rules import is_check, without_marks
 from typer.testing import CliRunner
 
 from edugym_course import commands
+from edugym_course.grading.own_numbers import own_parameters
 from edugym_course.teaching.assignment import Assignment, assign
 from edugym_course.teaching.grading import needed_steps, submission
 from edugym_course.teaching.students import Student, read_students
@@ -242,7 +245,7 @@ def test_the_same_again_for_those_who_were_there(tmp_path: Path) -> None:
 
 
 def test_no_two_of_a_class_share_a_number(tmp_path: Path) -> None:
-    """Up to as many students as there are values, and beyond that each still gets one; nobody's changes."""
+    """Up to as many students as there are values; beyond that no more share one than must; nobody's changes."""
     lesson = "05_memory"
     few = handed_out(tmp_path, [f"s{number}" for number in range(35)], lesson)
     for place, task in enumerate(few.tasks):
@@ -250,6 +253,10 @@ def test_no_two_of_a_class_share_a_number(tmp_path: Path) -> None:
     many = handed_out(tmp_path, [f"s{number}" for number in (*range(60, 34, -1), *range(35))], lesson)
     assert len(many.draws) == 61
     assert {name: many.draws[name] for name in few.draws} == few.draws
+    for place, task in enumerate(many.tasks):
+        [own] = own_parameters(task.check()).values()
+        shared = Counter(str(draws[place].numbers) for draws in many.draws.values())
+        assert max(shared.values()) == math.ceil(61 / len(own.values)), task
 
 
 @pytest.mark.parametrize(
