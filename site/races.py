@@ -78,7 +78,7 @@ BANDIT = Race(
     "One of ten machines pays best. Who finds it?",
     "Pull an arm. The best one pays more often than the others, and nobody tells you which one it is.",
     (
-        Agent("ε-greedy", "the best-known arm, sometimes a random one", edugym.QLearning, PULLING),
+        Agent("constant rate", "ε-greedy, and old rewards fade", edugym.QLearning, PULLING),
         Agent("optimism", "greedy: every arm looks as if it always paid", edugym.QLearning, HOPING),
         Agent(
             "sample average",
