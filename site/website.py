@@ -27,6 +27,7 @@ from races import RACES
 from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
 from sphinx.cmd.build import main as sphinx_build
 from survey import form
+from words import WORDS
 
 from edugym.adapters.registration import in_course_order
 
@@ -123,12 +124,17 @@ def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict
 
 
 def _gallery() -> str:
-    """Return the environments, moving."""
-    cards = [
-        f"[![An episode of {e.name}](pictures/{e.name.lower()}.gif) **{e.name}** {e.challenge}]"
-        f"(environments/{e.name.lower()}.md)"
-        for e in in_course_order()
-    ]
+    """Return the environments, moving: each leads to its race if there is one, with a small link to its page."""
+    raced = {race.environment for race in RACES}
+    cards = []
+    for e in in_course_order():
+        page = f"environments/{e.name.lower()}"
+        leads = f"playground/index.html#task={e.name}" if e.name in raced else f"{page}.html"
+        film = f"![An episode of {e.name}](pictures/{e.name.lower()}.gif)"
+        cards.append(
+            f'<a href="{leads}">{film} **{e.name}** {WORDS[e.name].challenge}</a> '
+            f"<small>*{e.challenge}* · [details of {e.name}]({page}.md)</small>"
+        )
     return "\n".join([":::{container} gallery", "", "\n\n".join(cards), "", ":::"])
 
 
