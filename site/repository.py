@@ -26,6 +26,8 @@ def page_of(path: str) -> str | None:
         return "index"
     if path == "docs/agents.md":
         return "agents/index"
+    if path == "LICENSE":
+        return "guides/license"
     if folder == "notebooks" and ending == ".ipynb":
         return f"lessons/{stem}"
     if ending == ".md" and folder == "docs/environments":

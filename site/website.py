@@ -7,16 +7,15 @@ Pages that stand nowhere else are in `pages`. All others are made from docs, not
 """
 
 import argparse
-import re
 import shutil
 import sys
-from collections.abc import Iterator
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import accessibility
 import agent_pages
+import guides
 import lesson_pages
 import lite
 import mathematics
@@ -37,9 +36,18 @@ RACE = '\n*{1}* <a href="../playground/index.html#task={0}">Bet on an agent, or 
 
 LITE = """<a href="lite/lab/index.html">JupyterLab with all lessons</a> runs here in your browser: nothing is
 installed, and nothing is sent anywhere. The first start loads Python and its libraries, which takes a while. Your
-changes stay in this browser, so download what you want to keep."""
-NO_LITE = """JupyterLab with all lessons can run in your browser. This copy of the site was built without it; who builds
-the site can add it: `make site PYODIDE=folder`, with an unpacked release of Pyodide 0.27."""
+changes stay in this browser, so download what you want to keep.
+
+What is tested of it, in Chromium, with every other host cut off: a small lesson that imports EduGym, checks a right
+and a wrong answer, trains an agent of your own, and draws with a slider. *Not* tested are whole lessons: they need
+pandas, Matplotlib and SciPy, which only a release of Pyodide has, and the tests have none. Code is interpreted there,
+so training is some hundred times slower than on your machine."""
+NO_LITE = """This site has [the playground](playground.md), where you can also change the code of agents, and all
+lessons to read, with their results and questions. Notebooks do not run in this copy of it. A link at the top of each
+lesson opens it in Colab, a service of Google for which you need an account there.
+
+(Who builds the site can add JupyterLab with all lessons: `make site PYODIDE=folder`, with an unpacked release of
+Pyodide 0.27.)"""
 
 
 def sources(with_lite: bool = False) -> dict[str, bytes]:
@@ -52,7 +60,7 @@ def sources(with_lite: bool = False) -> dict[str, bytes]:
         **projected_pages.pages(lessons),
         **reference_pages.pages(),
     }
-    texts["guides/index"] = "# Guides\n\n" + "".join(_listed("guides", texts))
+    texts["guides/index"] = guides.index(texts)
     texts["lessons/index"] = "# The lessons\n\n" + "".join(map(_introduced, lessons))
     for race in RACES:
         page = f"environments/{race.environment.lower()}"
@@ -88,14 +96,8 @@ def _copied() -> dict[str, str]:
         page = page_of(path)
         if page is not None and path != "README.md":  # whose sections are on the pages
             texts[page] = with_sections(with_links(file.read_text(encoding="utf-8"), path, page), page)
+    texts[str(page_of("LICENSE"))] = f"# {(ROOT / 'LICENSE').read_text(encoding='utf-8')}"
     return texts
-
-
-def _listed(folder: str, texts: dict[str, str]) -> Iterator[str]:
-    for page, text in sorted(texts.items()):
-        if page.startswith(f"{folder}/"):
-            title = re.findall(r"^# (.*)$", text, re.MULTILINE)[0]
-            yield f"- [{title}](/{page}.md)\n"
 
 
 def _introduced(lesson: lesson_pages.Lesson) -> str:
@@ -111,7 +113,8 @@ def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict
         for lesson in lessons
         for folder in ("lessons", "project")
     }
-    order = {f"environments/{entry.name.lower()}": number for number, entry in enumerate(in_course_order())}
+    in_order = [*(f"environments/{entry.name.lower()}" for entry in in_course_order()), *guides.ORDER]
+    order = {page: number for number, page in enumerate(in_order)}
     folders = sorted({page.partition("/")[0] for page in texts if "/" in page} - {"reference"})
     return {
         folder: [

@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 import agent_pages
 import docstrings
+import guides
 import lesson_pages
 import previews
 import projected_pages
@@ -37,7 +38,8 @@ def lessons() -> list[lesson_pages.Lesson]:
         ("../notebooks/01_exploration.ipynb", "../lessons/01_exploration.md"),
         ("../README.md", "../index.md"),
         ("environments/boulder.svg", "../pictures/boulder.svg"),
-        ("../LICENSE", f"{repository.REPOSITORY}/blob/main/LICENSE"),
+        ("../LICENSE", "license.md"),
+        ("../Makefile", f"{repository.REPOSITORY}/blob/main/Makefile"),
         ("../src/edugym/agents", f"{repository.REPOSITORY}/tree/main/src/edugym/agents"),
         (f"{repository.REPOSITORY}/blob/main/docs/notation.md", "notation.md"),
         ("https://arxiv.org/abs/2311.10590", "https://arxiv.org/abs/2311.10590"),
@@ -66,6 +68,16 @@ def test_sections_come_from_other_files() -> None:
     assert "Ten lines" not in text
     with pytest.raises(ValueError, match="Three commands"):
         repository.section("README.md", "Three commands")
+
+
+@pytest.mark.parametrize("change", [{"guides/new": "# New"}, {"guides/license": None}])
+def test_every_guide_is_in_one_group(change: dict[str, str | None]) -> None:
+    """The list has each once; one that is in no group, and a group's that is not there, are errors."""
+    texts = {page: f"# The title of {page}" for page in [*guides.ORDER, "index"]}
+    assert re.findall(r"\[.*?\]\(/(.*?)\.md\)", guides.index(texts)) == guides.ORDER
+    [name] = change
+    with pytest.raises(ValueError, match=name):
+        guides.index({page: text for page, text in {**texts, **change}.items() if text})
 
 
 def test_docstrings_become_markdown() -> None:
@@ -217,7 +229,7 @@ def test_an_agents_page_has_equation_code_lessons_and_profile(lessons: list[less
 
 
 def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[lesson_pages.Lesson]) -> None:
-    """It has a picture, equations and a bet; the rest of the lesson is not there, and programs neither."""
+    """It has a picture, equations, a bet and its race; the rest of the lesson is not there, and programs neither."""
     pages = projected_pages.pages(lessons)
     for lesson in lessons:
         before, fold, after = pages.pop(f"project/{lesson.name}").partition('<details class="measured">')
@@ -227,6 +239,7 @@ def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[
         for path in re.findall(r"\(\.\./(lessons/figures/[^)]*)\)", before + fold + after):
             assert path in lesson.figures
         assert "```python" not in after
+        assert re.findall(r"#task=(\w+)", after) == re.findall(r"\?first#task=(\w+)", lesson.text), lesson.name
         assert len(before.split()) < 400, lesson.name  # a lesson has thousands
     assert list(pages) == ["project/index"]
     assert pages["project/index"].count("](/project/") == len(lessons)
