@@ -1,6 +1,7 @@
-"""The README and the pages of docs: their examples print what they say, and their links lead somewhere."""
+"""The README, the pages of docs and docstrings: examples print what they say, and links of pages lead somewhere."""
 
 import contextlib
+import inspect
 import io
 import re
 import sys
@@ -10,10 +11,14 @@ from typing import Any
 
 import pytest
 
+import edugym
+
 ROOT = Path(__file__).parent.parent
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
 EXAMPLE = re.compile(r"```python\n(.*?)```\s+```text\n(.*?)```", flags=re.DOTALL)
-EXAMPLES = [(page.name, *found) for page in PAGES for found in EXAMPLE.findall(page.read_text(encoding="utf-8"))]
+TEXTS = [(page.name, page.read_text(encoding="utf-8")) for page in PAGES]
+TEXTS += [(name, inspect.getdoc(getattr(edugym, name)) or "") for name in dir(edugym)]
+EXAMPLES = [(name, *found) for name, text in TEXTS for found in EXAMPLE.findall(text)]
 
 
 @pytest.mark.parametrize(("page", "code", "output"), EXAMPLES, ids=lambda part: part[:15])
@@ -42,7 +47,7 @@ def test_the_worked_example_of_an_agent(monkeypatch: pytest.MonkeyPatch) -> None
 
 def test_links_lead_somewhere() -> None:
     """Those to files of the project; a change of a page's form hides no example."""
-    assert {"README.md", "your-own.md"} <= {page for page, *_ in EXAMPLES}
+    assert {"README.md", "your-own.md", "train"} <= {page for page, *_ in EXAMPLES}
     links = [
         (page, link.partition("#")[0])
         for page in PAGES

@@ -11,14 +11,15 @@ from edugym.mdp.protocol import Integers, Random
 
 @shows_settings
 class CountBased(NamedTuple):
-    """Q-learning on the reward plus a bonus for entering states that were rarely visited.
+    """Q-learning on the reward plus a novelty bonus, for entering states that were rarely visited.
 
         N(S') <- N(S') + 1
         R⁺ = R + β / √N(S')
         Q(S, A) <- Q(S, A) + α [R⁺ + γ max_a Q(S', a) - Q(S, A)]
 
     The bonus fades as a state becomes familiar. Q-learning carries it back along the way that leads there, so the
-    agent is drawn to the edge of what it knows.
+    agent is drawn to the edge of what it knows. Optimism is another way to that edge: `QLearning` with a high
+    `initial_value`, and no bonus.
 
     A large bonus outweighs the reward: an episode that goes on earns more bonuses than the end pays. On a wall of
     height 8 in Boulder, the default settings end with a greedy policy that never reaches the top; with a discount of

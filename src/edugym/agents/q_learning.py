@@ -14,6 +14,10 @@ class QLearning(NamedTuple):
 
         Q(S, A) <- Q(S, A) + α [R + γ max_a Q(S', a) - Q(S, A)]
 
+    With optimism it explores although it is greedy: start Q higher than any return can be, as in
+    `QLearning.create(env, initial_value=1.0, exploration=Greedy())`, and what was never tried looks best until it is
+    tried (section 2.6 of the book).
+
     Attributes:
         Q: shape (n_states, n_actions): the action values.
         learning_rate: α, greater than 0 and up to 1.

@@ -34,6 +34,24 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
+    ```python
+    from edugym import QLearning, Supermarket, train
+
+    shop = Supermarket.create()
+    agent = QLearning.create(shop)
+    run = train(shop, agent, 20_000, evaluate_every=5_000, seed=1)
+    for steps, value in zip(run.steps, run.returns):
+        print(f"return {value:4.0f} after {steps:5} steps")
+    ```
+
+    ```text
+    return -450 after     0 steps
+    return -500 after  5000 steps
+    return   78 after 10000 steps
+    return   78 after 15000 steps
+    return   78 after 20000 steps
+    ```
+
     Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
     (1) Gymnasium environments that do not come from EduGym; (2) EduGym environments inside a wrapper that you have
     added; (3) the environment Supermarket if you set its `step_timeout`, which makes each step last some time. All
