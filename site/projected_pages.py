@@ -1,9 +1,11 @@
 """One page a lesson to project in class: the challenge, the picture, the equations, a bet, and what was measured.
 
-All of it is taken from the lesson, by the headings and marks that every lesson has.
+All of it is taken from the lesson, by the headings and marks that every lesson has. `site.css` makes its letters large
+and hides what stands around it, and `site.js` turns to the next part of it when a key is pressed.
 """
 
 import re
+from collections.abc import Iterator
 from itertools import pairwise
 
 from lesson_pages import FOLD, FOLD_ENDS, Lesson
@@ -14,6 +16,8 @@ EQUATION = re.compile(r"^### [^\n]*$|^\$\$\n.*?^\$\$$", re.MULTILINE | re.DOTALL
 QUESTION = re.compile(r'^<fieldset class="prediction">.*</fieldset>$', re.MULTILINE)
 MEASURED = re.compile(r'<details class="measured">.*?</details>', re.DOTALL)
 ASIDE = re.compile(rf"^### [^\n]*\n\n{re.escape(FOLD)}.*?{re.escape(FOLD_ENDS)}$\n*", re.MULTILINE | re.DOTALL)
+RACE = re.compile(r'<details class="live"><summary>.*?: the race of (\w+)')
+MARK = '<div class="projected"></div>'
 PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
 
@@ -22,7 +26,9 @@ def pages(lessons: list[Lesson]) -> dict[str, str]:
     listed = [f"- [{lesson.numbered}](/{_place(lesson)}.md)\n" for lesson in lessons]
     return {
         "project/index": "# To project in class\n\nOne page a lesson. Show the task and the equations, let the class "
-        "bet, count the hands, and only then open what was measured.\n\n" + "".join(listed),
+        "bet, count the hands, and only then open what was measured. The keys → and ←, or Page Down and Page Up as a "
+        "clicker sends them, turn to the next part and back; the button at the top fills the screen.\n\n"
+        + "".join(listed),
         **{_place(lesson): page(lesson) for lesson in lessons},
     }
 
@@ -37,6 +43,7 @@ def page(lesson: Lesson) -> str:
     measured = PROGRAM.sub("", _first(MEASURED, bet)).replace("what this cell measured", "what was measured")
     return "\n\n".join([
         f"# {lesson.title}, to project",
+        MARK,
         _first(CHALLENGE, lesson.text, 1),
         f"## {_heading(task)}",
         _first(PICTURE, task).replace("](figures/", "](../lessons/figures/"),
@@ -45,9 +52,17 @@ def page(lesson: Lesson) -> str:
         "## Place your bets",
         question,
         measured.replace("](figures/", "](../lessons/figures/"),
-        f"[The whole lesson](/lessons/{lesson.name}.md)",
+        " · ".join(_links(lesson)),
         "",
     ])  # fmt: skip
+
+
+def _links(lesson: Lesson) -> Iterator[str]:
+    """Where to go on: the race of the lesson, with its settings; the lesson; and the other pages to project."""
+    for race in RACE.findall(lesson.text):
+        yield f'<a href="../playground/index.html#task={race}">Let the agents race in {race}</a>'
+    yield f"[The whole lesson](/lessons/{lesson.name}.md)"
+    yield "[All pages to project](/project/index.md)"
 
 
 def _place(lesson: Lesson) -> str:

@@ -44,6 +44,34 @@ addEventListener('load', reach)
 addEventListener('resize', reach)
 addEventListener('toggle', reach, true)  // what was folded had no width
 
+// A page to project: a button fills the screen, and keys turn to the next part or back, as a clicker sends them.
+const projected = document.querySelector('.projected')
+if (projected) {
+  const parts = [...document.querySelectorAll('article > section > section + section')] // the first belongs to the title
+  const turn = way => {
+    const top = part => Math.round(part.getBoundingClientRect().top)
+    const next = way > 0 ? parts.find(part => top(part) > 1) : parts.findLast(part => top(part) < -1)
+    if (next) next.scrollIntoView()
+    else if (way < 0) scrollTo(0, 0)
+  }
+  const ways = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }
+  addEventListener('keydown', event => {
+    if (!ways[event.key] || event.ctrlKey || event.altKey || event.metaKey || event.target.closest('input, button, [tabindex]')) return
+    event.preventDefault()
+    turn(ways[event.key])
+  })
+  const fill = document.createElement('button')
+  fill.type = 'button'
+  fill.className = 'fill'
+  fill.textContent = 'Fill the screen'
+  fill.addEventListener('click', () => {
+    fill.blur() // or it takes the keys that turn
+    if (document.fullscreenElement) document.exitFullscreen()
+    else document.documentElement.requestFullscreen()
+  })
+  projected.append(fill)
+}
+
 // On paper nothing can be opened, so what is folded is printed open.
 let opened = []
 addEventListener('beforeprint', () => {
