@@ -37,6 +37,7 @@ class FloorMap(NamedTuple):
         arrows: whether to draw the best action in each cell that is worth something.
         path: a way, as states.
         highest: the value of the darkest colour.
+        label: what the colours mean.
     """
 
     Q: Any
@@ -45,6 +46,7 @@ class FloorMap(NamedTuple):
     arrows: bool = False
     path: tuple[int, ...] = ()
     highest: float = 50.0
+    label: str = "value of the cell"
 
     def values(self) -> Reals:
         """Return the value of each cell, shape (10, 10); NaN where nothing is known."""
@@ -89,7 +91,7 @@ class FloorMap(NamedTuple):
         ax.spines[:].set_visible(False)
         if place.last and not self.path:
             bar = ax.figure.colorbar(picture, ax=ax, pad=0.02, shrink=0.85)
-            bar.set_label("value of the cell", fontsize=8)
+            bar.set_label(self.label, fontsize=8)
             bar.ax.tick_params(labelsize=7)
         return ax
 

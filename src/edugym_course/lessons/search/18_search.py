@@ -1,0 +1,485 @@
+# %% [markdown]
+# # Search at decision time: a deeper look is not always a better one
+#
+# **The challenge.** You have a model of the task, but no policy, and no time to plan for all states. Before each step you may simulate a
+# little, from where you stand. How do you spend these simulations? And what if the model is wrong?
+#
+# **You will be able to** write Monte Carlo tree search with upper bounds (UCT); say what a tree gains over plain roll-outs, and what more
+# actions cost; and show, exactly, when a deeper look ahead does harm.
+#
+# **Time.** {time} **Before you start.** You should know values, value iteration (Sutton and Barto, 2nd edition, section 4.4), and upper confidence bounds (2.7; lesson 0b). This
+# lesson is about their sections 8.8 to 8.11. Lesson 9 plans in the same shop, with and without a given model. All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+import numpy as np
+
+from edugym import UCT, finite_model
+from edugym_course.lessons.search import figures, methods, plans
+from edugym_course.notebook import play, predict, sliders, source
+
+# %% [markdown]
+# ## Meet the environment: a shop, and its model
+#
+# A shopper collects three items, for 25 each, and leaves by the exit, for 50. Every step costs 1. The best return is 95, in 30 steps. Here
+# an episode is cut off after 100 steps.
+#
+# | | | in words |
+# |---|---|---|
+# | states | $s$ | the cell, and which items are in the bag: 428 states |
+# | actions | $a$ | up, down, left, right |
+# | dynamics | $p(s' \mid s, a)$ | one cell on; a wall leaves you where you are. Nothing is random |
+# | reward | $r$ | −1 a step, +25 for each item, +50 at the exit |
+
+# %%
+shop = methods.shop()
+play(shop)
+
+# %% [markdown]
+# **The model is given.** For each state and action it says what follows, and asking it changes nothing in the shop. This is the first step:
+
+# %%
+model = finite_model(shop)
+start = shop.initial(np.random.default_rng(0))
+for action, name in enumerate(shop.action_names):
+    for outcome in model.outcomes(start, action):
+        print(f"{name:5} {outcome}")
+
+# %% [markdown]
+# ## The idea: look ahead from where you are
+#
+# ### Look at everything
+# The best that one can do in $d$ more steps is
+#
+# $$
+# V_d(s) = \max_a \sum_{s'} p(s' \mid s, a) \left[ r + \gamma V_{d-1}(s') \right], \qquad V_0(s) = 0.
+# $$
+#
+# (Nothing follows where the task has ended.) Before each step, compute this for each action, take the best one, and forget the rest. It needs no table and no learning. (Exercise 3
+# is to write it.) But with $b$ actions there are $b^d$ ways to go on. For 20 steps in the shop these are $4^{20}$, a million millions.
+#
+# ### Try some of it: roll-outs
+# So *sample*. Try each action in the model, go on at random until step $d$, and add up the discounted rewards. The mean of many such returns is
+# the value of the action. This costs $d$ steps of the model for each *simulation*, however many ways there are.
+#
+# ### Remember where it was good: UCT
+# Nobody will act at random after the first step. So keep a *tree* of what was simulated, with a mean return $Q(\text{node}, a)$ and
+# a count $N(\text{node}, a)$ for each action, and choose in the tree by an upper bound. Each simulation has four parts:
+#
+# 1. **Select.** From the root on, take the action with the highest
+#    $$
+#    Q(\text{node}, a) + c \sqrt{\frac{\ln N(\text{node})}{N(\text{node}, a)}},
+#    $$
+#    and one that was never tried first. The root $\sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node.
+# 2. **Expand.** The first state that is not in the tree becomes a new node.
+# 3. **Roll out.** From there on, act at random until the end, or until step $d$.
+# 4. **Back up.** From the last node to the root: $G \leftarrow R + \gamma G$, count the action, and
+#    $Q(\text{node}, A) \leftarrow Q(\text{node}, A) + \left[ G - Q(\text{node}, A) \right] / N(\text{node}, A)$.
+#
+# In the end take the action with the highest $Q$ in the root, and throw the tree away. (In the code `OUTSIDE` means: not in the tree. Where the model was never told
+# of an action, the simulation ends; here it knows all.)
+
+# %%
+source(UCT, "simulate", "select", "back_up")
+
+# %% [markdown]
+# ## The experiment: more simulations
+#
+# | setting | value |
+# |---|---|
+# | simulations before each step | 30 to 3000, each of at most $d = 20$ steps |
+# | constant, discount | $c = 10$, $\gamma = 0.95$ (returns are shown without a discount) |
+# | plain roll-outs | the same, but the tree has no node besides the root |
+# | episodes | 30 for each point; bands are 95 % intervals |
+#
+# **Predict.** Take plain roll-outs with 3000 simulations before each step instead of 300. They now get ...
+
+# %%
+more = predict("Compared with 300 simulations, 3000 plain roll-outs get ...", ["more", "about the same", "less"])
+more
+
+# %%
+figure, found = figures.measured_simulations(repetitions=30)
+display(figure)
+tree, plain = found["UCT"], found["plain roll-outs"]
+for name, measured in found.items():
+    told = ", ".join(f"{n}: {r.mean():.0f}" for n, r in zip(methods.NUMBERS, measured, strict=True))
+    print(f"{name:16} {told}")
+print(f"what plain roll-outs come to: {plans.random_play():.0f}")
+change = plain[4].mean() - plain[2].mean()
+more.measured(more.options[0 if change > 3 else 2 if change < -3 else 1])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Less. With more roll-outs each value comes closer to its mean, the value of *random play* after the first step. That is the
+# wrong value to know exactly. The best action by these values gets 59, whatever the number of simulations (dotted line, computed exactly): it leaves with one item. With 300 simulations the values still have errors, and here these help by chance.
+# UCT has no such limit: in its tree later actions are good ones. It gets 81 with 1000 simulations, and no more with 3000. The exact look-ahead of 20 steps gets 95.
+# </details>
+
+# %% [markdown]
+# ## Your turn
+#
+# How does it depend on the number of actions, on the depth $d$ and on $c$? (20 episodes. Further actions
+# stand still.)
+
+
+# %%
+def one_setting(n_actions=4, depth=20, c=10.0):
+    """Draw what both searches get with 30, 100 and 300 simulations."""
+    return figures.one_setting(n_actions, depth, c)
+
+
+sliders(one_setting, n_actions=[4, 8, 16], depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
+
+# %% [markdown]
+# <details><summary>What to look for</summary>
+#
+# With 16 actions both fail: most episodes do not end. With a depth of 5 they often see neither item nor exit, and then all
+# actions look alike. With $c = 0$ UCT stays with what looked good first, and gets much less. A constant that is ten times as large costs little here.
+# </details>
+
+# %% [markdown]
+# ## See inside: where the tree grows
+#
+# One search from the entrance. This is its root:
+
+# %%
+agent = methods.searcher(model)
+agent.greedy(start, np.random.default_rng(1))
+for action, name in enumerate(shop.action_names):
+    print(f"{name:5}  N = {agent.tree.counts[0, action]:3}   Q = {agent.tree.values[0, action]:6.2f}")
+
+# %% [markdown]
+# Only `down` leads into the shop; the others are walls. It got more simulations, but not by far: a wall costs just one step of the twenty, so the values differ little, and $c = 10$ is large beside
+# the difference. Now the whole tree. Each node is a state and the way to it, so a cell can have many
+# nodes. Move the number of simulations.
+
+
+# %%
+def one_search(simulations=1000):
+    """Draw in which cells the nodes of a search are, for three constants c."""
+    return figures.tree_maps(simulations=simulations)
+
+
+sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
+
+# %% [markdown]
+# With a small $c$ the tree grows deep where it once was good. With a large one it grows wide, and stays near the entrance. Grey cells have no node.
+
+# %% [markdown]
+# ## Predict, then check
+#
+# ### More actions
+# Give the shopper twelve more actions. They all stand still, for −1. The best return is still 95.
+#
+# **Predict.** UCT gets about 80 with 4 actions (1000 simulations). What does it get with 16?
+
+# %%
+crowded = predict("With 16 actions, of which 12 stand still, UCT gets ...", unit="(a return)")
+crowded
+
+# %%
+crowds = {n_actions: methods.in_crowd(n_actions, repetitions=20).mean() for n_actions in (4, 8, 16)}
+for n_actions, got in crowds.items():
+    print(f"{n_actions:2} actions: {got:4.0f}")
+repeating = methods.in_crowd(16, copies=True, repetitions=20).mean()
+print(f"16 actions, of which 12 repeat the four directions: {repeating:.0f}")
+crowded.measured(crowds[16])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** −32: most episodes never end. You may think that the tree is to blame, for it has 16 branches at each node now. But where the
+# twelve actions *repeat* the four directions, the tree has as many branches, and UCT still gets 67. So mostly the *roll-outs* are to blame: of their 20 steps 15 stand
+# still, and they seldom get anywhere. (The same with a discount of 0.9, and with 30 steps.) That is why programs that play well do not roll out at random: they
+# use a policy or a value that was learned.
+# </details>
+
+# %% [markdown]
+# ### Is it random play that misleads roll-outs?
+# Above, plain roll-outs got worse with more simulations. If that is since their values come to those of random play, it should not be so where random play is a better guide. In *shorter*
+# roll-outs it is: with 10 steps the best action by its exact values gets 78, not 59.
+#
+# **Predict.** With roll-outs of 10 steps, 3000 simulations get ... than 300.
+
+# %%
+short = predict("With roll-outs of 10 steps, 3000 simulations get ...", ["more", "about as much", "less"])
+short
+
+# %%
+plain = {n: methods.searched(nodes=1, depth=10, simulations=n, repetitions=30).mean() for n in (300, 3000)}
+print(
+    f"10 steps: {plain[300]:.0f} with 300 simulations, {plain[3000]:.0f} with 3000; exact {plans.random_play(10):.0f}"
+)
+short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3000] < plain[300] - 3 else 1])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** More. So the direction depends on what the values come to. And note: even with the right model the *shorter* look was the better
+# one for plain roll-outs, 78 against 59. Deeper is not better if what you see there is random play.
+# </details>
+
+# %% [markdown]
+# ### A deeper look in a wrong model
+# Now no sampling at all: we look ahead *exactly*, and so we need no seeds. But the map is an old one. It shows a door in the wall between the second and the third item, which is
+# bricked up by now. In the right model 8 steps of look-ahead get 59, and 20 steps get 95. On the old map 8 steps get 59, too.
+#
+# **Predict.** What do 20 steps of look-ahead get on the old map?
+
+# %%
+deep = predict(
+    "20 steps of look-ahead on the old map get ...", ["about 95", "between 59 and 95", "about 59", "less than 59"]
+)
+deep
+
+# %%
+display(figures.over_depth())
+for name, door in (("right map", None), ("old map", methods.DOOR), ("a useless door", (7, 6))):
+    shallow, far = plans.in_the_shop(door, (8, 20))
+    print(f"{name:15} 8 steps: {shallow:3.0f}   20 steps: {far:3.0f}")
+print(f"old map, mended on the way:     20 steps: {plans.mending(20):3.0f}")
+_, worth = plans.in_the_shop(methods.DOOR, (8, 20))
+deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth > 55 else 3])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
+# the same plan each time. The short look never sees what is behind the door. On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. With another door, or a discount of 0.9, it came out the same.
+#
+# On the right: soccer (lesson 13). We think that the opponent moves at random; it always runs towards its goal. Three steps of look-ahead
+# gain 0.5 a game, and four or more gain nothing. (Who knows the opponent gains 0.5 and 1.)
+# </details>
+
+# %% [markdown]
+# Not every wrong model is like that. Let all rewards of the model have errors, with a standard deviation of 1:
+
+# %%
+errors = np.array([plans.with_errors(number, (8, 20)) for number in range(1, 31)]).mean(axis=0)
+print(f"rewards with errors: 8 steps {errors[0]:.0f}, 20 steps {errors[1]:.0f}")
+searching = [methods.searched(door=door, repetitions=20).mean() for door in (None, methods.DOOR)]
+print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
+
+# %% [markdown]
+# There the deeper look is the better one. And UCT, too, loses on the old map, though less than the
+# exact look-ahead. (Two guesses: small errors matter less than what lies far away, and UCT's own chance leads it away from the wall now and then.)
+#
+# ### What does it cost?
+# With 1000 simulations of up to 20 steps, UCT takes up to 20 000 steps of the model before *each* step of its own. And it learns nothing: in the next episode it begins again.
+#
+# **Predict.** Let Q-learning take 20 000 steps in the model, once ($\alpha = 1$, $\varepsilon = 0.1$). Then it follows its table, without any search. It gets ...
+
+# %%
+cheap = predict("Q-learning after 20 000 steps gets ...", ["more than UCT", "about as much", "less than UCT"])
+cheap
+
+# %%
+learned = methods.learned(repetitions=20).mean()
+sweeps = next(d for d in plans.DEPTHS if plans.in_the_shop(None, (d,))[0] > 94.9)
+print(f"Q-learning gets {learned:.0f}, UCT {searching[0]:.0f}")
+n_pairs = 4 * len(model.states)
+print(f"value iteration: {sweeps} sweeps over {n_pairs} pairs are {sweeps * n_pairs} questions")
+cheap.measured(cheap.options[0 if learned > searching[0] + 3 else 2 if learned < searching[0] - 3 else 1])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** More than UCT. And value iteration asks the model about as often, once, and then knows the best action in all 428 states. In a small task that you will
+# do often, search is a waste. It pays where the states cannot be gone through: Go has more than $10^{170}$, and a search sees no more of them than it simulates. It can also pay where
+# the model changes from day to day.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it: it says what was expected, what came, and
+# which mistake that looks like.
+
+# %%
+from edugym_course.grading import check
+from edugym_course.lessons.search.exercises import exercise_1, exercise_2, exercise_3
+
+# %% [markdown]
+# ### Exercise 1: the upper bound
+# Return the number by which UCT selects an action: `q` is its mean return in this node, `n_action` how often it was tried there, `n_node` how many choices the
+# node has seen. What was never tried comes before everything else.
+#
+# <details><summary>Hint</summary><code>float("inf")</code> is larger than every number.</details>
+
+# %%
+from math import log
+
+
+def upper_bound(q, n_action, n_node, c):
+    """Return the upper bound of an action in a node."""
+    ### BEGIN SOLUTION
+    if n_action == 0:
+        return float("inf")
+    return q + c * (log(n_node) / n_action) ** 0.5
+    # own: return q + c * (log(n_node) / n_action) ** {power}
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_1, upper_bound)
+### BEGIN HIDDEN TESTS
+check(exercise_1, upper_bound, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 2: back up a simulation
+# `values` and `counts` are arrays of shape (nodes, actions), as they were before this simulation. `path` lists its pairs (node, action), from the root on, `rewards` what followed on each, and `G` is
+# the return of the roll-out after the last one. Change both arrays in place, and return nothing.
+#
+# <details><summary>Hint</summary>Go through path and rewards from the end: <code>reversed</code>. First count, then move the value.</details>
+
+
+# %%
+def back_up(values, counts, path, rewards, G, discount):
+    """Let every node on the path of a simulation learn from what followed."""
+    ### BEGIN SOLUTION
+    for (node, action), reward in zip(reversed(path), reversed(rewards), strict=True):
+        G = reward + discount * G
+        # own: G = reward - {cost} + discount * G
+        counts[node, action] += 1
+        values[node, action] += (G - values[node, action]) / counts[node, action]
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, back_up)
+### BEGIN HIDDEN TESTS
+check(exercise_2, back_up, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 3: look at everything
+# Return what a state is worth if you look `depth` steps ahead, exactly, with $\gamma = 0.9$: the first equation of this lesson.
+# `model[state][action]` is a list of outcomes `(probability, next_state, reward, terminated)`.
+#
+# <details><summary>Hint</summary>The function calls itself, with one step less. When does it stop?</details>
+
+
+# %%
+def look_ahead(model, state, depth):
+    """Return the best expected return of so many steps."""
+    ### BEGIN SOLUTION
+    if depth == 0:
+        return 0.0
+    values = []
+    for outcomes in model[state].values():
+        value = 0.0
+        for probability, next_state, reward, terminated in outcomes:
+            future = 0.0 if terminated else look_ahead(model, next_state, depth - 1)
+            value += probability * (reward + 0.9 * future)
+            # own: value += probability * (reward + {discount} * future)
+        values.append(value)
+    return max(values)
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_3, look_ahead)
+### BEGIN HIDDEN TESTS
+check(exercise_3, look_ahead, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### From a blank file
+# Now write UCT from an empty cell, in plain Python: some 40 lines.
+#
+# **What it must do.** `my_program(model, n_actions, state, n_simulations, seed)` returns the best action in `state`.
+#
+# - `model(state, action)` gives `(reward, next_state, terminated)`. What follows may be drawn at random. Actions are 0 to `n_actions - 1`. There is no other environment.
+# - Make `n_simulations` simulations, each from `state` on. It ends where the model says so, or after 10 steps in all, roll-out included.
+# - $\gamma = 0.9$ and $c = 5$. What was never tried in a node comes first; among equals draw one.
+# - Return the action with the highest value in the root. Random numbers come from `rng = np.random.default_rng(seed)`.
+#
+# The check sets it riddles: tiny tasks, each of which cannot be solved if one part of the search is missing. States and actions have other numbers each time.
+# <details><summary>A plan</summary>Keep a dictionary: for each node two lists, counts and values. A node may be the tuple of what led to it: (), then (action, state), and so on. A function
+# that simulates from a node on, and calls itself for the next one, backs up by itself: it returns its return.</details>
+
+# %% tags=["project"]
+my_program = ...  # your program
+
+
+### BEGIN PROGRAM
+def my_program(model, n_actions, state, n_simulations, seed):
+    """Search by UCT."""
+    rng = np.random.default_rng(seed)
+    gamma, depth, c = 0.9, 10, 5.0
+    tree = {(): ([0] * n_actions, [0.0] * n_actions)}
+
+    def select(counts, values):
+        bounds = np.full(n_actions, np.inf)
+        for a in range(n_actions):
+            if counts[a]:
+                bounds[a] = values[a] + c * np.sqrt(np.log(sum(counts) + 1) / counts[a])
+        return int(rng.choice(np.flatnonzero(bounds == bounds.max())))
+
+    def roll_out(state, steps):
+        if steps == depth:
+            return 0.0
+        reward, after, ended = model(state, int(rng.integers(n_actions)))
+        return reward if ended else reward + gamma * roll_out(after, steps + 1)
+
+    def simulate(node, state, steps):
+        if steps == depth:
+            return 0.0
+        counts, values = tree[node]
+        action = select(counts, values)
+        reward, after, ended = model(state, action)
+        child = (*node, action, after)
+        if ended:
+            future = 0.0
+        elif child in tree:
+            future = simulate(child, after, steps + 1)
+        else:
+            tree[child] = ([0] * n_actions, [0.0] * n_actions)
+            future = roll_out(after, steps + 1)
+        G = reward + gamma * future
+        counts[action] += 1
+        values[action] += (G - values[action]) / counts[action]
+        return G
+
+    for _ in range(n_simulations):
+        simulate((), state, 0)
+    counts, values = tree[()]
+    return max((a for a in range(n_actions) if counts[a]), key=lambda a: values[a])
+
+
+### END PROGRAM
+
+# %% tags=["project"]
+from edugym_course.lessons.search.project import project_18
+
+check(project_18, my_program)
+
+# %% [markdown]
+# ## What you saw
+#
+# - Plain roll-outs come to the values of random play. With more simulations they got *worse* here: their limit, 59, can be computed. A tree has no such limit.
+# - UCT got about 80 with 1000 simulations, and no more with 3000. The exact look-ahead of 20 steps gets 95.
+# - Twelve actions that stand still ruined UCT. Mostly the roll-outs were to blame, not the branches of the tree.
+# - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with small errors in all rewards deeper was better.
+# - Nothing is kept. UCT simulates up to 20 000 steps before each of its own; value iteration asks the model about as often, once, and is done.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* Search at decision time plans for the present state only, again before each step. A tree with upper bounds spends simulations where it seems good, and
+# so sees what good play leads to, not what random play does. It costs much, and keeps nothing, so it pays where there are too many states to plan for all. A deeper
+# look trusts the model further. If the model is wrong there, the look finds what does not exist, and may go after it for ever.
+#
+# ### Limits
+# The shop is small, and nothing in it is random; so we can compute what a search should find, and so planning once is cheaper. We chose the old map so that its door
+# matters: with other wrong models a deeper look is better. Why UCT stays at 80 we did not test; 10 000 simulations did not help in a first trial. AlphaZero and MuZero keep what they learn: networks
+# for policy and value take the place of random roll-outs, and MuZero learns its model as well.
+#
+# ### Further reading
+# - Kocsis and Szepesvári (2006), *Bandit based Monte-Carlo planning*: UCT.
+# - Browne et al. (2012), *A survey of Monte Carlo tree search methods*.
+# - Jiang, Kulesza, Singh and Lewis (2015), *The dependence of effective planning horizon on model accuracy*: with a model that was learned from little, a shorter horizon is better.
+# - Silver et al. (2018), *A general reinforcement learning algorithm that masters chess, shogi, and Go through self-play*; Schrittwieser et al. (2020), *Mastering Atari, Go, chess and shogi by planning with a learned model*.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 8.8 to 8.11 (planning at decision time, roll-outs, tree search), 16.6 (AlphaGo).

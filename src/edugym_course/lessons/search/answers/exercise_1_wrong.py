@@ -1,0 +1,82 @@
+# %% no logarithm
+# says: the logarithm is missing
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(n_node / n_action) if n_action > 0 else inf
+
+# %% the logarithm of the ratio
+# says: that is the logarithm of the ratio; only N(node) has one
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node / n_action)) if n_action > 0 else inf
+
+# %% exchanged
+# says: the two numbers are exchanged: the *action* was tried seldom, so its N stands below the line
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_action) / n_node) if n_action > 0 else inf
+
+# %% the same bonus for all
+# says: N(node, a) is missing: then all actions get the same bonus
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node)) if n_action > 0 else inf
+
+# %% a short root
+# says: only the logarithm is under the root; N(node, a) belongs there, too
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node)) / n_action if n_action > 0 else inf
+
+# %% no root
+# says: the root is missing
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * log(n_node) / n_action if n_action > 0 else inf
+
+# %% no constant
+# says: c is missing
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + sqrt(log(n_node) / n_action) if n_action > 0 else inf
+
+# %% the constant under the root
+# says: c stands under the root; it is outside
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + sqrt(c * log(n_node) / n_action) if n_action > 0 else inf
+
+# %% a lower bound
+# says: the bonus is subtracted: that is a *lower* bound
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q - c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+
+# %% the bonus alone
+# says: Q(node, a) is missing: then the search looks for what is seldom, not for what is good
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+
+# %% one more
+# says: 1 is added to N(node, a): that makes an action that was never tried look like any other
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node) / (n_action + 1))
+
+# %% zero for what was not tried
+# says: should be infinite, but is
+# says: an action that was never tried comes first, so its bound is infinite: float('inf')
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else q
+
+# %% divided by zero
+# says: raises ZeroDivisionError
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node) / n_action)
+
+# %% a number
+# says: q, n_action, n_node and c
+upper_bound = 3.5

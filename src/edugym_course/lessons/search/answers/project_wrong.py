@@ -1,0 +1,152 @@
+# %% the worst action
+# says: every action gains, and one gains most
+# says: in a task in which
+# says: , it finds the right action in
+# says: searches: is the action with the highest value returned, and does an action that was never tried come first in its node, as if its bound were infinite?
+# in: nodes are objects
+# - return max(tried, key=root.mean)
+# + return min(tried, key=root.mean)
+
+# %% untried is worth 0
+# says: is the action with the highest value returned, and does an action that was never tried come first in its node, as if its bound were infinite?
+# in: a loop and a path
+# - untried = np.flatnonzero(N[node] == 0)
+# + untried = []
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / (N[node] + 1))
+
+# %% no exploration
+# says: the best action seldom pays, but then much
+# says: is there an exploration term, c √(ln N(node) / N(node, a)), and is a value the *mean* of all returns? Else one bad try is the last one
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 0
+
+# %% the latest return
+# says: is there an exploration term, c √(ln N(node) / N(node, a)), and is a value the *mean* of all returns?
+# in: nodes are objects
+# - return sum(self.returns[action]) / len(self.returns[action])
+# + return self.returns[action][-1]
+
+# %% no tree
+# says: what follows the best action is good only if one goes on well
+# says: it looks as if all later actions were random: in the tree, choose them by their upper bounds, too
+# in: nodes are objects
+# - node.children[action, after] = Node(n_actions)
+# + pass
+
+# %% the last reward
+# says: two losses come before a gain
+# says: do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?
+# in: nodes are objects
+# - G += 0.9 * visit(child, after, left - 1)
+# + G = 0.9 * visit(child, after, left - 1)
+
+# %% the last reward of the roll-out
+# says: do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?
+# in: a loop and a path
+# - G += weight * reward
+# + G = weight * reward
+
+# %% no discount
+# says: a larger reward comes eight steps later
+# says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?
+# in: nodes are objects
+# - G += 0.9 * visit(child, after, left - 1)
+# + G += visit(child, after, left - 1)
+
+# %% no discount in the roll-out
+# says: a larger reward comes eight steps later, and there is one simulation for each action
+# says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?
+# in: a loop and a path
+# - weight *= 0.9
+# + weight *= 1
+
+# %% five steps
+# says: a reward comes eight steps later that is worth waiting for
+# says: does each simulation look
+# says: steps ahead, roll-out included?
+# in: nodes are objects
+# - visit(root, state, 10)
+# + visit(root, state, 5)
+
+# %% an action without a simulation
+# says: all actions lose, and there are fewer simulations than actions
+# says: an action that was not simulated from the root has no value: choose among those that were
+# in: a loop and a path
+# - return int(np.argmax(np.where(N[()] > 0, Q[()], -np.inf)))
+# + return int(np.argmax(Q[()]))
+
+# %% the bound in the end
+# says: two actions are nearly as good as the best one
+# says: is the action in the end the one with the highest value, without the exploration term?
+# in: a loop and a path
+# - return int(np.argmax(np.where(N[()] > 0, Q[()], -np.inf)))
+# + bounds = np.where(N[()] > 0, Q[()] + 5 * np.sqrt(np.log(n_simulations) / np.maximum(N[()], 1)), -np.inf)
+# + return int(np.argmax(bounds))
+
+# %% beyond the end
+# says: goes on after the end, from the state
+# says: : where the model says that it ends, the simulation is over
+# in: nodes are objects
+# - if not ended:
+# + if True:
+
+# %% always from the root
+# says: begins more than
+# says: simulations, which is n_simulations: a search is a loop of so many, each from the root
+# in: a loop and a path
+# - reward, here, ended = model(here, int(rng.integers(n_actions)))
+# + reward, here, ended = model(state, int(rng.integers(n_actions)))
+
+# %% from the state before
+# says: asks for a step from the state
+# says: , but its simulation is in
+# says: : go on from the state that the model gave
+# in: a loop and a path
+# - for _ in range(len(path), 10):
+# + before = here
+# + for _ in range(len(path), 10):
+# - reward, here, ended = model(here, int(rng.integers(n_actions)))
+# + reward, after, ended = model(before, int(rng.integers(n_actions)))
+# + before, here = here, after
+
+# %% an index for a state
+# says: asks for a step from
+# says: , which is no state that the model gave
+# in: nodes are objects
+# - G += 0.9 * visit(child, after, left - 1)
+# + G += 0.9 * visit(child, after + 100, left - 1)
+
+# %% without a depth
+# says: simulates more than
+# says: steps in a row: each simulation looks
+# says: steps ahead
+# in: nodes are objects
+# - visit(root, state, 10)
+# + visit(root, state, 100)
+
+# %% one simulation less
+# says: simulates from the root
+# says: times, and it should
+# says: times: a search is a loop of n_simulations, each from the root to its end
+# in: nodes are objects
+# - for _ in range(n_simulations):
+# + for _ in range(n_simulations - 1):
+
+# %% a state for an action
+# says: the action that is given to the model
+# in: nodes are objects
+# - reward, after, ended = model(here, action)
+# + reward, after, ended = model(here, float(action))
+
+# %% the count
+# says: what my_program(
+# says: returns should give
+# in: nodes are objects
+# - return max(tried, key=root.mean)
+# + return max(len(returns) for returns in root.returns)
+
+# %% a number
+# says: model, n_actions, state, n_simulations and seed
+my_program = 3

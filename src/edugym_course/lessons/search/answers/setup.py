@@ -1,0 +1,3 @@
+from math import inf, log, sqrt
+
+import numpy as np

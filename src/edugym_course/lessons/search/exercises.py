@@ -1,0 +1,308 @@
+"""The exercises of lesson 18: an upper bound, backing up a simulation, and looking ahead exactly."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from math import inf, log
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+
+from edugym.mdp.protocol import Integers, Reals
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.cases import DISCOUNTS, telling_draw
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.own_numbers import Own, step_cost, told_less
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.tables import compare_tables
+from edugym_course.grading.values import given, number
+
+Power = Annotated[
+    float,
+    Own(
+        tuple(k / 100 for k in (*range(20, 46), *range(55, 81))),
+        "In your version the power {power} takes the place of the root: c (ln N(node) / N(node, a)) ** {power}.",
+    ),
+]
+Cost = Annotated[float, step_cost()]
+Discount = Annotated[
+    float, Own(tuple(k / 100 for k in (*range(40, 70), *range(71, 89))), "In your version γ is {discount}, not 0.9.")
+]
+
+
+class Bound(NamedTuple):
+    """An action in a node, for exercise 1."""
+
+    q: float
+    n_action: int
+    n_node: int
+    c: float
+
+
+def bounded(
+    case: Bound,
+    *,
+    inside: str = "log over count",
+    part: str = "sum",
+    times: str = "c",
+    n: str = "right",
+    power: float = 0.5,
+) -> float:
+    """Return the upper bound of an action that was tried; other arguments than the defaults are mistakes."""
+    q, n_action, n_node, c = case
+    count = {"right": n_action, "one more": n_action + 1}[n]
+    ratio = {
+        "log over count": log(n_node) / count,
+        "no log": n_node / count,
+        "log of both": log(n_node / count) if n_node > count else 0.0,
+        "swapped": log(count) / n_node,
+        "no count": log(n_node),
+        "root of the log alone": log(n_node) / count ** (1 / power),
+    }[inside]
+    bonus = ratio if times == "no root" else ratio**power
+    bonus *= {"c": c, "none": 1.0, "inside": c**power, "no root": c}[times]
+    return float({"sum": q + bonus, "difference": q - bonus, "bonus": bonus}[part])
+
+
+BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "the logarithm is missing": {"inside": "no log"},
+    "that is the logarithm of the ratio; only N(node) has one": {"inside": "log of both"},
+    "the two numbers are exchanged: the *action* was tried seldom, so its N stands below the line": {
+        "inside": "swapped"
+    },
+    "N(node, a) is missing: then all actions get the same bonus": {"inside": "no count"},
+    "only the logarithm is under the root; N(node, a) belongs there, too": {"inside": "root of the log alone"},
+    "the root is missing": {"times": "no root"},
+    "c is missing": {"times": "none"},
+    "c stands under the root; it is outside": {"times": "inside"},
+    "the bonus is subtracted: that is a *lower* bound": {"part": "difference"},
+    "Q(node, a) is missing: then the search looks for what is seldom, not for what is good": {"part": "bonus"},
+    "1 is added to N(node, a): that makes an action that was never tried look like any other": {"n": "one more"},
+}
+UNTRIED = "an action that was never tried comes first, so its bound is infinite: float('inf')"
+
+
+def _bounds(rng: np.random.Generator) -> list[Bound]:
+    """Make up actions: tried often, seldom, and once."""
+    numbers = ((1, 9), (4, 30), (17, 40), (2, 700), (50, 51))
+    return [
+        Bound(float(rng.integers(-8, 9)), tried, total + int(rng.integers(5)), float(rng.integers(3, 9)))
+        for tried, total in numbers
+    ]
+
+
+def exercise_1(answer: Any, seed: int, power: Power = 0.5) -> str:
+    """Check the upper bound of an action."""
+    require_function("upper_bound", answer, "q, n_action, n_node and c")
+    right = partial(bounded, power=power)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in BOUND_MISTAKES.values())]
+    cases = []
+    for case in _bounds(telling_draw(seed, _bounds, rules)):
+        call = f"upper_bound({case.q:g}, {case.n_action}, {case.n_node}, {case.c:g})"
+        with student_code(call):
+            found = answer(*case)
+        mistakes = {why: right(case, **change) for why, change in BOUND_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), right(case), mistakes))
+    compare_all(cases)
+    call = f"upper_bound({-3 - seed % 3}, 0, 7, 2)"
+    with student_code(call):
+        found = answer(-3.0 - seed % 3, 0, 7, 2.0)
+    given(call, found)
+    if found != inf:
+        raise WrongAnswer(f"{call} should be infinite, but is {found}: {UNTRIED}")
+    return "Right: who was tried seldom gets the benefit of the doubt."
+
+
+class Simulation(NamedTuple):
+    """A simulation for exercise 2, and the tables before it."""
+
+    values: Reals
+    counts: Integers
+    path: list[tuple[int, int]]
+    rewards: list[float]
+    G: float
+    discount: float
+
+
+def backed_up(
+    case: Simulation,
+    *,
+    order: str = "last first",
+    gamma: str = "right",
+    start: str = "roll-out",
+    reward: str = "all",
+    step: str = "mean",
+    count: str = "before",
+    which: str = "all",
+    cost: float = 0.0,
+) -> Reals:
+    """Return values and counts after a simulation, shape (2, nodes, A); other arguments are mistakes."""
+    values, counts = case.values.copy(), case.counts.astype(float)
+    discount = case.discount if gamma == "right" else 1.0
+    G = case.G if start == "roll-out" else 0.0
+    steps = [*zip(case.path, case.rewards, strict=True)]
+    for place, (entry, own) in enumerate(steps if order == "first first" else steps[::-1]):
+        earned = own - cost
+        if reward == "all":
+            G = discount * (earned + G) if gamma == "all" else earned + discount * G
+        elif place == 0:
+            G = earned + discount * G
+        if which == "root" and place < len(steps) - 1:
+            continue
+        n = counts[entry] + (1 if count in ("before", "kept") else 0 if count == "after" else 2)
+        change = {"mean": (G - values[entry]) / max(n, 1), "whole": G - values[entry], "sum": G, "only": G / max(n, 1)}
+        values[entry] += change[step]
+        counts[entry] += 0 if count == "kept" else 1
+    return np.stack([values, counts])
+
+
+BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "the rewards are gone through from the first to the last; the *last* one comes first, for what follows it is known"
+    " by then": {"order": "first first"},
+    "the discount is left out": {"gamma": "one"},
+    "every node gets the same return: on the way up each reward is added to what followed it": {"reward": "last"},
+    "the return of the roll-out is left out; G begins with it": {"start": "nothing"},
+    "a value becomes the latest return; it is the *mean* of all": {"step": "whole"},
+    "a value becomes the sum of the returns; it is their mean": {"step": "sum"},
+    "− Q(node, A) is left out: the return takes the place of the error": {"step": "only"},
+    "the error is divided by the number before this simulation: first count, then divide": {"count": "after"},
+    "the error is divided by one too many: this simulation counts once": {"count": "two more"},
+    "the simulation is not counted: N(node, A) goes up by 1": {"count": "kept"},
+    "only the root learns; every node on the path does": {"which": "root"},
+}
+
+
+def _simulations(rng: np.random.Generator) -> list[Simulation]:
+    """Make up simulations: of one step, of several, and some through nodes that are new."""
+    made = []
+    for length in (1, 2, 3, 3):
+        counts = rng.integers(1, 6, (4, 2))
+        counts[-1] = 0
+        values = np.where(counts > 0, rng.integers(-6, 7, (4, 2)), 0).astype(float)
+        nodes = [0, *rng.permutation(np.arange(1, 4))[: length - 1].tolist()]
+        path = [(int(node), int(rng.integers(2))) for node in nodes]
+        rewards = rng.integers(-5, 10, length).astype(float).tolist()
+        made.append(Simulation(values, counts, path, rewards, float(rng.integers(2, 9)), float(rng.choice(DISCOUNTS))))
+    return made
+
+
+def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
+    """Check what a simulation changes in the tree."""
+    require_function("back_up", answer, "values, counts, path, rewards, G and discount")
+    right = partial(backed_up, cost=cost)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in BACK_UP_MISTAKES.values())]
+    cases = _simulations(telling_draw(seed, _simulations, rules))
+    found, calls = [], []
+    for case in cases:
+        values, counts, *others = case
+        call = f"back_up({values.tolist()}, {counts.tolist()}, {', '.join(map(str, others))})"
+        mine = values.copy(), counts.copy()
+        with student_code(call):
+            answer(*mine, [*case.path], [*case.rewards], *case[4:])
+        found.append(np.stack(mine).astype(float))
+        calls.append(f"{call}{told_less(cost)}")
+    if all(np.array_equal(mine, np.stack(case[:2])) for case, mine in zip(cases, found, strict=True)):
+        raise WrongAnswer(
+            f"{calls[0]} changes nothing: change entries in place, as in values[node, action] += ..., and return"
+            " nothing"
+        )
+    compare_tables(cases, found, calls, BACK_UP_MISTAKES, right)
+    return "Right: one pass backwards, and every node on the path has learned."
+
+
+Model = Mapping[int, Mapping[int, list[tuple[float, int, float, bool]]]]
+
+
+class Look(NamedTuple):
+    """A question for exercise 3: what is a state worth, this many steps ahead?"""
+
+    model: Model
+    state: int
+    depth: int
+
+
+def looked_ahead(
+    case: Look,
+    *,
+    choice: str = "best",
+    end: str = "right",
+    chance: str = "right",
+    count: int = 0,
+    gamma: str = "right",
+    reward: str = "all",
+    discount: float = 0.9,
+) -> float:
+    """Return the value of a state, by recursion; other arguments than the defaults are mistakes."""
+
+    def value(state: int, depth: int) -> float:
+        if depth <= 0:
+            return 0.0
+        of_actions = []
+        for outcomes in case.model[state].values():
+            total = 0.0
+            for p, after, r, terminated in outcomes[:1] if chance == "first" else outcomes:
+                follows = 0.0 if terminated and end == "right" else value(after, depth - 1)
+                earned = r if reward == "all" or depth <= 1 else 0.0
+                now = r * discount + discount * follows if gamma == "all" else earned + factor * follows
+                total += (1.0 if chance in ("none", "first") else p) * now
+            of_actions.append(total)
+        return {
+            "best": max(of_actions),
+            "mean": sum(of_actions) / len(of_actions),
+            "worst": min(of_actions),
+            "first": of_actions[0],
+            "sum": sum(of_actions),
+        }[choice]
+
+    factor = discount if gamma == "right" else 1.0
+    return value(case.state, case.depth + count)
+
+
+LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "the actions are averaged: that is the value of random play; you will take the best": {"choice": "mean"},
+    "the actions are added up; you will take the best": {"choice": "sum"},
+    "only action 0 is looked at": {"choice": "first"},
+    "that is the value of the worst action": {"choice": "worst"},
+    "it looks beyond the end: where `terminated` is True nothing follows": {"end": "always"},
+    "the probabilities are left out": {"chance": "none"},
+    "only the first outcome of each action is looked at": {"chance": "first"},
+    "it looks one step too far: with 0 steps left the value is 0": {"count": 1},
+    "it looks one step too short": {"count": -1},
+    "γ is left out": {"gamma": "one"},
+    "the first reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
+    "only the last reward counts; each step's is added": {"reward": "last"},
+}
+
+
+def _looks(rng: np.random.Generator) -> list[Look]:
+    """Make up models of three states and two actions, some outcomes of which end, and questions about them."""
+    made = []
+    for depth in (1, 2, 3, 2):
+        model: dict[int, dict[int, list[tuple[float, int, float, bool]]]] = {}
+        for state in range(3):
+            model[state] = {}
+            for action in range(2):
+                p = float(rng.choice([0.25, 0.5, 1.0]))
+                model[state][action] = [
+                    (share, int(rng.integers(3)), float(rng.integers(-4, 9)), bool(rng.random() < 0.3))
+                    for share in (p, 1 - p)
+                    if share
+                ]
+        made.append(Look(model, int(rng.integers(3)), depth))
+    return made
+
+
+def exercise_3(answer: Any, seed: int, discount: Discount = 0.9) -> str:
+    """Check looking ahead exactly."""
+    require_function("look_ahead", answer, "model, state and depth")
+    right = partial(looked_ahead, discount=discount)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in LOOK_MISTAKES.values())]
+    cases = []
+    for case in _looks(telling_draw(seed, _looks, rules)):
+        call = f"look_ahead({case.model}, {case.state}, {case.depth})"
+        with student_code(call):
+            found = answer(*case)
+        mistakes = {why: right(case, **change) for why, change in LOOK_MISTAKES.items()}
+        cases.append(NumberCase(call, number(call, found), right(case), mistakes))
+    compare_all(cases)
+    return "Right: exact, and with b actions and k outcomes it asks the model (bk)^d times."

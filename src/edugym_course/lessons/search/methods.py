@@ -1,0 +1,192 @@
+"""What lesson 18 does: agents that search in a model of the supermarket before each step."""
+
+import threading
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.agents.q_learning import QLearning
+from edugym.agents.uct import UCT
+from edugym.compiled.execution import executable
+from edugym.envs.supermarket import FLOOR, Supermarket
+from edugym.exact.model import finite_model
+from edugym.exact.tables import FiniteModel
+from edugym.mdp.protocol import Random, Reals
+from edugym.training.loops import play_episodes
+from edugym.training.train import train
+from edugym_course.lessons.maximisation_bias.methods import seeds
+
+SIMULATIONS, DEPTH, C, DISCOUNT = 1_000, 20, 10.0, 0.95
+NUMBERS = (30, 100, 300, 1_000, 3_000)
+"""Numbers of simulations in the figure."""
+MAX_STEPS, REPETITIONS = 100, 100
+OPTIMUM = 95.0
+BRANCHES = (4, 8, 16)
+"""Numbers of actions. Four of them are the directions."""
+DOOR = (7, 3)
+"""The cell of the wall (row, column) in which the old map shows a door."""
+LEARNING_STEPS = SIMULATIONS * DEPTH
+"""The steps of Q-learning: the most that UCT simulates before one step of its own."""
+
+
+class Crowd(NamedTuple):
+    """The supermarket with more actions, which bring nothing new.
+
+    Attributes:
+        shop: the supermarket.
+        n_actions: how many there are, 4 or more; the first four are those of the supermarket.
+        copies: whether action a does the same as a mod 4; else every further action stands still, for -1.
+        max_steps: the number of steps after which an episode is cut off.
+    """
+
+    shop: Supermarket
+    n_actions: int
+    copies: bool = False
+    max_steps: int = MAX_STEPS
+
+    def initial(self, rng: Random) -> int:
+        """As in the supermarket."""
+        return self.shop.initial(rng)
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """As in the supermarket; further actions repeat it, or stand still."""
+        if action < 4 or self.copies:
+            return self.shop.transition(state, action % 4, rng)
+        return state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """As in the supermarket."""
+        return self.shop.reward(state, action, next_state, rng)
+
+    def terminal(self, state: int) -> bool:
+        """As in the supermarket."""
+        return self.shop.terminal(state)
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """As in the supermarket."""
+        return self.shop.observation_space
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """So many actions."""
+        return spaces.Discrete(self.n_actions)
+
+
+class Searching(NamedTuple):
+    """A player that takes the best action by its agent's search.
+
+    Attributes:
+        agent: searches in its own model, whatever it plays in.
+    """
+
+    agent: UCT
+
+    def act(self, state: int, rng: Random) -> int:
+        """Search, and take the action with the highest value."""
+        return self.agent.greedy(state, rng)
+
+
+def shop() -> Supermarket:
+    """Return the supermarket, with episodes of at most 100 steps."""
+    return Supermarket.create(max_steps=MAX_STEPS)
+
+
+def old_map(door: tuple[int, int] = DOOR) -> Supermarket:
+    """Return the supermarket as it is on an old map, which shows a door where there is a wall."""
+    cells = shop().cells.copy()
+    cells[door] = FLOOR
+    return shop()._replace(cells=cells)
+
+
+@cache
+def crowd(n_actions: int, copies: bool = False) -> Crowd:
+    """Return the supermarket with so many actions, the same object each time."""
+    return Crowd(shop(), n_actions, copies)
+
+
+@cache
+def model_of_crowd(n_actions: int, copies: bool = False) -> FiniteModel:
+    """Return its exact model."""
+    return finite_model(crowd(n_actions, copies))
+
+
+@cache
+def model_of_map(door: tuple[int, int] | None = None) -> FiniteModel:
+    """Return the exact model of the supermarket, or of the one on an old map."""
+    return finite_model(shop() if door is None else old_map(door))
+
+
+def searcher(model: FiniteModel, **settings: Any) -> UCT:
+    """Return an agent that searches in a model, with the settings of the lesson unless others are given.
+
+    With `nodes=1` it has no tree: plain roll-outs.
+    """
+    how: dict[str, Any] = {"simulations": SIMULATIONS, "depth": DEPTH, "c": C, "discount": DISCOUNT}
+    return UCT.create(model.mdp, model=model, **{**how, **settings})
+
+
+def returns(
+    mdp: Any,
+    agent: UCT,
+    *,
+    repetitions: int = REPETITIONS,
+    seed: int = 0,
+    stop: threading.Event | None = None,
+) -> Reals:
+    """Let an agent play single episodes, and return what it gets in each.
+
+    Args:
+        mdp: what it plays in.
+        agent: searches before each step.
+        repetitions: how many episodes, each with random numbers of its own.
+        seed: of the repetitions.
+        stop: set by whoever wants no more.
+    """
+    found = []
+    for number in seeds(seed, repetitions, stop):
+        of_mdp, of_agent = (np.random.default_rng([number, part]) for part in range(2))
+        total = np.zeros(1)
+        how = mdp, Searching(agent), mdp.max_steps, of_mdp, of_agent, total
+        executable(play_episodes, how, rehearsed=1)(1, *how)
+        found.append(total[0])
+    return np.array(found)
+
+
+def searched(*, door: tuple[int, int] | None = None, **settings: Any) -> Reals:
+    """Return what a search gets in the supermarket; with a door, it searches in an old map.
+
+    Args:
+        door: the cell of the door.
+        **settings: those of `returns` and of `searcher`.
+    """
+    how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
+    return returns(shop(), searcher(model_of_map(door), **settings), **how)
+
+
+def in_crowd(n_actions: int, *, copies: bool = False, **settings: Any) -> Reals:
+    """Return what a search gets where there are so many actions; arguments as in `searched`."""
+    how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
+    return returns(crowd(n_actions, copies), searcher(model_of_crowd(n_actions, copies), **settings), **how)
+
+
+def learned(
+    n_steps: int = LEARNING_STEPS,
+    *,
+    repetitions: int = REPETITIONS,
+    seed: int = 0,
+    stop: threading.Event | None = None,
+) -> Reals:
+    """Return what Q-learners get after so many steps, which they may as well take in the model; one episode each."""
+    found = []
+    for number in seeds(seed, repetitions, stop):
+        agent = QLearning.create(shop(), learning_rate=1.0, discount=DISCOUNT)
+        run = train(shop(), agent, n_steps, evaluate_every=n_steps, seed=number)
+        found.append(float(run.returns[-1]))
+    return np.array(found)

@@ -1,0 +1,114 @@
+"""Looking ahead exactly, in the right model and in wrong ones, and what that is worth in the task itself."""
+
+from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from edugym.envs.games.soccer import WEST, Soccer
+from edugym.envs.supermarket import Supermarket
+from edugym.exact.finite_horizon import finite_horizon
+from edugym.exact.game_model import game_model
+from edugym.exact.policy_evaluation import policy_evaluation
+from edugym.exact.tables import FiniteModel
+from edugym.exact.values import greedy_actions
+from edugym.mdp.player_policies import uniform_policy
+from edugym.mdp.protocol import Reals
+from edugym_course.lessons.search.methods import DEPTH, DISCOUNT, DOOR, MAX_STEPS, model_of_map
+
+DEPTHS = (1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30)
+SOCCER_DEPTHS = (1, 2, 3, 4, 5, 6, 8, 10, 20)
+
+
+def looking_ahead(
+    planned: FiniteModel, truth: FiniteModel, depths: Sequence[int] = DEPTHS, discount: float = DISCOUNT
+) -> Reals:
+    """Return what it is worth to look so many steps ahead before each step, exactly.
+
+    Args:
+        planned: the model in which is looked ahead. It has the states of the truth, and perhaps more.
+        truth: the model of the task that is played, for at most 100 steps.
+        depths: the numbers of steps.
+        discount: γ of the look-ahead; what counts in the task is the return without a discount.
+
+    Returns:
+        Shape (n_depths,): the expected returns. Of equally good actions one is drawn.
+    """
+    values = finite_horizon(planned, max(depths), discount)
+    rows = [planned.row(state) for state in truth.states]
+    policies = (greedy_actions(values[depth].Q[rows]) for depth in depths)
+    return np.array([policy_evaluation(truth, policy, horizon=MAX_STEPS).start for policy in policies])
+
+
+def in_the_shop(
+    door: tuple[int, int] | None = None, depths: Sequence[int] = DEPTHS, discount: float = DISCOUNT
+) -> Reals:
+    """Return what looking ahead is worth in the supermarket; with a door, on an old map."""
+    return looking_ahead(model_of_map(door), model_of_map(), depths, discount)
+
+
+def with_errors(layout_seed: int, depths: Sequence[int], noise: float = 1.0) -> Reals:
+    """Return what looking ahead is worth in a model whose rewards have errors, drawn by a seed."""
+    planned = Supermarket.create(noise, layout_seed=layout_seed).distorted(model_of_map())
+    return looking_ahead(planned, model_of_map(), depths)
+
+
+def random_play(depth: int = DEPTH, discount: float = DISCOUNT) -> float:
+    """Return what plain roll-outs come to with more and more simulations, exactly.
+
+    Their values are then those of random play for so many steps, and the best action by these is taken.
+    """
+    model = model_of_map()
+    uniform = np.full(model.successors.shape[:2], 1 / model.successors.shape[1])
+    best = policy_evaluation(model, uniform, discount, horizon=depth).greedy_policy()
+    return policy_evaluation(model, best, horizon=MAX_STEPS).start
+
+
+def mending(depth: int, door: tuple[int, int] = DOOR, discount: float = DISCOUNT) -> float:
+    """Return what one gets who looks ahead on an old map, and writes into it what the own steps show."""
+    planned, truth = model_of_map(door), model_of_map()
+    planned = planned._replace(successors=planned.successors.copy(), rewards=planned.rewards.copy())
+    Q = finite_horizon(planned, depth, discount)[depth].Q
+    s, total = int(truth.initial.argmax()), 0.0
+    for _ in range(MAX_STEPS):
+        row = planned.row(truth.states[s])
+        action = int(Q[row].argmax())
+        after, reward = truth.successors[s, action, 0], float(truth.rewards[s, action, 0])
+        if planned.states[planned.successors[row, action, 0]] != truth.states[after]:
+            planned.successors[row, action, 0] = planned.row(truth.states[after])
+            planned.rewards[row, action, 0] = reward
+            Q = finite_horizon(planned, depth, discount)[depth].Q
+        total += reward
+        s = int(after)
+        if truth.terminal[s]:
+            break
+    return total
+
+
+class Opponents(NamedTuple):
+    """Soccer for player 0, as it is thought to be and as it is.
+
+    Attributes:
+        thought: the model with an opponent who moves at random.
+        real: the model with one who always runs towards the goal in which it scores.
+    """
+
+    thought: FiniteModel
+    real: FiniteModel
+
+
+@cache
+def opponents(contact: float = 1.0) -> Opponents:
+    """Return soccer against the opponent that one thinks to have, and against the real one."""
+    game = Soccer.create(contact)
+    model = game_model(game)
+    random, runner = uniform_policy(game, 1), np.zeros_like(uniform_policy(game, 1))
+    runner[:, WEST] = 1.0
+    return Opponents(model.against(0, random), model.against(0, runner))
+
+
+def in_soccer(knows: bool, contact: float = 1.0, depths: Sequence[int] = SOCCER_DEPTHS) -> Reals:
+    """Return what looking ahead is worth against the runner, for one who knows it and for one who does not."""
+    thought, real = opponents(contact)
+    return looking_ahead(real if knows else thought, real, depths)
