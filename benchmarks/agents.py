@@ -10,12 +10,15 @@ from benchmarks.measure import Comparison, Contender, Work
 from edugym import make_mdp, train
 from edugym.adapters.double_buffer import DoubleBuffer
 from edugym.checks.contract import is_on_policy, learner
+from edugym.compiled.execution import COMPILE_FROM
 from edugym.training import loops
+from edugym.training.machine_agent import MachineAgent
 from edugym.training.trainers import new_log
 
 ONE_STEP = ("SARSA", "ExpectedSARSA", "DoubleQLearning", "RiskSensitiveQLearning", "CountBased", "ActorCritic")
 SEVERAL_STEPS = ("NStepSARSA", "TreeBackup", "SARSALambda", "QLambda", "DynaQ", "PrioritisedSweeping", "REINFORCE")
 LIMIT = 100  # steps an episode in the interpreter; a test of speed, not of learning
+SIMULATIONS = 100  # of one search
 LINEAR = ("LinearQLearning", "SemiGradientSARSA")
 
 
@@ -23,19 +26,27 @@ def comparisons(quick: bool) -> list[Comparison]:
     """One for each agent; a few of them if it should be quick."""
     wanted = [*((name, 100.0) for name in ONE_STEP), *((name, 50.0) for name in (*SEVERAL_STEPS, *LINEAR))]
     made = [comparison(name, ratio) for name, ratio in (wanted[::7] if quick else wanted)]
-    return made if quick else [*made, networks(), real_actions(), *policy_gradients()]
+    others = comparison("SampleAverage", 50.0, "Bandit"), comparison("MaxminQLearning", 50.0, "Casino"), searches()
+    return made if quick else [*made, *others, networks(), real_actions(), *policy_gradients()]
 
 
-def comparison(name: str, ratio: float) -> Comparison:
-    """An agent of the package at its defaults, on Boulder."""
+def comparison(name: str, ratio: float, environment: str = "Boulder") -> Comparison:
+    """An agent of the package at its defaults, in one of its environments."""
     create = getattr(edugym, name).create
     return Comparison(
-        f"{name} on Boulder",
+        f"{name} on {environment}",
         "training steps",
-        Contender("EduGym", partial(compiled, "Boulder", create)),
-        [Contender("the same in the interpreter", partial(interpreted, "Boulder", create))],
+        Contender("EduGym", partial(compiled, environment, create)),
+        [Contender("the same in the interpreter", partial(interpreted, environment, create))],
         ratio_target=ratio,
     )
+
+
+def searches() -> Comparison:
+    """UCT before the first step in Supermarket, with simulations of 20 steps."""
+    others = [Contender("the same in the interpreter", partial(searched, machine_code=False))]
+    ours = Contender("EduGym", partial(searched, machine_code=True))
+    return Comparison("UCT on Supermarket", "simulations", ours, others, ratio_target=50)
 
 
 def networks() -> Comparison:
@@ -101,6 +112,22 @@ def interpreted(name: str, create: Any) -> Work:
             moment = loops.start_off_policy(view.mdp, rngs[0])
             loops.off_policy(n, view.mdp, learning, LIMIT, *rngs, new_log(), moment)
         return n
+
+    return work
+
+
+def searched(machine_code: bool) -> Work:
+    """Searches of `SIMULATIONS` each, as machine code or interpreted."""
+    mdp, rng = make_mdp("Supermarket"), np.random.default_rng(0)
+    state = mdp.initial(rng)
+    agent = edugym.UCT.create(mdp, model=edugym.finite_model(mdp), simulations=SIMULATIONS, c=10.0)
+    searching: Any = MachineAgent(agent, rng, state, COMPILE_FROM) if machine_code else agent
+
+    def work(n: int) -> int:
+        n = max(n // SIMULATIONS, 1)
+        for _ in range(n):
+            searching.act(state, rng)
+        return n * SIMULATIONS
 
     return work
 
