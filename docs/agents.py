@@ -16,9 +16,10 @@ from textwrap import fill
 
 from edugym import Profile
 from edugym.adapters.registration import in_course_order
-from edugym.experiments.profiles.report import TAKE, method, repetitions_of, take_table, with_margin
+from edugym.experiments.profiles.report import NO_LINE, TAKE
 from edugym.experiments.profiles.scores import HALF
-from edugym.experiments.profiles.verdicts import best_agents, listed
+from edugym.experiments.profiles.tables import absent, method, reasons, repetitions_of, take_table, with_margin
+from edugym.experiments.profiles.verdicts import best_agents, broken_between, listed
 from edugym.experiments.profiles.words import written
 from edugym_course import agent_profiles, one_table
 
@@ -37,12 +38,11 @@ is, play one copy, and take as many steps as the others and no more."""
 YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent of yours, and shows it beside these
 ([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4)"` does it for an agent with a
 wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
-STRENGTH = "Further down stands up to which strength each is good."
 SCORES = """The score, and how far its 95 % interval reaches to both sides; *runs* says how often each rung was climbed.
-**Bold** are the agents to take; one with fewer runs than others is bold only if its whole interval lies above theirs. A
-dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
-BREAKS = """How strong a challenge may become for an agent: the strength at which its mean score first falls below 0.5,
-interpolated between two rungs. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
+**Bold** are the highest score of a challenge, and those that are not surely worse; three runs tell little, so their
+intervals are wide. A dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
+BREAKS = """How strong a challenge may become for an agent: the two rungs between which its mean score first falls below
+0.5. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 WITHOUT_LADDER = {
     "Bandit": """: there every agent that explores ends with the best arm, sooner or later, and plays it greedily. What
 counts is the regret, what learning has cost until then, and a score after the training does not show it.""",
@@ -90,7 +90,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             "",
             "## Which agent to take",
             "",
-            fill(f"{TAKE} {STRENGTH}", 120),
+            fill(f"{TAKE} {NO_LINE}", 120),
             "",
             *table(heading, take),
             "",
@@ -110,7 +110,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             "",
             "## Who cannot enter",
             "",
-            *(f"- {reason}" for reason in reasons(profile)),
+            *(f"- {sentence}" for sentence in reasons(profile)),
             "",
             "## How it was measured",
             "",
@@ -151,21 +151,8 @@ def breaking(profile: Profile, agent: str, challenge: str) -> str:
     found = profile.breaks(agent, challenge)
     if found is None:
         return absent(profile, agent, challenge)
-    return written(float(f"{found.strength:.2g}")) if found.where == "between" else found.where
-
-
-def absent(profile: Profile, agent: str, challenge: str) -> str:
-    """Return what stands where there is no score."""
-    return "–" if challenge in profile.blank.get(agent, {}) else "?"
-
-
-def reasons(profile: Profile) -> list[str]:
-    """Return why agents cannot enter, a sentence for each reason."""
-    who: dict[tuple[str, str], list[str]] = {}
-    for agent, blank in profile.blank.items():
-        for challenge, why in blank.items():
-            who.setdefault((challenge, why), []).append(agent)
-    return [f"{challenge}, {listed(agents)}: {why}." for (challenge, why), agents in who.items()]
+    rungs = broken_between(profile, agent, challenge)
+    return "–".join(map(written, rungs)) if rungs else found.where
 
 
 def main() -> int:

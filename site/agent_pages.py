@@ -15,7 +15,7 @@ from repository import REPOSITORY
 
 import edugym
 from edugym import Profile
-from edugym.experiments.profiles.report import with_margin
+from edugym.experiments.profiles.tables import with_margin
 from edugym.experiments.profiles.verdicts import best_agents, outcome
 from edugym_course import agent_profiles
 
@@ -119,7 +119,7 @@ def _fares(name: str) -> Iterator[str]:
             continue
         words = f"it {outcome(stored, name, challenge).of_one}."
         best = _best(challenge)
-        beside = "No agent of the package does better." if name in best else f"The best is {best[0]}."
+        beside = "No agent does surely better." if name in best else f"The best is {best[0]}."
         picture = ladder(stored, name, challenge, f"{challenge}: {words} {beside}")
         sentence = f"{link}, {about.challenge}: {with_margin(score)}; {words} {beside}"
         yield f":::{{container}} ladder\n{sentence}\n\n{picture}\n:::"

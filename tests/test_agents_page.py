@@ -29,10 +29,10 @@ def loaded() -> Any:
 @pytest.mark.parametrize(
     ("scores", "cells"),
     [
-        ((1.0, 1.0), ("**1.00 ± 0.00**", "never", "good")),
-        ((1.0, 0.0), ("**0.50 ± 0.00**", "9", "good")),
-        ((0.4, 0.4), ("0.40 ± 0.00", "at once", "nobody is good; the best score is 0.40, of good")),
-        ((-0.1, 0.0), ("-0.05 ± 0.00", "at once", "nobody")),
+        ((1.0, 1.0), ("**1.00 ± 0.00**", "never", "good 1.00 (of 1 tried)")),
+        ((1.0, 0.0), ("**0.50 ± 0.00**", "8–10", "good 0.50 (of 1 tried)")),
+        ((0.4, 0.4), ("0.40 ± 0.00", "at once", "nobody of 1 tried is good; the highest is good 0.40")),
+        ((-0.1, 0.0), ("-0.05 ± 0.00", "at once", "nobody of 1 tried is better than random play")),
     ],
 )
 def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells: tuple[str, str, str]) -> None:

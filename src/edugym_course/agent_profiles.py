@@ -20,13 +20,12 @@ from edugym.adapters.registration import ENVIRONMENTS
 from edugym.experiments.fingerprints import DEEP, version_of, versions
 from edugym.experiments.profiles.ladders import LADDERS, Ladder
 from edugym.experiments.profiles.profile import why_not_entered
-from edugym.experiments.profiles.scores import COLUMNS
+from edugym.experiments.profiles.scores import COLUMNS, KEPT
 from edugym.system.files import write_whole
 from edugym_course.stored import source, what_determines
 
 PATH = Path(__file__).with_suffix(".csv")
 """The scores of all runs; the JSON file beside it says from which code and with which versions they were made."""
-KEPT = ("agent", "challenge", "strength", "repetition", "score", "steps_to_0.9")
 DIGITS = 4
 REPETITIONS = 10
 LIBRARY_REPETITIONS = 3
@@ -53,6 +52,11 @@ def agents() -> dict[str, Any]:
 def on_tiles(environment: Any) -> GaussianActorCritic:
     """An actor-critic with real-valued actions, on tiles over the wrist."""
     return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))
+
+
+def abouts() -> dict[str, str]:
+    """What each agent of the package is, in a line, by name."""
+    return {name: (inspect.getdoc(getattr(edugym, name)) or "").partition("\n")[0] for name in agents()}
 
 
 def library_agents() -> dict[str, Any]:

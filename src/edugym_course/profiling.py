@@ -11,8 +11,9 @@ from rich.console import Console
 from rich.table import Table
 
 from edugym import Profile
-from edugym.experiments.profiles import report, verdicts
+from edugym.experiments.profiles import report, tables, verdicts
 from edugym.experiments.profiles.profile import profile
+from edugym.experiments.profiles.scores import pooled
 from edugym.experiments.profiles.tuning import tuned_profile, with_untuned
 from edugym.system.files import check_writable
 from edugym.system.interrupts import SignalGuard, call_interruptibly
@@ -59,10 +60,11 @@ def profile_and_report(
         else:
             stale = agent_profiles.stale_of_libraries() if libraries else agent_profiles.stale()
             found, beside = agent_profiles.make_again(stale, **how), None
-        path = call_interruptibly(report.write, found, output, beside)
+        everybody = pooled(found, beside) if beside else None
+        path = call_interruptibly(report.write, found, output, everybody, agent_profiles.abouts())
     shutil.rmtree(output / UNFINISHED, ignore_errors=True)
-    _print_table(*report.score_table(found, beside))
-    said = [f"{name}. {verdicts.said(found, name, beside).sentence}" for name in found.challenges]
+    _print_table(*tables.score_table(found, everybody))
+    said = [f"{name}. {verdicts.said(found, name, everybody).sentence}" for name in found.challenges]
     if not agents:
         said.append(f"Made again: {', '.join(stale) or 'none'}.")
         if old := {} if libraries else agent_profiles.stale_of_libraries():

@@ -42,7 +42,7 @@ def test_stored_profiles_and_those_that_are_stale(tmp_path: Path, monkeypatch: p
     assert agent_profiles.stale() == {"SARSA": [LOW]}
     done = run("profile", "QLearning", "--repetitions", "2", "--output", str(tmp_path / "out"))
     assert "No stored profile was made from the present code of SARSA" in done.output
-    assert "best of the others" in (tmp_path / "out" / "report.md").read_text()
+    assert "best other agent" in (tmp_path / "out" / "report.md").read_text()
 
 
 def test_only_what_has_changed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,10 +15,10 @@ from matplotlib import pyplot
 import edugym
 from edugym import Ladder, Profile, make_mdp, repeat
 from edugym.experiments.profiles import profile as profiles
-from edugym.experiments.profiles import report, verdicts
+from edugym.experiments.profiles import tables, verdicts
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.pictures import OTHERS, Dots, Rungs
-from edugym.experiments.profiles.scores import COLUMNS
+from edugym.experiments.profiles.scores import COLUMNS, pooled
 from edugym_course import arguments, profiling
 from tests.course.test_commands import run
 from tests.messages import named
@@ -238,8 +238,8 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert "default-src 'none'" in text
     assert "prefers-color-scheme: dark" in text
     written = Path("out/report.md").read_text(encoding="utf-8")
-    assert " (one of the others) | it breaks at a container" in written  # the one that can enter Trashbot
-    for says in ("QLearning, Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
+    assert "| Trashbot | nobody can enter |" in written  # the others have climbed another ladder
+    for says in ("Trashbot, QLearning and Table: a table needs", "Boulder: exploration", "2 times on every rung"):
         assert says in written
         assert says in text
     assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 2 * 2 * 2
@@ -324,20 +324,18 @@ def test_the_report_names_those_to_take() -> None:
     agents = {"Q": edugym.QLearning.create, "nothing": lambda environment: lambda observation: 0}
     found = edugym.profile(agents, challenges=[LOW], repetitions=3)
     assert verdicts.best_agents(found, "Boulder") == ["Q"]
-    assert verdicts.said(found, "Boulder").take == "Q"
     alone = edugym.profile({"nothing": agents["nothing"]}, challenges=[LOW], repetitions=3)
     assert verdicts.best_agents(alone, "Boulder") == []
-    assert verdicts.said(alone, "Boulder").take == "nobody"
     for profile, beside, expected in (
-        (found, alone, "Q"),
-        (alone, found, "Q (one of the others)"),
-        (found, found, "Q"),
-        (alone, alone, "nobody"),
-        (Profile(found.runs[:0], (LOW,), ("Q",)), found, "Q (one of the others)"),  # nobody here has entered
+        (found, alone, "Q 1.00 (of 2 tried)"),
+        (alone, found, "Q 1.00 (of 2 tried)"),
+        (found, found, "Q 1.00 (of 2 tried)"),
+        (alone, alone, "nobody of 1 tried is better than random play"),
+        (Profile(found.runs[:0], (LOW,), ("P",)), found, "Q 1.00 (of 2 tried)"),  # nobody here has entered
     ):
-        assert report.take_table(profile, beside)[1][0][2] == expected
+        assert tables.take_table(profile, pooled(profile, beside))[1][0][2] == expected
     for blank, expected in (({}, "?"), ({"Q": {"Boulder": "it is afraid"}}, "–")):  # not measured, cannot enter
-        assert report.score_table(Profile(found.runs[:0], (LOW,), ("Q",), blank))[1][0][1] == expected
+        assert tables.score_table(Profile(found.runs[:0], (LOW,), ("Q",), blank))[1][0][1] == expected
     chance = found.runs.assign(score=found.runs["score"] - 0.01 * (found.runs["repetition"] == 0))
     assert verdicts.better_beside(Profile(chance, (LOW,), ("Q", "nothing")), "Boulder", found) is None
 
@@ -346,12 +344,15 @@ def test_the_report_names_those_to_take() -> None:
     ("scores", "take"),
     [
         ((0.5, 0.5, 0.9, 0.9), ["few"]),
-        ((0.5, 0.5, 0.6, 0.9), ["often"]),
-        ((0.5, 0.5, 0.5, 0.5), ["often"]),
+        ((0.5, 0.5, 0.6, 0.9), ["few", "often"]),
+        ((0.5, 0.5, 0.2, 0.2), ["often"]),
+        ((0.5, 0.5, 0.2, 0.5), ["often", "few"]),
     ],
 )
-def test_who_has_fewer_repetitions_is_named_only_if_surely_better(scores: tuple[float, ...], take: list[str]) -> None:
-    """Two runs with a wide interval do not tell; the method says how many there were."""
+def test_who_has_fewer_repetitions_is_surely_worse_if_the_intervals_lie_apart(
+    scores: tuple[float, ...], take: list[str]
+) -> None:
+    """Two runs with a wide interval do not tell; tables and method say how many there were."""
     first, second, third, fourth = scores
     rows = [
         {"agent": agent, "challenge": "Boulder", "strength": 2, "repetition": number, "score": score}
@@ -361,4 +362,5 @@ def test_who_has_fewer_repetitions_is_named_only_if_surely_better(scores: tuple[
     runs = pandas.DataFrame(rows).reindex(columns=list(COLUMNS))
     found = Profile(runs, (LOW._replace(strengths=(2,)),), ("often", "few"))
     assert verdicts.best_agents(found, "Boulder") == take
-    assert "Fewer times: few 2." in report.method(found)
+    assert "Fewer times: few 2." in tables.method(found)
+    assert ("in 2 runs" in tables.take_table(found)[1][0][2]) == (take[0] == "few")

@@ -7,11 +7,11 @@ import pandas
 import pytest
 
 from edugym import Ladder, Profile
-from edugym.experiments.profiles import report
+from edugym.experiments.profiles import report, tables
 from edugym.experiments.profiles.ladders import LADDERS, checked, rung_in_words
 from edugym.experiments.profiles.pictures import named_ends
-from edugym.experiments.profiles.scores import COLUMNS
-from edugym.experiments.profiles.verdicts import along, said
+from edugym.experiments.profiles.scores import COLUMNS, pooled
+from edugym.experiments.profiles.verdicts import said
 from edugym.experiments.profiles.words import Words
 
 WALL = next(ladder for ladder in LADDERS if ladder.name == "Boulder")._replace(strengths=(10, 20, 40))
@@ -38,19 +38,22 @@ FAR, MIDDLE, NEARER, LOW = (1.0, 1.0, 1.0), (1.0, 0.5, 0.0), (0.9, 0.1, 0.0), (0
 @pytest.mark.parametrize(
     ("scores", "sentence"),
     [
-        ({"A": MIDDLE}, "A breaks at a wall of height 20."),
+        ({"A": MIDDLE}, "A breaks at a wall of height between 20 and 40."),
         (
             {"C": NEARER, "D": LOW, "A": FAR, "B": MIDDLE},
-            "A gets furthest: it masters even a wall of height 40. B breaks at a wall of height 20 and C at 15. D fails"
-            " even at a wall of height 10.",
+            "A gets furthest: it masters even a wall of height 40. B breaks at a wall of height between 20 and 40 and C"
+            " between 10 and 20. D fails even at a wall of height 10.",
         ),
         ({"A": FAR, "B": FAR}, "A and B master even a wall of height 40."),
         ({"A": (1.0, 0.9, 0.6), "B": LOW}, "A gets furthest: it does not break even at a wall of height 40. B fails"),
-        ({"A": (1.0, 0.4, 1.0), "B": MIDDLE}, "B breaks at a wall of height 20 and A at 18."),  # A has the higher score
+        (
+            {"B": MIDDLE, "A": (1.0, 0.4, 1.0)},
+            "A breaks at a wall of height between 10 and 20 and B between 20 and 40.",  # A has the higher score
+        ),
     ],
 )
 def test_how_far_each_agent_gets(scores: dict[str, Any], sentence: str) -> None:
-    """The one that gets furthest comes first, and is called so only if it is the one to take."""
+    """The one with the highest score comes first, and is said to get furthest only if it surely does."""
     assert said(profiled(scores), "Boulder").sentence.startswith(sentence)
 
 
@@ -59,7 +62,8 @@ def test_fewer_steps_do_not_break_an_agent() -> None:
     scores = {"A": FAR, "B": MIDDLE, "C": NEARER, "D": LOW, "E": (1.0, 0.8, 0.6)}
     assert said(profiled(scores, FEW_STEPS), "Supermarket").sentence == (
         "A gets furthest: it masters it even with 100 training steps. E does not break even with 100 training steps. B"
-        " needs about 200 training steps and C about 300. D fails even with 400 training steps."
+        " needs between 100 and 200 training steps to score 0.5 and C between 200 and 400. D fails even with"
+        " 400 training steps."
     )
 
 
@@ -79,24 +83,33 @@ def test_a_better_agent_beside_is_named_with_how_far_it_gets() -> None:
     blank = {"D": {"Boulder": "no hands"}}
     nobody = said(profiled({}, blank=blank), "Boulder", beside).sentence
     assert nobody == "D cannot enter. A, one of the other agents, masters even a wall of height 40."
-    problem, far = "a reward that random play hardly ever finds", "it masters even a wall of height 40"
-    row = report.take_table(profiled({"B": MIDDLE}), beside)[1][0]
-    assert row == [problem, "Boulder", "A (one of the others)", far]
-    row = report.take_table(profiled({"B": FAR, "C": FAR}))[1][0]
-    assert row == [problem, "Boulder", "B and C", "B masters even a wall of height 40"]
-    assert report.take_table(profiled({}, blank=blank))[1][0][2:] == ["nobody can enter", "–"]
+    problem, far = "a reward that random play hardly ever finds", "masters even a wall of height 40"
+    here = profiled({"B": MIDDLE})
+    row = tables.take_table(here, pooled(here, beside))[1][0]
+    assert row == [problem, "Boulder", "A 1.00 (of 2 tried)", "–", far]
+    six = dict.fromkeys("ABCDEF", FAR)
+    assert tables.take_table(profiled(six))[1][0][3] == "B, C, D, E and F"
+    here = profiled({"F": FAR})
+    assert tables.take_table(here, pooled(here, profiled(six)))[1][0][2:4] == [
+        "F 1.00 (of 6 tried)",
+        "A, B, C and 2 more",
+    ]
+    assert tables.take_table(profiled({}, blank=blank))[1][0][2:] == ["nobody can enter", "–", "–"]
 
 
 def test_the_report_says_what_each_challenge_is() -> None:
     """In its page and in Markdown; the page names every line, and labels the cells for narrow screens."""
-    found, beside = profiled({"B & C": MIDDLE}), profiled({"A": FAR})
-    for text in (report.markdown(found, beside), report.as_html(found, beside)):
+    found = profiled({"B & C": MIDDLE})
+    everybody, abouts = pooled(found, profiled({"A": FAR})), {"A": "It climbs.", "D": "It does not."}
+    for text in (report.markdown(found, everybody, abouts), report.as_html(found, everybody, abouts)):
+        assert "A: It climbs." in text
+        assert "It does not." not in text
         assert WALL.words.about in text
         assert WALL.words.problem in text
-    page = report.as_html(found, beside)
+    page = report.as_html(found, everybody)
     assert "<title>A</title>" in page
     assert "<title>B &amp; C</title>" in page
-    assert '<td data-label="take">A (one of the others)</td>' in page
+    assert '<td data-label="highest score">A 1.00 (of 2 tried)</td>' in page
 
 
 def test_every_ladder_has_words() -> None:
@@ -113,17 +126,45 @@ def test_a_ladder_of_ones_own_needs_no_words() -> None:
     """Then its rungs have their strength, and what it is; words that are none are refused."""
     own = WALL._replace(words=Words())
     assert rung_in_words(own, 14.0) == "the rung 14 (height of the wall)"
-    assert report.take_table(profiled({"A": FAR}, own))[1][0][0] == "exploration"
+    assert tables.take_table(profiled({"A": FAR}, own))[1][0][0] == "exploration"
     checked(own)
     for wrong, says in (("a wall", "words must be Words"), (Words(about=3), r"words\.about must be a text")):  # type: ignore[arg-type]
         with pytest.raises(ValueError, match=says):
             checked(own._replace(words=wrong))  # type: ignore[arg-type]
 
 
-def test_how_far_along_a_ladder_a_strength_is() -> None:
-    """Whether its strengths rise or fall."""
-    assert [along(WALL, strength) for strength in (10, 15, 20, 40)] == [0.0, 0.5, 1.0, 2.0]
-    assert [along(FEW_STEPS, strength) for strength in (400, 300, 100)] == [0.0, 0.5, 2.0]
+def test_which_differences_are_sure() -> None:
+    """Those of agents whose intervals lie apart; of each pair what one is better and worse in, in one sentence."""
+    both = [
+        profiled({"A": scores, "B": MIDDLE, "C": MIDDLE}, ladder) for ladder, scores in ((WALL, FAR), (FEW_STEPS, LOW))
+    ]
+    runs = pandas.concat([found.runs for found in both])
+    assert tables.sure_differences(Profile(runs, (WALL, FEW_STEPS), ("A", "B"))) == [
+        "A is surely better than B in Boulder, and surely worse in Supermarket.",
+        "All other differences between these agents may be chance.",
+    ]
+    chance = ["All differences between these agents may be chance."]
+    assert tables.sure_differences(Profile(runs, (WALL, FEW_STEPS), ("B", "C"))) == chance
+    assert tables.sure_differences(profiled({"A": FAR})) == []
+
+
+def test_an_agent_to_take_has_its_weakest_challenge_beside_it() -> None:
+    """Where it lies furthest behind the best; none where it is the best everywhere."""
+    both = [profiled({"A": a, "B": b}, ladder) for ladder, a, b in ((WALL, FAR, LOW), (FEW_STEPS, LOW, FAR))]
+    found = Profile(pandas.concat([one.runs for one in both]), (WALL, FEW_STEPS), ("A", "B"))
+    assert [row[-1].partition("; ")[2] for row in tables.take_table(found)[1]] == [
+        "weakest in Supermarket (0.03)",
+        "weakest in Boulder (0.03)",
+    ]
+
+
+def test_only_agents_on_the_same_rungs_are_pooled() -> None:
+    """One with a label that is there already is not taken."""
+    here = profiled({"A": FAR})
+    assert pooled(here, profiled({"A": LOW, "B": LOW})).scores("A", "Boulder").tolist() == [[1.0, 1.0]] * 3
+    assert pooled(here, profiled({"B": LOW})).score("B", "Boulder").n == 2
+    for other in ({"strengths": (10, 20, 30)}, {"n_steps": 10}):
+        assert pooled(here, profiled({"B": LOW}, WALL._replace(**other))).score("B", "Boulder").n == 0
 
 
 def test_the_ends_of_grey_lines_that_lie_together_have_one_name() -> None:

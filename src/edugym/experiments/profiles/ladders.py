@@ -130,7 +130,12 @@ def steps_of(ladder: Ladder, strength: float) -> int:
 
 def rung_in_words(ladder: Ladder, strength: float) -> str:
     """A rung in words, such as "a wall of height 14"."""
-    return (ladder.words.rung or f"the rung {{}} ({ladder.strength})").replace("{}", written(strength))
+    return in_words(ladder, written(strength))
+
+
+def in_words(ladder: Ladder, strength: str) -> str:
+    """What is said of a rung, or of several: their strength is a text, such as "between 12 and 15"."""
+    return (ladder.words.rung or f"the rung {{}} ({ladder.strength})").replace("{}", strength)
 
 
 def bounds_of(ladder: Ladder, strength: float, layout_seed: int) -> Bounds:
@@ -313,7 +318,7 @@ LADDERS: tuple[Ladder, ...] = (
         trashbot,
         n_steps=100_000,
         bounds=partial(_stored, TRASHBOT),
-        source="that of the scripted controller in edugym.envs.trashbot.planning; no return is higher",
+        source="that of a program written for this arm; no return is higher",
     ),
     _ladder(
         "Golf",
@@ -323,7 +328,7 @@ LADDERS: tuple[Ladder, ...] = (
         n_steps=30_000,
         evaluation_episodes=100,
         bounds=partial(_stored, GOLF),
-        source="that which planning finds for a player who sees exactly where the ball lies (lesson 8)",
+        source="that which planning finds for a player who sees exactly where the ball lies",
     ),
     _ladder(
         "Supermarket",

@@ -103,11 +103,9 @@ class Dots(NamedTuple):
                 color, mark = stroke(index).color, MARKERS[index % len(MARKERS)]
                 ax.errorbar(x, y, xerr=ends, fmt=mark, color=color, markersize=4, linewidth=1.3, label=agent)
         for k, name in enumerate(names):
-            others = scores_of(self.beside, name)
+            others = [score for agent, score in scores_of(self.beside, name).items() if agent not in agents]
             label = OTHERS if k == 0 and self.beside is not None else None
-            ax.plot(
-                [*others.values()], [k] * len(others), "|", color=INK, markersize=9, alpha=0.5, zorder=1, label=label
-            )
+            ax.plot(others, [k] * len(others), "|", color=INK, markersize=9, alpha=0.5, zorder=1, label=label)
         for k in range(1, len(names)):
             ax.axhline(k - 0.5, color=INK, linewidth=0.3, alpha=0.4)
         for value in (0, 1):
@@ -148,12 +146,12 @@ class Rungs(NamedTuple):
             others = [agent for agent in scores if agent not in self.profile.agents]
             for number, agent in enumerate(sorted(others, key=lambda agent: -scores[agent])):
                 means = [rung.estimate for rung in self.beside.rungs(agent, self.challenge)]
-                look: dict[str, Any] = {"color": INK, "linewidth": 0.6, "alpha": 0.35, "gid": f"{NAMED}{agent}"}
+                look: dict[str, Any] = {"color": INK, "linewidth": 0.7, "alpha": 0.5, "gid": f"{NAMED}{agent}"}
                 ax.plot(x, means, label=None if number else OTHERS, **look)
                 ends[agent] = means[-1]
             for name, end in named_ends(ends):
-                ax.text(x[-1] + 0.12, max(end, LOWEST), name, va="center", fontsize=7, alpha=0.8, color=INK)
-            ax.set_xlim(-0.3, 1.5 * x[-1])
+                ax.text(x[-1] + 0.3, max(end, LOWEST), name, va="center", fontsize=7, alpha=0.8, color=INK)
+            ax.set_xlim(-0.3, 1.57 * x[-1])
         for index, agent in enumerate(self.profile.agents):
             rungs = self.profile.rungs(agent, self.challenge)
             if any(rung.n == 0 for rung in rungs):
@@ -166,7 +164,7 @@ class Rungs(NamedTuple):
             finite = np.isfinite(low) & np.isfinite(high)
             ax.fill_between(x, low, high, where=finite, color=line.color, alpha=0.16, linewidth=0)
         ax.axhline(HALF, **REFERENCE)
-        dress(ax, ladder.strength, "score", self.title)
+        dress(ax, ladder.strength, "score on the rung", self.title)
         labels = [written(strength) for strength in ladder.strengths]
         ax.set_xticks(x, labels, rotation=40 if sum(map(len, labels)) > MOST_LETTERS else 0)
         ax.set_ylim(LOWEST, 1.1)

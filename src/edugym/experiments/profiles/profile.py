@@ -62,10 +62,12 @@ class Trial(NamedTuple):
 
     Attributes:
         errors: the challenges that it cannot enter, with what is raised there.
+        reasons: the same in words, with the rung where it is not the first one.
         alone: whether it trains itself.
     """
 
     errors: dict[str, Exception]
+    reasons: dict[str, str]
     alone: bool
 
 
@@ -146,12 +148,12 @@ def profile(
     try:
         with SignalGuard() as guard, progress_bar(len(rungs), "rungs", shown=progress) as bar:
             for method in methods:
-                errors, alone = _tried(method, ladders)
+                errors, reasons, alone = _tried(method, ladders)
                 if len(errors) == len(ladders):
                     error = next(iter(errors.values()))
                     error.add_note(f"agents[{method.label!r}] can enter none of the challenges")
                     raise error
-                blank[method.label] |= {name: reason(error) for name, error in errors.items()}
+                blank[method.label] |= reasons
                 if alone:
                     on_their_own.add(method.label)
             for rung in rungs:
@@ -214,24 +216,23 @@ def _ladders(challenges: Sequence[str | Ladder] | None) -> tuple[Ladder, ...]:
 
 def why_not_entered(agents: Mapping[str, Any], ladders: Sequence[Ladder]) -> dict[str, dict[str, str]]:
     """For each agent, the challenges that it cannot enter, with the reason; arguments as in `profile`."""
-    return {
-        method.label: {name: reason(error) for name, error in _tried(method, ladders).errors.items()}
-        for method in _methods(agents)
-    }
+    return {method.label: _tried(method, ladders).reasons for method in _methods(agents)}
 
 
 def _tried(method: Method, ladders: Sequence[Ladder]) -> Trial:
     """An agent, tried on all rungs."""
     errors: dict[str, Exception] = {}
+    reasons: dict[str, str] = {}
     alone = False
     for ladder in ladders:
         for strength in ladder.strengths:
             try:
                 alone = _try(method, ladder, strength)
             except Exception as error:  # a student's agent may fail in any way where it does not fit
-                errors[ladder.name] = error
+                where = "" if strength == ladder.strengths[0] else f"at {rung_in_words(ladder, strength)}, "
+                errors[ladder.name], reasons[ladder.name] = error, f"{where}{reason(error)}"
                 break
-    return Trial(errors, alone)
+    return Trial(errors, reasons, alone)
 
 
 def _try(method: Method, ladder: Ladder, strength: float) -> bool:

@@ -1,58 +1,76 @@
 """The report on a profile: one HTML file without requests to other hosts, Markdown, CSV, and a picture."""
 
 import html
-import math
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from edugym.checks.parameters import a_path
 from edugym.experiments.figures.panel import Panel
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import save_figure, to_bytes
-from edugym.experiments.profiles.ladders import EXACT, steps_of
+from edugym.experiments.figures.style import DEEP_BLUE, GREY, save_figure, to_bytes
 from edugym.experiments.profiles.pictures import NAMED, Dots, Radar, Rungs, picture
-from edugym.experiments.profiles.scores import NEARLY, Profile
-from edugym.experiments.profiles.verdicts import (
-    Said,
-    best_agents,
-    better_beside,
-    listed,
-    others_of,
-    outcome,
-    said,
+from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
+from edugym.experiments.profiles.tables import (
+    method,
+    not_measured,
+    reasons,
+    rung_table,
+    score_table,
+    sure_differences,
+    table_of_all,
+    take_table,
 )
-from edugym.experiments.profiles.words import rounded, written
-from edugym.experiments.results.statistics import Interval
+from edugym.experiments.profiles.verdicts import Said, others_of, said
 from edugym.rendering.palette import INK
 from edugym.system.extras import require
 from edugym.system.files import write_whole
 
 NAME = "report.html"
 """The report; the other files lie beside it."""
+NOTHING: Mapping[str, str] = MappingProxyType({})
 SMALLER = 0.8
 """How large a figure within the page is, beside one of a file."""
-STYLE = """\
-:root { color-scheme: light dark; --ink: #33313f; --paper: #ffffff; --line: #d8d5de; --soft: #6a6676; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #eceaf2; --paper: #1b1a21; --line: #45424f; --soft: #aaa6b6; }
-}
+ON_PAGE = {INK: "currentColor", "#ffffff": "none", DEEP_BLUE: "var(--blue)", GREY: "var(--grey)"}
+"""What stands in a page for colours of a figure, since some can hardly be seen in the dark."""
+STYLE = (
+    f"""\
+:root {{ color-scheme: light dark; --ink: #33313f; --paper: #ffffff; --line: #d8d5de; --soft: #6a6676;
+  --blue: {DEEP_BLUE}; --grey: {GREY}; --shade: #33313f55; }}
+@media (prefers-color-scheme: dark) {{
+  :root {{ --ink: #eceaf2; --paper: #1b1a21; --line: #45424f; --soft: #aaa6b6; --blue: #3d97dc; --grey: #a5a2b0;
+    --shade: #eceaf266; }}
+}}
+"""
+    + """\
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 68rem;
   margin: 2rem auto; padding: 0 1rem; }
 h1 { line-height: 1.2; }
 h2 { margin-top: 2.5rem; }
 h3 { margin-bottom: .3rem; }
 .soft { color: var(--soft); }
-.wide { overflow-x: auto; }
+/* A shade at the side on which a table goes on. */
+.wide { overflow-x: auto; background: linear-gradient(to right, var(--paper) 40%, transparent) 0 0 / 3rem 100% local,
+  linear-gradient(to left, var(--paper) 40%, transparent) 100% 0 / 3rem 100% local,
+  linear-gradient(to right, var(--shade), transparent) 0 0 / .8rem 100%,
+  linear-gradient(to left, var(--shade), transparent) 100% 0 / .8rem 100%; background-repeat: no-repeat; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 21rem), 1fr)); gap: 1.5rem; }
 figure { margin: 0; }
 figure svg { width: 100%; height: auto; max-width: 34rem; fill: currentColor; }
 .ladders { grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); }
+.cards td:first-child { min-width: 12rem; }
 .ladders > section { min-width: 0; }
-.numbers td:first-child { position: sticky; left: 0; background: var(--paper); }
+.numbers { font-size: .9rem; margin: .5rem 0; }
+.numbers th, .numbers td { padding: .2rem .4rem; }
+.numbers :is(th, td):first-child { position: sticky; left: 0; background: var(--paper); max-width: 11rem; }
+summary { cursor: pointer; margin: .5rem 0; }
 @media (max-width: 40rem) {
+  .numbers :is(th, td) { padding: .2rem .3rem; }
+  .ladders .numbers :is(th, td):first-child { max-width: 6.5rem; }
   .cards thead { display: none; }
   .cards tr { display: block; padding: .6rem 0; border-bottom: 1px solid var(--line); }
   .cards td { display: grid; grid-template-columns: 8.5rem 1fr; gap: .6rem; padding: .1rem 0; border: 0; }
@@ -60,147 +78,61 @@ figure svg { width: 100%; height: auto; max-width: 34rem; fill: currentColor; }
   .cards td:first-child { font-weight: 600; }
 }
 """
-
-
-def of_score(score: Interval) -> str:
-    """A score with its interval, with two digits; a dash where there is none."""
-    if score.n == 0:
-        return "–"
-    if not math.isfinite(score.low):
-        return rounded(score.estimate)
-    return f"{rounded(score.estimate)} [{rounded(score.low)},\N{NO-BREAK SPACE}{rounded(score.high)}]"
-
-
-def score_or_reason(profile: Profile, agent: str, challenge: str) -> str:
-    """A score with its interval; a question mark where it is not measured, a dash where the agent cannot enter."""
-    score = profile.score(agent, challenge)
-    return "?" if score.n == 0 and challenge not in profile.blank.get(agent, {}) else of_score(score)
-
-
-def with_margin(score: Interval) -> str:
-    """A score with the half of its interval, such as 0.37 ± 0.05, which no line break parts."""
-    return f"{rounded(score.estimate)} ± {rounded(score.high - score.estimate)}".replace(" ", "\N{NO-BREAK SPACE}")
-
-
-def take_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
-    """The heading and the rows of the table that says which agent to take, and how far it gets.
-
-    The agent to take is one of another profile where it is surely better.
-    """
-    rows = []
-    for challenge in profile.challenges:
-        about, problem = said(profile, challenge), profile.ladder(challenge).words.problem
-        taken, best, of = about.take, best_agents(profile, challenge), profile
-        if beside and (better := better_beside(profile, challenge, beside)):
-            taken, best, of = f"{better} (one of the others)", [better], beside
-        far = f"it {outcome(of, best[0], challenge).of_one}" if best else "–"
-        if len(best) > 1:
-            far = f"{best[0]} {far.removeprefix('it ')}"
-        rows.append([problem or about.isolates, challenge, taken, far])
-    return ["your problem has", "challenge", "take", "how far that gets"], rows
-
-
-def score_table(profile: Profile, beside: Profile | None = None) -> tuple[list[str], list[list[str]]]:
-    """The heading and the rows of the table of scores; the best agent of another profile stands beside them."""
-    rows = []
-    for challenge in profile.challenges:
-        scores = [score_or_reason(profile, agent, challenge) for agent in profile.agents]
-        others = others_of(profile, beside, challenge)
-        best = max(others, key=lambda agent: others[agent]) if others else ""
-        known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
-        rows.append([f"{challenge} ({profile.ladder(challenge).challenge})", *scores, *known])
-    return ["challenge", *profile.agents, *(["best of the others"] if beside else [])], rows
-
-
-def rung_table(profile: Profile, challenge: str) -> tuple[list[str], list[list[str]]]:
-    """The heading and the rows of the table of a ladder."""
-    strengths = [written(strength) for strength in profile.ladder(challenge).strengths]
-    rows = []
-    for agent in profile.agents:
-        if profile.score(agent, challenge).n:
-            steps = profile.steps(agent, challenge)
-            reached = written(steps) if math.isfinite(steps) else "never"
-            rungs = [rounded(rung.estimate) for rung in profile.rungs(agent, challenge)]
-            rows.append([agent, *rungs, reached])
-    return [profile.ladder(challenge).strength, *strengths, f"steps to {NEARLY} on the first rung"], rows
-
-
-def reasons(profile: Profile) -> list[str]:
-    """Why agents cannot enter challenges, a sentence for each."""
-    return [f"{agent}, {name}: {why}" for agent, blank in profile.blank.items() for name, why in blank.items()]
-
-
-def repetitions_of(profile: Profile, agent: str) -> int:
-    """How often an agent was trained on each rung."""
-    return max((profile.score(agent, challenge).n for challenge in profile.challenges), default=0)
-
-
-def method(profile: Profile) -> list[str]:
-    """How everything was measured, a sentence for each thing."""
-    counts = {agent: repetitions_of(profile, agent) for agent in profile.agents}
-    repetitions = max(counts.values(), default=0)
-    fewer = {agent: count for agent, count in counts.items() if 0 < count < repetitions}
-    fewer_said = [f"Fewer times: {listed([f'{agent} {count}' for agent, count in fewer.items()])}."] if fewer else []
-    bests = [
-        f"The best play in {ladder.name} is {ladder.source}." for ladder in profile.ladders if ladder.source != EXACT
-    ]
-    budgets = (
-        "as many training steps as its strength says"
-        if ladder.n_steps is None
-        else f"{written(steps_of(ladder, ladder.strengths[0]))} training steps a rung"
-        for ladder in profile.ladders
-    )
-    named = ", ".join(f"{ladder.name} {budget}" for ladder, budget in zip(profile.ladders, budgets, strict=True))
-    return [
-        f"Every agent trained {repetitions} times on every rung of every ladder, each time with another seed and"
-        " layout, and was then evaluated without exploring.",
-        *fewer_said,
-        "A score of 0 is the mean return of random play, 1 that of the best play; below 0 is worse than random play.",
-        "The score in a challenge is the mean over the rungs. The intervals are 95 % intervals over the"
-        " repetitions. An agent breaks where its mean score first falls below 0.5, interpolated.",
-        profile.settings,
-        f"The budgets: {named}.",
-        f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),
-    ]
+)
 
 
 INTRODUCTION = (
-    "For every challenge there is a ladder of tasks, from easy to hopeless. A score of 1 means that an agent plays each"
-    " of them as well as can be, 0 that it plays no better than at random. Where its score first falls below 0.5, half"
-    " of the way from random to the best play, it breaks."
+    "Every challenge is a ladder of tasks, from easy to hopeless. On each rung an agent trains anew, and then plays"
+    " without exploring: 0 stands for random play, 1 for the best play. The mean over the rungs is its score in the"
+    f" challenge. An agent breaks between the two rungs where it first falls below {HALF}. It masters a challenge if it"
+    f" never does, and still has {NEARLY} or more on the last rung. Who breaks later may have the lower score, since"
+    " the rungs after the break count too."
 )
 TAKE = (
-    "Find the line that is most like your problem, and take an agent that stands there. The first has the highest"
-    " score; that the others have less may be chance."
+    "Find the line that is most like your problem. Highest is the agent with the highest score of all that were tried"
+    " there; it is weakest in the challenge in which it lies furthest behind the best one. Not surely worse are those"
+    " whose lower score may be chance."
 )
-OF_OTHERS = "One of the others is not among the agents of this page: its marks are grey."
-FURTHER = "Further down stands what the challenge is, and how far each agent gets."
+NO_LINE = (
+    "Two problems have no line: a reward that drowns in noise, and what is lost while learning. Only the play after the"
+    " training counts."
+)
+OTHERS = (
+    "Agents that you did not give are called the other agents, and are grey. They are EduGym's and those of"
+    " Stable-Baselines3 (SB3), all with their own default settings: DQN is EduGym's, SB3 DQN is not."
+)
 MARKS = (
     "A number is a score with its 95 % interval; – says that an agent cannot enter a challenge, and ? that it was not"
     " measured there. A score a little above 1 is luck: the best play is known on average."
 )
-STEPS = (
-    f"Steps to {NEARLY} are those after which a run first scores that much, the median over the runs; it may lose it"
-    " again."
-)
-OTHER = (
-    "Grey marks are other agents, at their defaults: those of EduGym, and those of Stable-Baselines3 (SB3) where they"
-    " were measured."
-)
-GREY = (
-    "At the end of grey lines stands the other agent with the highest score of those that end there; + 3 stands for"
-    " three more. Rest on a line to see its name."
+SURE = "A difference between two agents is called sure where their intervals do not overlap."
+ALL = "The score of every agent"
+EACH = "What each agent is"
+BANDS = "A coloured band is the 95 % interval on each rung."
+GREY_LINES = (
+    "Where grey lines end, the one with the highest score has its name; + 3 says that three more end there. Point at a"
+    " line to see its name; the scores of all are above."
 )
 
 
-def paragraphs(profile: Profile, about: Said) -> list[str]:
-    """What a challenge is, and how far the agents get, as lines of Markdown."""
-    task = profile.ladder(about.challenge).words.about
-    return [*([task, ""] if task else []), about.sentence, ""]
+def paragraphs(profile: Profile, about: Said, everybody: Profile) -> list[str]:
+    """What a challenge is, how far the agents get, and who is not measured."""
+    task, missing = profile.ladder(about.challenge).words.about, not_measured(everybody, about.challenge)
+    return [text for text in (task, f"{about.sentence} {missing}".strip()) if text]
 
 
-def markdown(profile: Profile, beside: Profile | None = None) -> str:
-    """The report as Markdown; its picture is the file profile.svg beside it."""
+def guide(everybody: Profile | None) -> list[str]:
+    """How to read the table of whom to take, in paragraphs."""
+    return [TAKE, f"{NO_LINE} {OTHERS}" if everybody else NO_LINE]
+
+
+def whoever(everybody: Profile, abouts: Mapping[str, str]) -> list[str]:
+    """What each agent is, a line for each of which it is known."""
+    return [f"{agent}: {abouts[agent]}" for agent in everybody.agents if agent in abouts]
+
+
+def markdown(profile: Profile, everybody: Profile | None = None, abouts: Mapping[str, str] = NOTHING) -> str:
+    """The report as Markdown; its picture is the file profile.svg beside it. Arguments as in `write`."""
 
     def escape(text: str) -> str:
         return text.replace("|", "\\|").replace("<", "&lt;")
@@ -210,40 +142,36 @@ def markdown(profile: Profile, beside: Profile | None = None) -> str:
         lines = ["| " + " | ".join(row) + " |" for row in cells]
         return [lines[0], "|" + "---|" * len(heading), *lines[1:], ""]
 
-    guide = " ".join([TAKE, *([OF_OTHERS] if beside else []), FURTHER])
-    lines = [
-        "# What the agents master",
-        "",
-        INTRODUCTION,
-        "",
-        "## Which agent to take",
-        "",
-        guide,
-        "",
-        *table(*take_table(profile, beside)),
-        "## Scores",
-        "",
-        "![Radar, scores with intervals, and ladders](profile.svg)",
-        "",
-        *table(*score_table(profile, beside)),
-        MARKS,
-        "",
-        "## The challenges",
-        "",
-        STEPS,
-        "",
-    ]
+    def items(texts: list[str]) -> list[str]:
+        return [*(f"- {escape(text)}" for text in texts), ""]
+
+    lines = ["# What the agents master", "", INTRODUCTION, "", "## Which agent to take", ""]
+    lines += [line for text in guide(everybody) for line in (text, "")]
+    lines += table(*take_table(profile, everybody))
+    lines += ["## Scores", "", "![Radar, scores with intervals, and ladders](profile.svg)", ""]
+    lines += [*table(*score_table(profile, everybody)), MARKS, ""]
+    if sure := sure_differences(profile):
+        lines += [SURE, "", *items(sure)]
+    if everybody:
+        lines += [f"### {ALL}", "", *table(*table_of_all(everybody))]
+    if who := whoever(everybody or profile, abouts):
+        lines += [f"### {EACH}", "", *items(who)]
+    lines += ["## The challenges", ""]
     for challenge in profile.challenges:
-        about, (heading, rows) = said(profile, challenge, beside), rung_table(profile, challenge)
-        lines += [f"### {challenge}: {about.isolates}", "", *paragraphs(profile, about)]
+        about, (heading, rows) = said(profile, challenge, everybody), rung_table(profile, challenge)
+        lines += [f"### {challenge}: {about.isolates}", ""]
+        lines += [line for text in paragraphs(profile, about, everybody or profile) for line in (text, "")]
         lines += table(heading, rows) if rows else []
     if reasons(profile):
-        lines += ["## Who cannot enter", "", *(f"- {escape(reason)}" for reason in reasons(profile)), ""]
-    return "\n".join([*lines, "## How it was measured", "", *(f"- {sentence}" for sentence in method(profile)), ""])
+        lines += ["## Who cannot enter", "", *items(reasons(profile))]
+    return "\n".join([*lines, "## How it was measured", "", *items(method(profile))])
 
 
-def as_html(profile: Profile, beside: Profile | None = None) -> str:
-    """The report as one HTML file, which loads nothing from anywhere; light or dark as the reader's system is."""
+def as_html(profile: Profile, everybody: Profile | None = None, abouts: Mapping[str, str] = NOTHING) -> str:
+    """The report as one HTML file, which loads nothing from anywhere; light or dark as the reader's system is.
+
+    Arguments are those of `write`.
+    """
     escape = html.escape
 
     def table(heading: list[str], rows: list[list[str]], kind: str = "cards") -> str:
@@ -260,18 +188,22 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
     def items(texts: list[str]) -> str:
         return f"<ul>{''.join(f'<li>{escape(text)}</li>' for text in texts)}</ul>"
 
+    def fold(title: str, contents: str) -> str:
+        return f"<details><summary>{title}</summary>{contents}</details>"
+
     challenges = []
     for challenge in profile.challenges:
-        about, (heading, rows) = said(profile, challenge, beside), rung_table(profile, challenge)
+        about, (heading, rows) = said(profile, challenge, everybody), rung_table(profile, challenge)
         parts = [f"<h3>{escape(f'{challenge}: {about.isolates}')}</h3>"]
-        parts += [f"<p>{escape(text)}</p>" for text in paragraphs(profile, about) if text]
-        if rows or others_of(profile, beside, challenge):
-            parts.append(figure(Rungs(profile, challenge, beside), about.sentence))
+        parts += [f"<p>{escape(text)}</p>" for text in paragraphs(profile, about, everybody or profile)]
+        if rows or others_of(profile, everybody, challenge):
+            parts.append(figure(Rungs(profile, challenge, everybody), about.sentence))
         if rows:
-            parts.append(f"<details><summary>numbers</summary>{table(heading, rows, 'numbers')}</details>")
+            parts.append(fold("numbers", table(heading, rows, "numbers")))
         challenges.append("<section>" + "\n".join(parts) + "</section>")
-    other, grey = (f" {OTHER}", f" {GREY}") if beside else ("", "")
-    guide = " ".join([TAKE, *([OF_OTHERS] if beside else []), FURTHER])
+    sure, who = sure_differences(profile), whoever(everybody or profile, abouts)
+    folds = [fold(ALL, table(*table_of_all(everybody), "numbers"))] if everybody else []
+    folds += [fold(EACH, items(who))] if who else []
     blank = f"<h2>Who cannot enter</h2>\n{items(reasons(profile))}" if reasons(profile) else ""
     return f"""\
 <!doctype html>
@@ -288,19 +220,21 @@ def as_html(profile: Profile, beside: Profile | None = None) -> str:
 <h1>What the agents master</h1>
 <p>{escape(INTRODUCTION)}</p>
 <h2>Which agent to take</h2>
-<p>{escape(guide)}</p>
-{table(*take_table(profile, beside))}
+{"".join(f"<p>{escape(text)}</p>" for text in guide(everybody))}
+{table(*take_table(profile, everybody))}
 <h2>Scores</h2>
 <div class="figures">
 {figure(Radar(profile), "Radar of the scores; the table has the numbers")}
-{figure(Dots(profile, beside), "Scores with intervals; the table has the numbers")}
+{figure(Dots(profile, everybody), "Scores with intervals; the table has the numbers")}
 </div>
 <p class="soft">The radar is for a first look: its area depends on the order of the challenges. The dots can be
-compared; a gap in a line, or no dot, means that the agent cannot enter the challenge, or was not measured.{other}</p>
-{table(*score_table(profile, beside))}
+compared; a gap in a line, or no dot, means that the agent cannot enter the challenge, or was not measured.</p>
+{table(*score_table(profile, everybody))}
 <p class="soft">{escape(MARKS)}</p>
+{f"<p>{SURE}</p>{items(sure)}" if sure else ""}
+{chr(10).join(folds)}
 <h2>The challenges</h2>
-<p class="soft">{escape(STEPS)}{grey}</p>
+<p class="soft">{BANDS}{f" {escape(GREY_LINES)}" if everybody else ""}</p>
 <div class="figures ladders">
 {chr(10).join(challenges)}
 </div>
@@ -320,20 +254,27 @@ def figure(panel: Panel, says: str) -> str:
     svg = re.sub(r"^.*?(?=<svg)", "", drawn, flags=re.DOTALL)
     svg = re.sub(r' (width|height)="[^"]*pt"', "", svg, count=2)
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
-    svg = svg.replace(INK, "currentColor").replace("#ffffff", "none")
+    for color, shown in ON_PAGE.items():
+        svg = svg.replace(color, shown)
     svg = re.sub(rf'<g id="{NAMED}([^"]*)">', r"<g><title>\1</title>", svg)
     unique = re.sub(r"\W+", "", f"{type(panel).__name__}{panel.title}")
     svg = re.sub(r'(id="|href="#|url\(#)', rf"\g<1>{unique}-", svg)
     return f'<figure role="img" aria-label="{html.escape(says)}">{svg}</figure>'
 
 
-def write(profile: Profile, folder: str | os.PathLike[str], beside: Profile | None = None) -> Path:
+def write(
+    profile: Profile,
+    folder: str | os.PathLike[str],
+    everybody: Profile | None = None,
+    abouts: Mapping[str, str] = NOTHING,
+) -> Path:
     """Write report.html, report.md, runs.csv, profile.png and profile.svg into a folder.
 
     Args:
         profile: the profile.
         folder: it is made where there is none.
-        beside: the profile of other agents, to compare with.
+        everybody: a profile that has other agents too, to compare with, as `pooled` gives it; None for no others.
+        abouts: what an agent is, in a line, by its label.
 
     Returns:
         The path of report.html.
@@ -346,7 +287,7 @@ def write(profile: Profile, folder: str | os.PathLike[str], beside: Profile | No
     require("plot", "matplotlib")
     folder = a_path("folder", folder)
     folder.mkdir(parents=True, exist_ok=True)
-    save_figure(picture(profile, beside).draw(), folder / "profile.svg")
+    save_figure(picture(profile, everybody).draw(), folder / "profile.svg")
     write_whole(folder / "runs.csv", profile.runs.to_csv(index=False, lineterminator="\n").encode())
-    write_whole(folder / "report.md", markdown(profile, beside).encode())
-    return write_whole(folder / NAME, as_html(profile, beside).encode())
+    write_whole(folder / "report.md", markdown(profile, everybody, abouts).encode())
+    return write_whole(folder / NAME, as_html(profile, everybody, abouts).encode())

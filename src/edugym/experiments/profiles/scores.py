@@ -1,7 +1,7 @@
 """What a profile holds: the scores of every run, and what follows from them."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 HALF, NEARLY = 0.5, 0.9
 COLUMNS = ("agent", "challenge", "strength", "repetition", "return", "random", "best", "score", "steps", "steps_to_0.9")
+
+KEPT = ("agent", "challenge", "strength", "repetition", "score", "steps_to_0.9")
+"""The columns that are needed for what a profile says."""
 
 
 class Break(NamedTuple):
@@ -146,6 +149,27 @@ class Profile:
     def _tables(self) -> dict[tuple[str, str, str], Reals]:
         """What `_table` remembers."""
         return {}
+
+
+def pooled(profile: Profile, beside: Profile) -> Profile:
+    """A profile with the agents of another one behind its own, where these climbed the same rungs in as many steps.
+
+    An agent with a label that is in both is that of the first. Of the runs of the others only the scores are kept, and
+    the steps to 0.9.
+    """
+    import pandas
+
+    known = {ladder.name: (ladder.strengths, ladder.n_steps) for ladder in beside.ladders}
+    same = [each.name for each in profile.ladders if known.get(each.name) == (each.strengths, each.n_steps)]
+    others = tuple(agent for agent in beside.agents if agent not in profile.agents)
+    theirs = beside.runs[beside.runs["agent"].isin(others) & beside.runs["challenge"].isin(same)]
+    runs = pandas.concat([part[list(KEPT)] for part in (profile.runs, theirs) if len(part)] or [profile.runs])
+    return replace(
+        profile,
+        runs=runs.reindex(columns=list(COLUMNS)),
+        agents=(*profile.agents, *others),
+        blank=profile.blank | {agent: beside.blank.get(agent, {}) for agent in others},
+    )
 
 
 def breaking(strengths: tuple[float, ...], means: Reals) -> Break:

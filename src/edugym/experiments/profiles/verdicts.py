@@ -1,4 +1,4 @@
-"""What a profile says in words: how far each agent gets in a challenge, and which one to take."""
+"""What a profile says in words: how far each agent gets in a challenge, and which ones are best."""
 
 import math
 from itertools import groupby
@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from edugym.experiments.profiles.ladders import Ladder, rung_in_words
+from edugym.experiments.profiles.ladders import in_words, rung_in_words
 from edugym.experiments.profiles.pictures import scores_of
 from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
-from edugym.experiments.profiles.words import rounded, written
+from edugym.experiments.profiles.words import written
 from edugym.experiments.results.statistics import paired_difference
 
 
@@ -17,9 +17,10 @@ class Outcome(NamedTuple):
     """How one agent, or several, fare on a ladder, in a few words.
 
     Attributes:
-        of_one: with the verb of one agent, such as "breaks at a wall of height 14".
+        of_one: with the verb of one agent, such as "breaks at a wall of height between 12 and 15".
         of_several: with that of several.
-        in_short: what stands behind the next agent of which the same is said, such as "at 13"; "" where there is none.
+        in_short: what stands behind the next agent of which the same is said, such as "between 12 and 15"; "" where
+            there is none.
         reached: how far along the ladder, from 0 to the number of rungs; -1 where an agent cannot enter, or is not
             measured.
     """
@@ -36,19 +37,27 @@ class Said(NamedTuple):
     Attributes:
         challenge: the name.
         isolates: what the challenge is.
-        take: the agents to take: the best, and those that cannot be told from it.
         sentence: how far each agent gets, and which one gets furthest.
     """
 
     challenge: str
     isolates: str
-    take: str
     sentence: str
 
 
 def listed(texts: list[str]) -> str:
     """Texts as a list in a sentence."""
     return texts[0] if len(texts) == 1 else f"{', '.join(texts[:-1])} and {texts[-1]}"
+
+
+def broken_between(profile: Profile, agent: str, challenge: str) -> tuple[float, float] | None:
+    """The two rungs between which an agent breaks, the easier one first; None where it breaks between none."""
+    broken = profile.breaks(agent, challenge)
+    if broken is None or broken.where != "between":
+        return None
+    strengths = profile.ladder(challenge).strengths
+    first_below = int(np.flatnonzero(profile.scores(agent, challenge).mean(axis=1) < HALF)[0])
+    return strengths[first_below - 1], strengths[first_below]
 
 
 def outcome(profile: Profile, agent: str, challenge: str) -> Outcome:
@@ -63,12 +72,14 @@ def outcome(profile: Profile, agent: str, challenge: str) -> Outcome:
     if broken.where == "at once":
         even = f"even with {first}" if by_steps else f"even at {first}"
         return Outcome(f"fails {even}", f"fail {even}", "", 0.0)
-    if broken.where == "between":
-        near = float(f"{broken.strength:.2g}")  # interpolated: more digits would say too much
-        words, place = rung_in_words(ladder, near), along(ladder, broken.strength)
+    if rungs := broken_between(profile, agent, challenge):
+        low, high = sorted(rungs)
+        short = f"between {written(low)} and {written(high)}"
+        words, place = in_words(ladder, short), float(ladder.strengths.index(rungs[1]))
         if by_steps:
-            return Outcome(f"needs about {words}", f"need about {words}", f"about {written(near)}", place)
-        return Outcome(f"breaks at {words}", f"break at {words}", f"at {written(near)}", place)
+            enough = f"{words} to score {HALF:g}"
+            return Outcome(f"needs {enough}", f"need {enough}", short, place)
+        return Outcome(f"breaks at {words}", f"break at {words}", short, place)
     n_rungs = len(ladder.strengths)
     if profile.rungs(agent, challenge)[-1].estimate >= NEARLY:
         even = f"it even with {last}" if by_steps else f"even {last}"
@@ -77,34 +88,24 @@ def outcome(profile: Profile, agent: str, challenge: str) -> Outcome:
     return Outcome(f"does not break {even}", f"do not break {even}", "", float(n_rungs))
 
 
-def along(ladder: Ladder, strength: float) -> float:
-    """How far along the ladder a strength is: 0 on its first rung, 1 on the second."""
-    places = dict(sorted(zip(ladder.strengths, range(len(ladder.strengths)), strict=True)))
-    return float(np.interp(strength, [*places], [*places.values()]))
-
-
 def said(profile: Profile, challenge: str, beside: Profile | None = None) -> Said:
     """What the report says about a challenge; an agent of another profile is named where it is surely better."""
-    best = best_agents(profile, challenge)
-    entered = any(profile.score(agent, challenge).n for agent in profile.agents)
-    take = listed(best) if best else "nobody" if entered else "nobody can enter"
-    if best and (score := profile.score(best[0], challenge).estimate) < HALF:
-        take = f"nobody is good; the best score is {rounded(score)}, of {best[0]}"
-    sentences = [
-        f"{text}." for text in (*_standing(profile, challenge, best), _better(profile, challenge, beside)) if text
-    ]
-    return Said(challenge, profile.ladder(challenge).challenge, take, " ".join(sentences))
+    sentences = [f"{text}." for text in (*_standing(profile, challenge), _better(profile, challenge, beside)) if text]
+    return Said(challenge, profile.ladder(challenge).challenge, " ".join(sentences))
 
 
-def _standing(profile: Profile, challenge: str, best: list[str]) -> list[str]:
-    """How far each agent gets, the one that gets furthest first: sentences without their full stops."""
-    outcomes = {agent: outcome(profile, agent, challenge) for agent in profile.agents}
+def _standing(profile: Profile, challenge: str) -> list[str]:
+    """How far each agent gets, the one with the highest score first: sentences without their full stops."""
+    scores = scores_of(profile, challenge)
+    agents = sorted(profile.agents, key=lambda agent: -scores.get(agent, -math.inf))
+    outcomes = {agent: outcome(profile, agent, challenge) for agent in agents}
     found: dict[Outcome, list[str]] = {}
-    for agent, how in sorted(outcomes.items(), key=lambda pair: -pair[1].reached):
+    for agent, how in outcomes.items():
         found.setdefault(how, []).append(agent)
     (first, leaders), *_ = found.items()
     sentences = []
-    if leaders == best and len(leaders) == 1 and sum(how.reached >= 0 for how in outcomes.values()) > 1:
+    ahead = first.reached == max(how.reached for how in found)  # who breaks later may have the lower score
+    if leaders == best_agents(profile, challenge) and len(leaders) == 1 and len(scores) > 1 and ahead:
         sentences.append(f"{leaders[0]} gets furthest: it {first.of_one}")
         del found[first]
     for breaks, groups in groupby(found.items(), key=lambda pair: bool(pair[0].in_short)):
@@ -127,23 +128,26 @@ def _better(profile: Profile, challenge: str, beside: Profile | None) -> str:
 
 
 def best_agents(profile: Profile, challenge: str) -> list[str]:
-    """The agent with the highest score, and those whose difference from it may be chance; none where none enters.
+    """The agent with the highest score, then those that are not surely worse, by their scores; none where none enters.
 
-    An agent that is not better than random play is none of them. One with fewer repetitions than others is one of them
-    only if it is surely better: its interval lies above that of the best of the others.
+    An agent that is not better than random play is none of them.
     """
-    scores = {agent: profile.score(agent, challenge) for agent in profile.agents}
-    entered = {agent: score for agent, score in scores.items() if score.n and score.estimate > 0}
-    if not entered:
-        return []
-    most = max(score.n for score in entered.values())
-    often = [agent for agent, score in entered.items() if score.n == most]
-    best = max(often, key=lambda agent: entered[agent].estimate)
-    surely = [agent for agent in entered if agent not in often and entered[agent].low > entered[best].high]
-    if surely:
-        return sorted(surely, key=lambda agent: -entered[agent].estimate)
-    runs = {agent: profile.scores(agent, challenge).mean(axis=0) for agent in often}
-    return [best, *(a for a in often if a != best and paired_difference(runs[best], runs[a]).low <= 0)]
+    scores = {agent: score for agent, score in scores_of(profile, challenge).items() if score > 0}
+    best, *others = sorted(scores, key=lambda agent: -scores[agent]) or [""]
+    return [best, *(agent for agent in others if not surely_worse(profile, challenge, agent, best))] if best else []
+
+
+def surely_worse(profile: Profile, challenge: str, agent: str, best: str) -> bool:
+    """Whether the difference of two agents can hardly be chance.
+
+    Agents with as many runs are compared in pairs of runs, since these have the same seeds and layouts: the 95 %
+    interval of the difference lies above 0. Else the intervals of their scores lie apart.
+    """
+    high, low = profile.score(best, challenge), profile.score(agent, challenge)
+    if high.n != low.n:
+        return low.high < high.low
+    ours, theirs = (profile.scores(name, challenge).mean(axis=0) for name in (best, agent))
+    return paired_difference(ours, theirs).low > 0
 
 
 def others_of(profile: Profile, beside: Profile | None, challenge: str) -> dict[str, float]:

@@ -29,9 +29,10 @@ WORDS: Mapping[str, Words] = MappingProxyType(
             "a wall of height {}",
         ),
         "Roadrunner": Words(
-            "the best play right beside a disaster",
-            "Run along a road to the edge of a cliff, in as few steps as possible, and do not fall. The longer the"
-            " road, the more positions and speeds there are to learn about.",
+            "the best play right beside a disaster (disasters while learning are free)",
+            "Run along a road to the edge of a cliff, in as few steps as possible, and do not fall. Only the play"
+            " after training counts: falls while learning cost nothing. The longer the road, the more positions and"
+            " speeds there are to learn about.",
             "a road of length {}",
         ),
         "Study": Words(
@@ -53,7 +54,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
             "a corridor of length {}",
         ),
         "Tamagotchi": Words(
-            "observations that are noisy messages about what counts",
+            "observations that are noisy messages about what counts (not noisy rewards)",
             "Give a toy what it needs. What it needs shows only in a message. The more noise, the less the message"
             " tells.",
             "a noise of {}",
