@@ -168,3 +168,63 @@ def largest_promise(n_machines, n_tries, win, lose):
 # %% a number
 # says: n_machines, n_tries, win and lose
 largest_promise = 0.558
+
+
+# %% F too late
+# says: F is added up after the term; for x it must hold the probability of *at most* x
+def largest_promise(n_machines, n_tries, win, lose):
+    promise, F, before = 0.0, 0.0, 0.0
+    for wins in range(n_tries + 1):
+        promise += (wins * win + (n_tries - wins) * lose) / n_tries * (F**n_machines - before)
+        before = F**n_machines
+        F += comb(n_tries, wins) * 0.5**n_tries
+    return promise
+
+
+# %% one try too many
+# says: the means are divided by n + 1; there are n tries
+# in: the solution of largest_promise
+# - mean = (wins * win + (n_tries - wins) * lose) / n_tries
+# + mean = (wins * win + (n_tries - wins) * lose) / (n_tries + 1)
+
+
+# %% a share of the losses
+# says: parentheses are missing: the whole sum of payoffs is divided by n
+# in: the solution of largest_promise
+# - mean = (wins * win + (n_tries - wins) * lose) / n_tries
+# + mean = wins * win + (n_tries - wins) * lose / n_tries
+
+
+# %% no values
+# says: the values x are left out; the weights alone add up to 1
+# in: the solution of largest_promise
+# - promise += mean * (F**n_machines - before)
+# + promise += F**n_machines - before
+
+
+# %% the bias
+# says: that is the bias, the promise less the mean of one machine; the promise itself is asked
+# in: the solution of largest_promise
+# - return promise
+# + return promise - (win + lose) / 2
+
+
+# %% a share of it
+# says: the sum is divided by the number of machines; it is what the largest mean is already
+# in: the solution of largest_promise
+# - return promise
+# + return promise / n_machines
+
+
+# %% F from 1
+# says: the probability of no win is left out of F: begin with 0 wins
+# in: the solution of largest_promise
+# - for wins in range(n_tries + 1):
+# + for wins in range(1, n_tries + 1):
+
+
+# %% to the power of the machines
+# says: 0.5 is raised to the power of the number of machines; one order of n tries has the probability 0.5^n
+# in: the solution of largest_promise
+# - F += comb(n_tries, wins) * 0.5**n_tries
+# + F += comb(n_tries, wins) * 0.5**n_machines

@@ -230,3 +230,17 @@ def double_update(Q1, Q2, first, state, action, reward, next_state, terminated, 
 # %% a number
 # says: Q1, Q2, first, state, action, reward, next_state, terminated, learning_rate and discount
 double_update = 0.5
+
+
+# %% mostly the target
+# says: α and 1 − α are swapped: the old value counts 1 − α
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[state, action] = learning_rate * own[state, action] + (1 - learning_rate) * target
+
+
+# %% turned
+# says: state and action are swapped: Q1[state, action]
+# in: the solution of double_update
+# - own[state, action] += learning_rate * (target - own[state, action])
+# + own[action, state] += learning_rate * (target - own[action, state])

@@ -166,3 +166,24 @@ def maxmin_target(tables, reward, next_state, terminated, discount):
 # %% a number
 # says: tables, reward, next_state, terminated and discount
 maxmin_target = 0.5
+
+
+# %% the last table
+# says: only the last table counts: take the smallest value of each action
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[-1, next_state].max()
+
+
+# %% state 0
+# says: the row is that of state 0; take the row of the next state
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, 0].min(axis=0).max()
+
+
+# %% the mean of all
+# says: that is the mean of all values; take the smallest value of each action, and the largest of these
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, next_state].mean()

@@ -34,6 +34,7 @@ def promised(
         "binomial": orders * chance**w * (1 - chance) ** (n - w),
         "one order": chance**w * (1 - chance) ** (n - w),
         "orders": 1.0 * orders,
+        "of k": orders * chance**w * (1 - chance) ** (k - 1.0 * w),
         "equally": np.full(n + 1, 1 / (n + 1)),
         "wins only": orders * chance**w,
         "of machines": np.array([comb(k, wins) * chance**wins * (1 - chance) ** (k - wins) for wins in range(n + 1)]),
@@ -44,15 +45,19 @@ def promised(
         "of machines": (w * win + (n - w) * lose) / k,
         "minus": (w * win - (n - w) * lose) / n,
         "wins": w * win / n,
+        "too many": (w * win + (n - w) * lose) / (n + 1),
+        "lost share": w * win + (n - w) * lose / n,
+        "nothing": np.ones(n + 1),
         "win": np.full(n + 1, win),
     }[pays]
-    at_most = np.cumsum(p)
+    at_most = np.cumsum(p) - (p[0] if kept == "F from 1" else 0.0)
     one = at_most
     at_most = 1 - (1 - at_most) ** k if power == "smallest" else at_most ** {"k": k, "one": 1, "n": n}[power]
     weights = {
         "differences": np.diff(at_most, prepend=0.0),
         "half raised": at_most - np.append(0.0, one[:-1]),
         "not added up": np.diff(p**k, prepend=0.0),
+        "late": np.diff(np.append(0.0, at_most[:-1]), prepend=0.0),
         "backwards": -np.diff(at_most, prepend=0.0),
         "at most": at_most,
         "of one": p**k,
@@ -61,11 +66,13 @@ def promised(
     terms = {
         "all": slice(None),
         "no first": slice(1, None),
+        "F from 1": slice(1, None),
         "no last": slice(-1),
         "first": slice(1),
         "last": slice(-1, None),
     }[kept]
-    return float(means[terms] @ weights[terms]) * (k if times == "k" else 1)
+    total = float(means[terms] @ weights[terms]) * {"one": 1, "k": k, "1/k": 1 / k}.get(times, 1)
+    return total - float(p @ means) if times == "less the mean" else total
 
 
 PROMISE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
@@ -82,6 +89,18 @@ PROMISE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "F(x) is the probability of *at most* x: add up the probabilities of all values so far": {"over": "not added up"},
     "the sign is wrong: F(x)^k less what it was for the value before, and not the other way round": {
         "over": "backwards"
+    },
+    "F is added up after the term; for x it must hold the probability of *at most* x": {"over": "late"},
+    "the means are divided by n + 1; there are n tries": {"pays": "too many"},
+    "parentheses are missing: the whole sum of payoffs is divided by n": {"pays": "lost share"},
+    "the values x are left out; the weights alone add up to 1": {"pays": "nothing"},
+    "that is the bias, the promise less the mean of one machine; the promise itself is asked": {
+        "times": "less the mean"
+    },
+    "the sum is divided by the number of machines; it is what the largest mean is already": {"times": "1/k"},
+    "the probability of no win is left out of F: begin with 0 wins": {"kept": "F from 1"},
+    "0.5 is raised to the power of the number of machines; one order of n tries has the probability 0.5^n": {
+        "likely": "of k"
     },
     "the payoffs are added up; a mean is divided by the number of tries": {"pays": "sum"},
     "the payoffs are divided by the number of machines; the mean of one machine is over its n tries": {

@@ -9,6 +9,8 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 
 N_STATES, N_ACTIONS = 3, 3
+VALUES = (-5.0, -4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0)
+"""The values in a table; none is 0, which would look as if nothing followed."""
 ENDS = ((True, False), (False, False), (True, True), (False, False), (True, False), (False, True), (True, True))
 """For each case of exercises 2 and 3, whether Q1 learns, and whether the step ends an episode."""
 
@@ -84,6 +86,7 @@ def doubled(
         "right": (case.state, case.action),
         "next": (case.next_state, case.action),
         "row": (case.state, slice(None)),
+        "turned": (case.action, case.state),
     }[place]
     for i in (0, 1) if changed == "both" else (int(chosen[changed]),):
         own, other = np.stack([case.Q1, case.Q2])[[i, 1 - i]]
@@ -113,6 +116,7 @@ def doubled(
             "only": case.learning_rate * target,
             "away": -case.learning_rate * (target - old),
             "swapped": case.discount * (target - old),
+            "mostly": (1 - case.learning_rate) * (target - old),
         }[step]
     return tables
 
@@ -152,6 +156,8 @@ DOUBLE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the learning rate is left out": {"step": "whole"},
     "− Q(S, A) is left out: the target takes the place of the error": {"step": "only"},
     "the value moves *away* from the target: the error is the target less the old value": {"step": "away"},
+    "α and 1 − α are swapped: the old value counts 1 − α": {"step": "mostly"},
+    "state and action are swapped: Q1[state, action]": {"place": "turned"},
     "the learning rate and the discount are swapped": {"step": "swapped", "gamma": "learning rate"},
 }
 
@@ -160,7 +166,7 @@ def learnings(rng: np.random.Generator) -> list[Learning]:
     """Make up steps: for both tables, and one that ends."""
     made = []
     for first, terminated in ENDS:
-        Q1, Q2 = (rng.permuted(np.arange(-4.0, 5.0)).reshape(N_STATES, N_ACTIONS) for _ in range(2))
+        Q1, Q2 = (rng.permuted(VALUES).reshape(N_STATES, N_ACTIONS) for _ in range(2))
         state, next_state = rng.choice(N_STATES, 2, replace=False).tolist()
         action, reward = int(rng.integers(N_ACTIONS)), _reward(rng)
         rates = float(rng.choice(LEARNING_RATES)), float(rng.choice(DISCOUNTS))
@@ -199,6 +205,9 @@ def aimed(
         "first": row[0].max(),
         "two": row[:2].min(axis=0).max(),
         "all": case.tables.min(axis=0).max(),
+        "last": row[-1].max(),
+        "first state": case.tables[:, 0].min(axis=0).max(),
+        "mean of all": row.mean(),
         "last axis": case.tables[:, :, case.next_state].min(axis=0).max(),
         "index": row.min(axis=0).argmax(),
         "indices": row.argmin(axis=0).max(),
@@ -222,6 +231,11 @@ AIM_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "the minimum goes over the actions of each table; it goes over the tables, for each action": {"rule": "other axis"},
     "only the first table counts": {"rule": "first"},
+    "only the last table counts: take the smallest value of each action": {"rule": "last"},
+    "the row is that of state 0; take the row of the next state": {"rule": "first state"},
+    "that is the mean of all values; take the smallest value of each action, and the largest of these": {
+        "rule": "mean of all"
+    },
     "only the first two tables count; there may be more": {"rule": "two"},
     "the maximum goes over all states; take the row of the next state": {"rule": "all"},
     "`next_state` is the last index; the shape is (tables, states, actions)": {"rule": "last axis"},

@@ -271,3 +271,10 @@ def pareto_optimal(points):
     return sorted(
         {p for p in points if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points)}
     )
+
+
+# %% better than somebody
+# says: a point stays if it dominates another one; it stays if no other one dominates it
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if any(p[0] >= q[0] and p[1] >= q[1] and p != q for q in points):

@@ -181,3 +181,24 @@ closest_action = 3
 # in: arrays
 # - return np.argmin(distances.max(axis=1))
 # + return np.argmin(distances.max())
+
+
+# %% the best value
+# says: that is the action with the best value; d counts both objectives
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return Q[state][:, 0].argmax()
+
+
+# %% the best time
+# says: that is the action with the best time; d counts both objectives
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return Q[state][:, 1].argmax()
+
+
+# %% the product
+# says: the distances of the objectives are multiplied; only the largest counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.prod(axis=1))

@@ -169,3 +169,17 @@ new_price = 3.0
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return max(0.0, price + rate * (steps - limit - 1))
+
+
+# %% plus the limit
+# says: the limit is added; what counts is steps − limit
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps + limit))
+
+
+# %% as it was
+# says: the price stays as it was; the step is added
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return price

@@ -11,7 +11,7 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases, told_wrong
+from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases, mistake_that_fits, told_wrong
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given, in_brackets, number, unlike
@@ -145,11 +145,11 @@ def exercise_2(answer: Any, seed: int, margin: Margin = 0.0) -> str:
     wrong = [one != action for one, action in zip(expected, found, strict=True)]
     if any(wrong):
 
-        def explained(rule: Callable[[Reals, int, Reals, Reals], Reals]) -> list[bool]:
-            return [chosen(rule, case) == action for case, action in zip(cases, found, strict=True)]
+        def everywhere(rule: Callable[[Reals, int, Reals, Reals], Reals]) -> bool:
+            return all(chosen(rule, case) == action for case, action in zip(cases, found, strict=True))
 
         i = wrong.index(True)
-        why = mistake_in_cases(CLOSEST_MISTAKES, explained, wrong, NO_USUAL_CHOICE)
+        why = mistake_that_fits(CLOSEST_MISTAKES, everywhere, NO_USUAL_CHOICE)  # of four actions two agree by chance
         raise WrongAnswer(told_wrong(f"{calls[i]} should give action {expected[i]}, but gives {found[i]}", why))
     return "Right: the objective in which an action is worst decides. So no amount of time makes up for a poor value."
 

@@ -50,6 +50,11 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
         lambda Q, s, w, z: (_distances(Q, s, w, z) ** 2).sum(axis=1)
     ),
     "that is the highest weighted sum, in which z plays no part": lambda Q, s, w, z: -(w * Q[s]).sum(axis=1),
+    "that is the action with the best value; d counts both objectives": lambda Q, s, w, z: -Q[s][:, 0],
+    "that is the action with the best time; d counts both objectives": lambda Q, s, w, z: -Q[s][:, 1],
+    "the distances of the objectives are multiplied; only the largest counts": lambda Q, s, w, z: _distances(
+        Q, s, w, z
+    ).prod(axis=1),
     "only the first objective counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, 0],
     "only the second objective counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, 1],
     "the utopian point is left out: the values themselves are compared": lambda Q, s, w, z: (w * np.abs(Q[s])).max(
@@ -110,6 +115,8 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
     "the excess is a step too small: a dive is too long from limit + 1 on": lambda p, n, most, r: max(
         0.0, p + r * (n - most - 1)
     ),
+    "the limit is added; what counts is steps − limit": lambda p, n, most, r: max(0.0, p + r * (n + most)),
+    "the price stays as it was; the step is added": lambda p, n, most, r: p,
     "the rate is missing": lambda p, n, most, r: max(0.0, p + (n - most)),
     "the old price is missing: the step is added to it": lambda p, n, most, r: max(0.0, r * (n - most)),
     "the limit is missing: what counts is how far the dive is above it": lambda p, n, most, r: max(0.0, p + r * n),

@@ -91,6 +91,9 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     "of two points with the same value the one with more steps stays; it must go": lambda points: _kept(
         points, lambda q, p: q[0] > p[0] and q[1] >= p[1]
     ),
+    "a point stays if it dominates another one; it stays if no other one dominates it": lambda points: [
+        p for p in points if any(_dominates(p, q) for q in points)
+    ],
     "no point has gone: is a point compared with others, and left out if one of them dominates it?": list,
     "a point goes only if *all* others dominate it; a single one is enough": lambda points: [
         p for p in points if not all(_dominates(q, p) for q in points if q != p)

@@ -125,7 +125,8 @@ def exploitability(payoffs, first, second):
 
 
 # %% swapped
-# says: the policies are swapped: payoffs @ second is what each row is worth, and first @ payoffs each column
+# says: the policies are swapped: payoffs @ second is what each row is worth, and first @ payoffs each column. (Or
+#   have all payoffs another sign?)
 def exploitability(payoffs, first, second):
     rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
     return (columns.max() - now + now - rows.min()) / 2
@@ -186,3 +187,31 @@ def exploitability(payoffs, first, second):
     rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
     best = payoffs[rows.argmax(), columns.argmin()]
     return (best - now + now - best) / 2
+
+
+# %% the smaller gain
+# says: that is the smaller one of both gains, and the mean over the two players is asked
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return min(rows.max() - now, now - columns.min())
+
+
+# %% half of player 1
+# says: that is half of what player 1 gains; player 0 has a best answer too
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (now - columns.min()) / 2
+
+
+# %% one is halved
+# says: only the second gain is halved: put the sum in parentheses
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return rows.max() - now + (now - columns.min()) / 2
+
+
+# %% the worst answer
+# says: the answer of player 0 is the worst one: the best answer is the row with the highest payoff
+def exploitability(payoffs, first, second):
+    rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
+    return (rows.min() - now + now - columns.min()) / 2

@@ -245,3 +245,39 @@ learn = games.MinimaxQ
 # in: the solution of learn
 # - target = reward if terminated else reward + 0.9 * V[next_state]
 # + target = reward if terminated else reward + 0.9 * games.solve_zero_sum(Q[next_state]).value
+
+
+# %% less V
+# says: the error is the target less V[state]; it is the target less the old Q(S, A, O)
+# in: the solution of learn
+# - Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+# + Q[state, action, other_action] += 0.5 * (target - V[state])
+
+
+# %% a column
+# says: all entries Q[state, :, other_action] change; your own action has a number, too
+# in: the solution of learn
+# - Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+# + Q[state, :, other_action] += 0.5 * (target - Q[state, :, other_action])
+
+
+# %% the entry
+# says: V is the entry of the two actions that were taken; it is the value of the game
+# in: the solution of learn
+# - V[state] = games.solve_zero_sum(Q[state]).value
+# + V[state] = Q[state, action, other_action]
+
+
+# %% not at the end
+# says: V stays where the game ends; Q[state] has changed there, too
+# in: the solution of learn
+# - V[state] = games.solve_zero_sum(Q[state]).value
+# + if not terminated:
+# +     V[state] = games.solve_zero_sum(Q[state]).value
+
+
+# %% subtracted
+# says: what follows is subtracted; it is added to the reward
+# in: the solution of learn
+# - target = reward if terminated else reward + 0.9 * V[next_state]
+# + target = reward if terminated else reward - 0.9 * V[next_state]

@@ -69,6 +69,13 @@ def _other_gains(pair: Pair, weight: float) -> dict[str, float]:
     worth = solve_zero_sum(payoffs).value
     return {
         "that is the larger one of both gains, and the mean over the two players is asked": max(gain, other_gain),
+        "that is the smaller one of both gains, and the mean over the two players is asked": min(gain, other_gain),
+        "that is half of what player 1 gains; player 0 has a best answer too": other_gain / 2,
+        "only the second gain is halved: put the sum in parentheses": gain + other_gain / 2,
+        "the answer of player 0 is the worst one: the best answer is the row with the highest payoff": (
+            rows.min() - now + other_gain
+        )
+        / 2,
         "the gains are subtracted; the mean of both is asked": (gain - other_gain) / 2,
         "the sum of both gains is divided by the number of actions; there are two players": (
             (gain + other_gain) / len(payoffs)
@@ -81,10 +88,8 @@ def _other_gains(pair: Pair, weight: float) -> dict[str, float]:
             gain + weight * (columns.max() + now)
         )
         / 2,
-        "the policies are swapped: payoffs @ second is what each row is worth, and first @ payoffs each column": (
-            columns.max() - now + weight * (now - rows.min())
-        )
-        / 2,
+        "the policies are swapped: payoffs @ second is what each row is worth, and first @ payoffs each column. (Or"
+        " have all payoffs another sign?)": (columns.max() - now + weight * (now - rows.min())) / 2,
         "the best answers are those to a player who takes each action equally often; answer the policy that is given": (
             payoffs.mean(axis=1).max() - now + weight * (now - payoffs.mean(axis=0).min())
         )

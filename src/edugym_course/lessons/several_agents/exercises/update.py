@@ -66,6 +66,10 @@ def updated(
         Q = Q.copy()
     if entry in ("both", "copy"):
         Q[s, a, o] += learning_rate * (target - Q[s, a, o])
+    elif entry == "from V":
+        Q[s, a, o] += learning_rate * (target - V[s])
+    elif entry == "column":
+        Q[s, :, o] += learning_rate * (target - Q[s, :, o])
     elif entry == "own":
         Q[s, a] += learning_rate * (target - Q[s, a])
     elif entry == "added":
@@ -74,7 +78,7 @@ def updated(
         Q[then, a, o] += learning_rate * (target - Q[then, a, o])
     else:
         Q[s, a, o] = learning_rate * (target - Q[s, a, o])
-    if where == "nowhere":
+    if where == "nowhere" or (where == "not at the end" and terminated):
         return
     k = then if where == "next" else s
     values: dict[str, Callable[[], Any]] = {
@@ -87,6 +91,7 @@ def updated(
         "before": lambda: solve_zero_sum(before).value,
         "columns": lambda: solve_zero_sum(Q[k].T).value,
         "axes": lambda: Q[k].min(axis=0).max(),
+        "entry": lambda: Q[s, a, o],
         "average": lambda: Q[k].mean(),
         "half": lambda: old_V + 0.5 * (solve_zero_sum(Q[k]).value - old_V),
     }
@@ -136,6 +141,11 @@ UPDATE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the step that ends the game changes nothing; it has a target too, the reward": {"ends": "no step"},
     "the value moves *away* from the target: the error is the target less the old value": {"learning_rate": -0.5},
     "− Q(S, A, O) is left out: the target takes the place of the error": {"entry": "added"},
+    "the error is the target less V[state]; it is the target less the old Q(S, A, O)": {"entry": "from V"},
+    "all entries Q[state, :, other_action] change; your own action has a number, too": {"entry": "column"},
+    "V is the entry of the two actions that were taken; it is the value of the game": {"value": "entry"},
+    "V stays where the game ends; Q[state] has changed there, too": {"where": "not at the end"},
+    "what follows is subtracted; it is added to the reward": {"discount": -0.9},
     "Q is copied, and the copy changes; write into the array that is given": {"entry": "copy"},
     "V is max_o min_a Q, with the axes mixed up; it is the value of the game": {"value": "axes"},
     "V is the mean of Q[state]; it is the value of the game": {"value": "average"},
