@@ -164,7 +164,7 @@ def markdown(profile: Profile, everybody: Profile | None = None, abouts: Mapping
         lines += table(heading, rows) if rows else []
     if reasons(profile):
         lines += ["## Who cannot enter", "", *items(reasons(profile))]
-    return "\n".join([*lines, "## How it was measured", "", *items(method(profile))])
+    return "\n".join([*lines, "## How it was measured", "", *items(method(everybody or profile))])
 
 
 def as_html(profile: Profile, everybody: Profile | None = None, abouts: Mapping[str, str] = NOTHING) -> str:
@@ -240,7 +240,7 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 </div>
 {blank}
 <h2>How it was measured</h2>
-{items(method(profile))}
+{items(method(everybody or profile))}
 </body>
 </html>
 """
