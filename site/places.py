@@ -87,6 +87,18 @@ def circle(scene: Scene, glyph: str = "☺") -> Circle:
     return next(shape for shape in scene.shapes if isinstance(shape, Circle) and shape.glyph == glyph)
 
 
+def from_one(mdp: Any, state: Any) -> Scene:
+    """The picture in which doors, machines or switches are numbered from 1: a reader calls the first one so."""
+    scene: Scene = mdp.scene(state)
+    shapes, number = list[Any](), 0
+    for shape in scene.shapes:
+        if isinstance(shape, Text) and shape.content == str(number):
+            number += 1
+            shape = dataclasses.replace(shape, content=str(number))
+        shapes.append(shape)
+    return dataclasses.replace(scene, shapes=shapes)
+
+
 def signs(*names: str) -> Callable[[Any], Marks]:
     """Signs in the middle of a cell."""
     return lambda mdp: [(0.0, 0.0, name) for name in names]
@@ -144,7 +156,7 @@ def _at_the_doors(mdp: Any, seen: tuple[int, ...]) -> Place:
 
 
 def _doors(mdp: Any) -> Marks:
-    return [(0.0, 0.0, str(door)) for door in range(mdp.num_doors)]
+    return [(0.0, 0.0, str(door + 1)) for door in range(mdp.num_doors)]
 
 
 def _corridors(mdp: Any) -> Iterator[Corridor]:
@@ -236,7 +248,7 @@ def _below_the_arms(mdp: Any, seen: tuple[int, ...]) -> Place:
 
 
 def _arms(mdp: Any) -> Marks:
-    return [(0.9, 0.0, str(arm)) for arm in range(mdp.n_arms)]
+    return [(0.9, 0.0, str(arm + 1)) for arm in range(mdp.n_arms)]
 
 
 def _by_the_casino(mdp: Any, seen: tuple[int, ...]) -> Place:
@@ -257,14 +269,16 @@ def _without_steps(mdp: Any, state: Any) -> Scene:
 
 
 MAPS = {
-    "Bandit": Map(_below_the_arms, ("",), _arms),
+    "Bandit": Map(_below_the_arms, ("",), _arms, scene=from_one),
     "Boulder": Map(_on_the_wall, ("",), _grips, lambda mdp: iter(range(mdp.height + 1)), _whole_wall),
     "Roadrunner": Map(_on_the_road, (".x", ".dx"), signs("−", "=", "+")),
     "Study": Map(_on_the_calendar, (".knowledge", ".energy", ".day", ".passed"), signs("S", "z", "o", "·", "·")),
     "Catch": Map(
         _on_the_board, (".ball_x", ".ball_y", ".paddle_x"), signs("←", "•", "→"), scene=_without_text
     ),  # what an agent sees differs
-    "MemoryCorridor": Map(_at_the_doors, (".length", ".position", ".opened", "observation"), _doors, _corridors),
+    "MemoryCorridor": Map(
+        _at_the_doors, (".length", ".position", ".opened", "observation"), _doors, _corridors, from_one
+    ),
     "Tamagotchi": Map(_on_the_screen, (".hp", ".message"), signs("p", "s", "f", "c"), _toys),
     "Trashbot": Map(
         _under_the_wrist,
@@ -274,9 +288,9 @@ MAPS = {
         moves=_arm,
     ),
     "Golf": Map(_on_the_course, (".x", ".y"), signs("p", "c", "d"), _balls, _without_text, _ball),
-    "Casino": Map(_by_the_casino, ("",)),
+    "Casino": Map(_by_the_casino, ("",), scene=from_one),
     "Diver": Map(_in_the_sea, ("",), signs("↓", "→"), scene=_without_steps),
-    "Switches": Map(_by_what_is_wrong, (".switches", ".goal"), pictures=_panels),
+    "Switches": Map(_by_what_is_wrong, (".switches", ".goal"), pictures=_panels, scene=from_one),
     "Supermarket": Map(_in_the_aisles, ("",), signs("↑", "↓", "←", "→")),
 }
 """The map of each task, by the name of its environment."""

@@ -28,6 +28,7 @@ from races import RACES
 from scenery import scenery, table
 from scipy import stats
 from vectors import informed
+from words import WORDS, Buttons, counted_from_one
 
 import edugym
 import edugym.objectives
@@ -98,8 +99,13 @@ def calls(race: Race, k: int) -> Iterator[kernels.Call]:
     mdp = race.mdp(k)
     for agent in race.agents:
         yield call_of(race, mdp, agent)
-    seen = tabular(race.measured(mdp) if race.measure else race.agents[0].view.places(mdp))
+    seen = played(race, mdp)
     yield kernels.play_of(seen, edugym.QLearning.create(seen))
+
+
+def played(race: Race, mdp: Any) -> Any:
+    """The task that people play."""
+    return tabular(race.measured(mdp) if race.measure else race.agents[0].view.places(mdp))
 
 
 def call_of(race: Race, mdp: Any, agent: Agent) -> kernels.Call:
@@ -124,16 +130,19 @@ def menu(race: Race) -> dict[str, Any]:
         "question": race.question,
         "rules": race.rules,
         "answer": race.answer,
+        "plainly": WORDS[race.environment].why,
+        "fields": WORDS[race.environment].fields,
         **lesson(entry.lesson),
         "steps": race.n_steps,
         "own": own_settings(race),
         "episodes": race.episodes,
         "measure": race.measure and {"says": race.measure.says, "code": race.measure.code},
         "numbers": race.numbers,
-        "told": "The state" if race.agents[0].view.clean else "The agent would see",
+        "told": "In numbers" if race.agents[0].view.clean else "The agent sees",
         "keys": race.keys,
         "strength": {
             "parameter": race.strength.parameter,
+            "label": WORDS[race.environment].strength,
             "values": [f"{value:g}" for value in race.strength.values],
             "first": race.strength.first,
             "others": [f"{name}={value!r}" for name, value in race.parameters.items()],
@@ -219,11 +228,15 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
     *lanes, play = [_described(race, call, made) for call in calls(race, k)]
     views = [View() if agent.view.clean else agent.view for agent in race.agents]
     found = {view: table(MAPS[race.environment], mdp, view.of(mdp)) for view in views}
+    actions = race.actions or race.agents[0].view.seen(mdp).action_names
     tables = [one for k, one in enumerate(found.values()) if one not in list(found.values())[:k]]
     for lane, view in zip(lanes, views, strict=True):
         lane["table"] = tables.index(found[view])
     return {
-        "actions": race.actions or race.agents[0].view.seen(mdp).action_names,
+        "actions": list(map(counted_from_one, actions)),
+        "buttons": buttons(race, mdp),
+        "codes": WORDS[race.environment].codes(mdp),
+        "by_chance": by_chance(played(race, mdp)),
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
         "optimum": optimum(race.measured(mdp)) if race.is_finite else None,
@@ -287,6 +300,27 @@ def _number(value: Any) -> Any:
 def optimum(mdp: Any) -> float:
     """The best expected return of an episode, from the exact model."""
     return edugym.value_iteration(edugym.finite_model(mdp), 1.0, horizon=task_of(mdp).max_steps).start
+
+
+def buttons(race: Race, mdp: Any) -> Buttons:
+    """What actions are called where somebody plays."""
+    return [list(race.actions)] if race.actions else WORDS[race.environment].buttons(mdp)
+
+
+def by_chance(mdp: Any, n_steps: int = 10_000) -> float:
+    """The mean return of games in which every action is drawn at random: as many games as `n_steps` take."""
+    limit, rng, total = task_of(mdp).max_steps or math.inf, np.random.default_rng(0), 0.0
+    done = n_episodes = 0
+    while done < n_steps:
+        state, steps = mdp.initial(rng), 0
+        while not mdp.terminal(state) and steps < limit:
+            action = int(rng.integers(mdp.action_space.n))
+            state, last = mdp.transition(state, action, rng), state
+            total += mdp.reward(last, action, state, rng)
+            steps += 1
+        done += steps
+        n_episodes += 1
+    return total / n_episodes
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // The learning curves: mean return over training steps, with the exact optimum, and with several seeds an interval.
 
-const LEFT = 58, RIGHT = 12, TOP = 20, BOTTOM = 26 // pixels around the lines
+const LEFT = 58, RIGHT = 12, TOP = 24, BOTTOM = 26 // pixels around the lines
 const DASHES = ['', '9 4', '3 3'] // so that the lines differ without colours, too
 
 // A number in a few characters.
@@ -20,16 +20,22 @@ export function summary(curves, t) {
   })
 }
 
-export function chart(place, lines, { steps, optimum }) {
-  const { clientWidth: width, clientHeight: height } = place
-  if (!width) return // it is hidden
+// `names` are those of the lines.
+export function chart(place, lines, { steps, optimum, names = [] }) {
+  if (!place.clientWidth) return // it is hidden
   const known = lines.flat()
   const ends = known.map(([, mean]) => mean).sort((a, b) => a - b)
-  // How bad it was at the very start is left out: it would press all the rest together.
+  // How bad it was at the very start is left out where it would press all the rest together.
   let low = Math.min(ends[Math.floor(ends.length / 12)] ?? 0, optimum ?? Infinity), high = Math.max(ends.at(-1) ?? 0, optimum ?? -Infinity)
-  if (low === high) low = Math.min(low, ends[0] ?? low)
+  if (high - ends[0] < 1.6 * (high - low) || low === high) low = Math.min(low, ends[0] ?? low)
   if (low === high) [low, high] = [low - 1, high + 1]
   const margin = 0.06 * (high - low)
+  const key = names.map((name, k) => `<span><svg viewBox="0 0 30 8" aria-hidden="true"><path d="M0 4H30" stroke="var(--lane-${k})" stroke-width="3" stroke-dasharray="${DASHES[k]}"/></svg>${name}</span>`)
+  if (low - margin > 0) key.push('<i>The scale does not begin at 0.</i>')
+  if (ends[0] < low - margin) key.push('<i>Lines go on below the lower edge.</i>')
+  place.innerHTML = `<p class="key">${key.join('')}</p><div></div>`
+  place = place.lastElementChild
+  const { clientWidth: width, clientHeight: height } = place
   const x = step => LEFT + (width - LEFT - RIGHT) * step / steps
   const y = value => TOP + (height - TOP - BOTTOM) * (high + margin - value) / (high - low + 2 * margin)
   const parts = ticks(low, high).map(value => `<path d="M${LEFT} ${y(value)}H${width - RIGHT}" stroke="var(--line)"/>`
@@ -40,7 +46,7 @@ export function chart(place, lines, { steps, optimum }) {
   }
   if (optimum !== null) {
     parts.push(`<path d="M${LEFT} ${y(optimum)}H${width - RIGHT}" stroke="var(--optimum)" stroke-width="2" stroke-dasharray="2 5"/>`
-      + `<text x="${width - RIGHT - 4}" y="${y(optimum) - 6}" text-anchor="end">best possible: ${short(optimum)}</text>`)
+      + `<text x="${width - RIGHT - 4}" y="${y(optimum) - 6}" text-anchor="end">best possible on average: ${short(optimum)}</text>`)
   }
   parts.push(`<clipPath id="inside"><rect x="${LEFT - 2}" width="${width - LEFT - RIGHT + 4}" y="${TOP - 8}" height="${height - TOP - BOTTOM + 8}"/></clipPath><g clip-path="url(#inside)">`)
   lines.forEach((line, k) => {

@@ -236,8 +236,8 @@ export class Editor {
 
   curves() {
     const { task, state, race, lane } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
-    chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum })
-    this.find('code-caption').innerHTML = `${race.measure?.says ?? `Mean return of ${race.episodes} games without exploring`}. <b class="ours">Your agent</b>, <b class="theirs">${lane.label}</b>`
+    chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum, names: ['Your agent', lane.label] })
+    this.find('code-caption').innerHTML = `${race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`}`
     this.find('rival-name').textContent = lane.label
   }
 

@@ -58,8 +58,8 @@ export class Lane {
     const last = this.curves[0].at(-1)
     const means = this.curves.map(curve => curve.at(-1)[1])
     const mean = means.reduce((sum, value) => sum + value, 0) / means.length
-    const exploring = last[2] === null ? 'exploring: not measured yet' : `${short(last[2])} while it explores`
+    const exploring = last[2] === null ? 'not known yet while it explores' : `${short(last[2])} while it explores`
     this.numbers.innerHTML = this.race.measure ? `<b>${short(mean)}</b> after ${short(this.steps)} steps`
-      : `return <b>${short(mean)}</b> after ${short(this.steps)} steps<br>${exploring}`
+      : `points <b>${short(mean)}</b> after ${short(this.steps)} steps<br>${exploring}`
   }
 }

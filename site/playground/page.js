@@ -48,12 +48,13 @@ async function open() {
   document.title = `${race.name} · EduGym playground`
   find('question').textContent = race.question
   find('rules').textContent = race.rules
+  find('plainly').textContent = race.plainly
   find('answer').textContent = race.answer
   find('answer').hidden = !race.answer
   find('why').textContent = race.why
   find('lesson').textContent = race.lesson
   find('lesson').href = race.link
-  find('strength-name').textContent = race.strength.parameter.replaceAll('_', ' ')
+  find('strength-name').textContent = race.strength.label
   find('strength').max = race.strength.values.length - 1
   find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
@@ -73,7 +74,7 @@ async function begin() {
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   task = answer
   controls()
-  for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > 0.8 * task.scene.height)
+  for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > (box.id === 'lanes' ? 1.2 : 0.8) * task.scene.height)
   charted = 0
   const own = agent => Object.fromEntries(given(agent).map(name => [`.${name}`, state[name]]))
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
@@ -91,18 +92,18 @@ function legend() {
   const signs = new Map()
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
   const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
-  const colours = { visits: 'Purple: where it was most.', values: 'Dark to bright: the return that it expects.', nothing: '' }[state.show]
-  const seen = find('legend').textContent = `${named.length ? `What it would do: ${named.join(', ')}. ` : ''}${colours}`
+  const colours = { visits: 'The darker the purple, the more often it was there.', values: 'The brighter, the more points it expects from there on.', nothing: '' }[state.show]
+  const seen = find('legend').textContent = `${named.length ? `The signs in the picture say what it would do there: ${named.join(', ')}. ` : ''}${colours} ${race.fields}`
   find('code-legend').textContent = `${seen} Your agent walks as it would play now, without exploring.`
 }
 
 function controls() {
   const strength = race.strength.values[state.strength]
   find('strength').value = state.strength
+  find('strength-shown').value = strength.replace('inf', '∞')
   find('strength').setAttribute('aria-valuetext', strength)
-  find('strength-shown').value = strength
   find('speed').value = state.speed
-  find('speed-shown').value = rate() === Infinity ? 'full' : `${short(Math.round(rate()))} / s`
+  find('speed-shown').value = rate() === Infinity ? 'as fast as it goes' : `${short(Math.round(rate()))} steps a second`
   for (const name in OWN) {
     find(name).value = state[name] ?? race.own[name]
     find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
@@ -138,10 +139,10 @@ function draw() {
   if (!lanes.every(({ look }) => look)) return // a new race has begun meanwhile
   charted = performance.now()
   const [, t] = data.several.find(([n]) => n === state.several)
-  chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum })
+  chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum, names: lanes.map(({ label }) => label) })
   const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval; the pictures show the first` : ''
-  const says = race.measure?.says ?? `Mean return (the sum of a game’s rewards) of ${race.episodes} games without exploring`
-  find('caption').textContent = `${says}, after so many training steps${what}`
+  const says = race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`
+  find('caption').textContent = `${says}, after so many steps of training${what}`
 }
 
 function finish() {
@@ -163,7 +164,7 @@ function finish() {
   const winners = good.filter(({ reached }) => reached <= soonest + state.steps / 50)
   const names = winners.map(({ lane }) => lane.label).join(' and ')
   const first = good.length > winners.length ? ', and got there first' : ''
-  const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on ${lanes[state.bet].label}.`
+  const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on “${lanes[state.bet].label}”.`
   const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
   tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} in the last tenth of training${first}.${bet}${luck}`)
 }

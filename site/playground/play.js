@@ -8,8 +8,8 @@ const BEGIN = -1
 
 export class Play {
   constructor(find) {
-    Object.assign(this, { board: find('board'), seen: find('seen'), score: find('score'), actions: find('actions'), record: find('record'), blind: find('blind') })
-    find('restart').onclick = () => this.restart()
+    Object.assign(this, { board: find('board'), seen: find('seen'), score: find('score'), actions: find('actions'), record: find('record'), blind: find('blind'), blindWhy: find('blind-why'), again: find('restart') })
+    this.again.onclick = () => this.restart()
     addEventListener('keydown', event => this.key(event))
   }
 
@@ -20,21 +20,40 @@ export class Play {
     Object.assign(this, { race, task, table: task.tables[task.play.table], returns: [] })
     this.kernel = new Kernel(loaded, task.play, [streams[0]])
     this.picture = new Picture(this.board, task.scene, this.table, [], `${race.name}, as you play it`)
-    this.actions.innerHTML = task.actions.map((name, k) => `<button type="button">${name}<kbd>${this.keys(k)}</kbd></button>`).join('')
-    this.actions.querySelectorAll('button').forEach((button, k) => { button.onclick = () => this.step(k) })
-    this.record.textContent = task.optimum === null ? '' : `The best possible total is ${short(task.optimum)} on average.`
+    this.actions.innerHTML = task.actions.map(() => '<button type="button"><span></span><kbd></kbd></button>').join('')
+    this.buttons = [...this.actions.children]
+    this.buttons.forEach((button, k) => {
+      button.onclick = () => this.step(k)
+      button.lastElementChild.textContent = this.keys(k)
+    })
+    this.record.textContent = `${this.best()} ${this.chance()}`
     this.restart()
+  }
+
+  // What there is to compare with.
+  best() {
+    return this.task.optimum === null ? '' : `The best possible is ${points(this.task.optimum)} on average.`
+  }
+
+  chance() {
+    return `Who moves at random gets about ${points(+this.task.by_chance.toPrecision(2))}.`
   }
 
   keys(k) {
     const arrow = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓' }[this.race.keys[k]]
-    return [k < 9 ? k + 1 : '', arrow ?? ''].filter(Boolean).join(' or ')
+    return [k < 10 ? (k + 1) % 10 : '', arrow ?? ''].filter(part => part !== '').join(' or ')
+  }
+
+  // What the actions are called here; '' for what is of no use.
+  names() {
+    const { buttons } = this.task
+    return buttons[buttons.length > 1 ? this.result(1) : 0]
   }
 
   key(event) {
     if (!this.kernel || this.board.offsetParent === null || event.ctrlKey || event.metaKey || event.altKey) return
     if (/^(INPUT|SELECT)$/.test(event.target.tagName) && event.target.type !== 'checkbox') return
-    const action = this.race.keys.includes(event.key) ? this.race.keys.indexOf(event.key) : Number(event.key) - 1
+    const action = this.race.keys.includes(event.key) ? this.race.keys.indexOf(event.key) : (Number(event.key) + 9) % 10
     if (event.key === 'r') this.restart()
     else if (event.key.trim() && action >= 0 && action < this.task.actions.length) this.step(action)
     else return
@@ -48,16 +67,26 @@ export class Play {
   }
 
   step(action) {
-    if (this.over) return
+    const name = this.names()[action]
+    if (this.over || !name) return
     this.kernel.call(action)
     const [reward, terminated, truncated] = [4, 5, 6].map(k => this.result(k))
     this.over = Boolean(terminated || truncated)
-    this.show(`${this.task.actions[action]}: reward ${short(reward)}`)
+    this.show(`${name}: ${points(reward)}`)
     if (!this.over) return
     this.returns.push(this.result(3))
     const mean = this.returns.reduce((sum, one) => sum + one, 0) / this.returns.length
-    const best = this.task.optimum === null ? '' : `; the best possible is ${short(this.task.optimum)} on average`
-    this.record.textContent = `Totals of your games: ${this.returns.slice(-8).map(short).join(', ')}. Mean of ${this.returns.length}: ${short(mean)}${best}.`
+    this.record.textContent = `Points in your games: ${this.returns.slice(-8).map(short).join(', ')}. On average ${short(mean)}. ${this.best()} ${this.chance()}`
+  }
+
+  // How the game has ended.
+  ending() {
+    const total = this.result(3), { optimum } = this.task
+    const end = this.result(5) ? 'It is over' : 'It is over: there are no steps left'
+    if (optimum === null) return `${end}. You have ${points(total)}.`
+    if (Math.abs(total - optimum) < 1e-9) return `You made it! You have ${points(total)}, the best possible.`
+    if (total > optimum) return `You made it! You have ${points(total)}, more than the best player gets on average: you had luck, too.`
+    return `${end}. You have ${points(total)}; the best possible is ${short(optimum)} on average.`
   }
 
   // The k-th part of what `play` in kernels.py returns.
@@ -66,17 +95,32 @@ export class Play {
   }
 
   show(what) {
-    const { kernel, table, race } = this
+    const { kernel, table, race, task: { codes } } = this, names = this.names()
+    this.buttons.forEach((button, k) => {
+      button.firstElementChild.textContent = names[k]
+      button.hidden = !names[k]
+      button.disabled = this.over
+    })
     this.board.classList.toggle('unseen', this.blind.checked)
     this.picture.happen(this.task.play.look.map(k => kernel.result(k)))
     let row = this.result(1)
     const parts = table.sizes.map((_, k) => k).reverse().map(k => {
       const part = row % table.sizes[k] + table.lows[k]
       row = Math.floor(row / table.sizes[k])
-      return `${race.numbers[k] ?? ''} ${part}`.trim()
+      return `${race.numbers[k] ?? ''} ${codes[race.numbers[k]]?.[part] ?? part}`.trim()
     })
-    this.seen.textContent = `${race.told}: ${parts.reverse().join(', ')}.`
-    const end = this.result(5) ? 'The task has ended (terminated). Press R.' : this.over ? 'The step limit has cut it off (truncated). Press R.' : ''
-    this.score.innerText = `${what}\nStep ${this.result(2)}, total ${short(this.result(3))}.\n${end}`
+    this.board.dataset.seen = parts.reverse().join('\n')
+    this.seen.textContent = `${race.told}: ${parts.join(', ')}.`
+    const letters = Object.keys(codes).length ? ' A letter stands for a number that counts nothing.' : ''
+    this.blindWhy.textContent = this.blind.checked
+      ? `The agent sees numbers only, without their names, and nobody tells it what they mean: that is all it has to learn from.${letters}`
+      : 'Why play blind? Then you meet the game as the agent does: without a picture, you find out from your points alone what helps.'
+    this.score.innerText = `${what}\nStep ${this.result(2)}, ${points(this.result(3))} so far.\n${this.over ? this.ending() : ''}`
+    this.again.classList.toggle('due', this.over)
+    this.again.firstChild.data = this.over ? 'Play again' : 'Start again'
   }
+}
+
+function points(n) {
+  return `${short(n)} point${Math.abs(n) === 1 ? '' : 's'}`
 }

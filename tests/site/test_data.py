@@ -13,10 +13,12 @@ from offers import Race
 from places import MAPS
 from races import RACES, TRASHBOT
 from scenery import elements, key_of, scenery, table
+from words import WORDS
 
 import edugym
 import edugym.objectives
 from edugym.adapters.registration import in_course_order
+from edugym.mdp.tabular import table_sizes
 from edugym.training.trainers import streams
 
 each_race = pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
@@ -38,6 +40,22 @@ def test_the_menu_can_be_shown(race: Race) -> None:
     assert not re.search(r"[$\\{}*^_]", menu["why"])
     assert len(re.findall(r"[.?](?= |$)", menu["why"])) == 3
     assert str(race.strength.values[race.strength.first]).startswith(menu["strength"]["values"][race.strength.first])
+
+
+@each_race
+def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
+    """No sign of mathematics; a name for every action, and a letter for each value of a code, at every strength."""
+    words = WORDS[race.environment]
+    assert words.strength
+    assert not re.search(r"[$\\{}*^_]|[α-ω]", words.why)
+    for k in range(len(race.strength.values)):
+        mdp = race.mdp(k)
+        seen = playground.played(race, mdp)
+        shown = playground.buttons(race, mdp)
+        assert {len(names) for names in shown} == {seen.action_space.n}
+        assert len(shown) in (1, seen.observation_space.n)
+        sizes = dict(zip(race.numbers, table_sizes(race.agents[0].view.places(mdp).observation_space), strict=False))
+        assert {name: len(letters) for name, letters in words.codes(mdp).items()}.items() <= sizes.items()
 
 
 @each_race
