@@ -7,10 +7,12 @@ import sys
 from collections.abc import Iterator
 from functools import cache
 from typing import Any
+from urllib.parse import urlencode
 
 from docstrings import described, markdown, source, summary
 from ladders import ladder
 from lesson_pages import Lesson
+from races import RACES
 from repository import REPOSITORY
 
 import edugym
@@ -44,6 +46,10 @@ of an environment is the mean over its ladder, with a 95 % interval. Grey lines 
 {profile}
 
 ::::
+
+## In the playground
+
+{races}
 
 ## In the lessons
 
@@ -82,6 +88,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         path=path,
         repository=REPOSITORY,
         profile="\n\n".join(_fares(name)),
+        races="\n".join(_raced(kind)) or "It is in no race of the playground.",
         lessons="\n".join(_used(name, lessons))
         or "No lesson uses it. Try it in one of them, in place of another agent.",
         reference=described(name, kind, docstring=summary(kind)),
@@ -137,6 +144,17 @@ def _stored() -> Profile:
 def _best(challenge: str) -> list[str]:
     """The agents to take for a challenge."""
     return best_agents(_stored(), challenge)
+
+
+def _raced(kind: Any) -> Iterator[str]:
+    """The races in which an agent can run: it is one of the first three there, or takes the place of one."""
+    for race in RACES:
+        found = [k for k, agent in enumerate(race.agents) if agent.kind is kind]
+        if found:
+            racing = "0.1.2" if found[0] < 3 else f"{found[0]}.0.1"
+            where = urlencode({"task": race.environment, "agents": racing})
+            called = " and ".join(f"“{race.agents[k].label}”" for k in found)
+            yield f'- <a href="../playground/index.html#{where}">{race.environment}</a>, where it is called {called}.'
 
 
 def _used(name: str, lessons: list[Lesson]) -> Iterator[str]:

@@ -22,12 +22,17 @@ NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
 LIVE = "*In JupyterLab these controls are live.*"
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
-RACE = """<details class="live"><summary>Move sliders here: the race of {0}, live</summary>
+RACE = """<details class="live"><summary>Here, live: agents race in {0}, with sliders for {1}, α, γ and ε</summary>
 <iframe class="playground" src="../playground/index.html?first#task={0}" loading="lazy"
-title="The race of {0}: bet, run, and move sliders"></iframe>
+title="Agents race in {0}: bet, run, and move sliders"></iframe>
 </details>"""
 """It is loaded when it is opened."""
 FOLD = '<details class="aside"><summary>Show this aside</summary>'
+EXPLAINED = "<details><summary>What was measured</summary>\n"
+EXPLANATION = "<!-- what it means -->"
+"""It stands between what a cell measured and what the lesson says of it."""
+FOLDED = "\n\n</details>"
+MEASURED_ENDS = f"{FOLDED}\n::::"
 FOLD_ENDS = "</details><!-- of the aside -->"
 """It ends otherwise than the folds inside of it, so that `projected_pages` can leave all of it out."""
 IMAGES = {"image/svg+xml": "svg", "image/png": "png"}
@@ -75,7 +80,12 @@ def lesson(path: Path) -> Lesson:
             folded = False
         if cell["cell_type"] == "markdown":
             heading = [heading, *re.findall(r"^#+ (.*)$", source, re.MULTILINE)][-1]
-            text.append(with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}"))
+            shown = with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}")
+            if shown.startswith(EXPLAINED) and text[-1].endswith(MEASURED_ENDS):  # one fold for both
+                measured = text[-1].removesuffix(MEASURED_ENDS)
+                text[-1] = f"{measured}\n\n{EXPLANATION}\n{shown.removeprefix(EXPLAINED)}\n::::"
+                continue
+            text.append(shown)
             if opens:
                 text.append(FOLD)
                 folded = True
@@ -110,7 +120,8 @@ def _opening(first: str, path: Path) -> str:
 def _races(path: Path) -> list[str]:
     """Return the race of a lesson's environment, with sliders that need no Python; none where it has no race."""
     number = number_of(path.stem)
-    return [RACE.format(race.environment) for race in RACES if find(race.environment).lesson == number]
+    races = [race for race in RACES if find(race.environment).lesson == number]
+    return [RACE.format(race.environment, race.strength.parameter.replace("_", " ")) for race in races]
 
 
 def _live(source: str) -> str:
@@ -157,7 +168,7 @@ def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: di
         return ""
     body = "\n\n".join(parts)
     if answers:
-        body = f'<details class="measured"><summary>Show what this cell measured</summary>\n\n{body}\n\n</details>'
+        body = f'<details class="measured"><summary>Show what this cell measured</summary>\n\n{body}{FOLDED}'
     return f"::::{{container}} output\n{body}\n::::"
 
 

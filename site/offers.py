@@ -123,6 +123,7 @@ class Race(NamedTuple):
         actions: what actions are called, where the task itself only has numbers for them.
         measure: how agents are compared, if not by the reward from which they learn.
         episodes: the evaluation episodes of each point of a curve.
+        seeds: how many race at first: several where one seed may answer the question otherwise than many.
         answer: what is behind the result, for somebody who has not read the lesson.
     """
 
@@ -139,6 +140,7 @@ class Race(NamedTuple):
     actions: tuple[str, ...] = ()
     measure: Measure | None = None
     episodes: int = 5
+    seeds: int = 1
     answer: str = ""
 
     def mdp(self, k: int) -> Any:

@@ -19,6 +19,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+import agent_pages
 import editor
 import kernels
 import numpy as np
@@ -134,7 +135,7 @@ def menu(race: Race) -> dict[str, Any]:
         "fields": WORDS[race.environment].fields,
         **lesson(entry.lesson),
         "steps": race.n_steps,
-        "own": own_settings(race),
+        "seeds": race.seeds,
         "episodes": race.episodes,
         "measure": race.measure and {"says": race.measure.says, "code": race.measure.code},
         "numbers": race.numbers,
@@ -157,7 +158,8 @@ def menu(race: Race) -> dict[str, Any]:
                 else f"objectives.{agent.kind.__name__}",
                 "settings": [[name, _as_code(value)] for name, value in agent.settings.items()],
                 "seen": agent.view.code,
-                "takes": agent.takes,
+                "page": agent_pages.place(agent.kind) if agent.kind in agent_pages.AGENTS.values() else "",
+                "own": own_settings(agent),
                 "noted": agent.view.clean is not None,
             }
             for agent, lane in zip(race.agents, lanes, strict=True)
@@ -172,10 +174,11 @@ def sources(races: Sequence[Race]) -> dict[str, str]:
     return {kind.__name__: Path(inspect.getfile(kind)).read_text(encoding="utf-8") for kind in kinds}
 
 
-def own_settings(race: Race) -> dict[str, float]:
-    """The learning rate, the discount and the ε of the first agent, where the page's sliders stand at first."""
-    agent = race.agents[0].make((1, 2))
-    return {"learning_rate": agent.learning_rate, "discount": agent.discount, "epsilon": agent.exploration.epsilon}
+def own_settings(agent: Agent) -> dict[str, float]:
+    """What the page's sliders set, as the agent has it in the lesson: learning rate, discount and ε."""
+    given = {**agent.kind._field_defaults, **agent.settings}
+    given["epsilon"] = getattr(given.get("exploration"), "epsilon", None)
+    return {name: given[name] for name in agent.takes}
 
 
 def _as_code(value: Any) -> str:

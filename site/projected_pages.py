@@ -8,15 +8,16 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
-from lesson_pages import FOLD, FOLD_ENDS, Lesson
+from lesson_pages import EXPLANATION, FOLD, FOLD_ENDS, Lesson
 
 CHALLENGE = re.compile(r"\*\*The challenge\.\*\* (.*?)\n\n", re.DOTALL)
 PICTURE = re.compile(r"^!\[.*\)(?:\{\.wide\})?$", re.MULTILINE)
 EQUATION = re.compile(r"^### [^\n]*$|^\$\$\n.*?^\$\$$", re.MULTILINE | re.DOTALL)
 QUESTION = re.compile(r'^<fieldset class="prediction">.*</fieldset>$', re.MULTILINE)
 MEASURED = re.compile(r'<details class="measured">.*?</details>', re.DOTALL)
+EXPLAINED = re.compile(rf"{re.escape(EXPLANATION)}.*</details>", re.DOTALL)
 ASIDE = re.compile(rf"^### [^\n]*\n\n{re.escape(FOLD)}.*?{re.escape(FOLD_ENDS)}$\n*", re.MULTILINE | re.DOTALL)
-RACE = re.compile(r'<details class="live"><summary>.*?: the race of (\w+)')
+RACE = re.compile(r'<details class="live"><summary>.*?: agents race in (\w+)')
 MARK = '<div class="projected"></div>'
 PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
@@ -40,7 +41,8 @@ def page(lesson: Lesson) -> str:
     task, idea = sections["Meet the environment"], sections["The idea"]
     bet = next(part for part in sections.values() if QUESTION.search(part) and MEASURED.search(part))
     question = _first(QUESTION, bet).replace("Your prediction. ", "", 1)
-    measured = PROGRAM.sub("", _first(MEASURED, bet)).replace("what this cell measured", "what was measured")
+    measured = PROGRAM.sub("", EXPLAINED.sub("</details>", _first(MEASURED, bet)))
+    measured = measured.replace("what this cell measured", "what was measured")
     return "\n\n".join([
         f"# {lesson.title}, to project",
         MARK,

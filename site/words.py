@@ -71,9 +71,9 @@ WORDS = {
     "Boulder": Words(
         "To find the one place that pays, among very many that do not.",
         "Below the top nothing tells a climber that it is on the right way. Who only tries at random must guess every "
-        "grip right in one go. On a wall of ten, with two grips at each height, that happens in one of 1024 climbs. The "
-        "others look on purpose where they have rarely been, or try what they have not tried, and need far fewer "
-        "climbs.",
+        "grip right in one go. On a wall of fifteen, with two grips at each height, that happens in one of 32 768 "
+        "climbs. The others look on purpose where they have rarely been, or try what they have not tried, and need far "
+        "fewer climbs.",
         "height of the wall",
         buttons=lambda mdp: [["left grip", "right grip"]] if mdp.n_grips == 2 else by_name(mdp),
     ),

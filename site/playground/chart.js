@@ -9,21 +9,33 @@ export function short(n) {
   return `${+(n / size).toPrecision(4 - unit.length / 2)}${unit}`.replace('-', '−')
 }
 
-// Mean and half an interval of 95 % at each point that all curves have.
-export function summary(curves, t) {
-  const length = Math.min(...curves.map(curve => curve.length)), n = curves.length
-  return Array.from({ length }, (_, k) => {
-    const values = curves.map(curve => curve[k][1])
-    const mean = values.reduce((sum, value) => sum + value, 0) / n
-    const variance = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(1, n - 1)
-    return [curves[0][k][0], mean, t * Math.sqrt(variance / n)]
-  })
+// The mean of a number over seeds, and half of its interval of 95 %; `t` is Student's for so many seeds.
+export function estimate(values, t) {
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length
+  const variance = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(1, values.length - 1)
+  return [mean, t * Math.sqrt(variance / values.length)]
 }
 
-// `names` are those of the lines.
-export function chart(place, lines, { steps, optimum, names = [] }) {
+// Such an estimate as text, with two digits of the interval.
+export function within([mean, half]) {
+  if (!half) return short(mean)
+  const digits = Math.max(0, 1 - Math.floor(Math.log10(half)))
+  return `${short(Number(mean.toFixed(digits)))} ± ${short(Number(half.toPrecision(2)))}`
+}
+
+// Steps, mean and half an interval at each point that all curves have.
+export function summary(curves, t) {
+  const length = curves.length && Math.min(...curves.map(curve => curve.length))
+  return Array.from({ length }, (_, k) => [curves[0][k][0], ...estimate(curves.map(curve => curve[k][1]), t)])
+}
+
+// `agents` has for each agent the curves of its seeds. `names` are theirs.
+export function chart(place, agents, t, { steps, optimum, names }) {
   if (!place.clientWidth) return // it is hidden
-  const known = lines.flat()
+  const lines = agents.map(curves => summary(curves, t)), known = lines.flat()
+  // An interval says nothing beyond what a game can bring.
+  const seen = agents.flat(2).map(([, value]) => value), least = Math.min(...seen), most = Math.max(...seen, optimum ?? -Infinity)
+  const inside = value => Math.min(most, Math.max(least, value))
   const ends = known.map(([, mean]) => mean).sort((a, b) => a - b)
   // How bad it was at the very start is left out where it would press all the rest together.
   let low = Math.min(ends[Math.floor(ends.length / 12)] ?? 0, optimum ?? Infinity), high = Math.max(ends.at(-1) ?? 0, optimum ?? -Infinity)
@@ -50,7 +62,7 @@ export function chart(place, lines, { steps, optimum, names = [] }) {
   }
   parts.push(`<clipPath id="inside"><rect x="${LEFT - 2}" width="${width - LEFT - RIGHT + 4}" y="${TOP - 8}" height="${height - TOP - BOTTOM + 8}"/></clipPath><g clip-path="url(#inside)">`)
   lines.forEach((line, k) => {
-    const points = sign => line.map(([step, mean, half]) => `${x(step).toFixed(1)},${y(mean + sign * half).toFixed(1)}`)
+    const points = sign => line.map(([step, mean, half]) => `${x(step).toFixed(1)},${y(inside(mean + sign * half)).toFixed(1)}`)
     if (line.some(([, , half]) => half)) {
       parts.push(`<polygon points="${[...points(1), ...points(-1).reverse()].join(' ')}" fill="var(--lane-${k})" opacity="0.2"/>`)
     }

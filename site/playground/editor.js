@@ -6,6 +6,7 @@ import { Field } from './field.js'
 import { LONGEST, pack, unpack } from './packed.js'
 import { Picture } from './picture.js'
 import { soon } from './soon.js'
+import { duel } from './verdict.js'
 import { Walk } from './walk.js'
 
 const SHORT = `class MyAgent(NamedTuple):
@@ -34,12 +35,14 @@ const short_one = ({ learning_rate, discount, epsilon }) => SHORT.replace('rando
   .replace('0.99 *', `${discount} *`).replace('0.1 * (target', `${learning_rate} * (target`)
 const LATE = 100 // points of a curve
 const PAUSE = 500 // milliseconds without a change after which the link has the program
+const KEPT = 'your last code' // what a template has replaced
+const SIGNS = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' }
 const FROM_LINK = 'This code comes from the link. Read it before you press Run: it then runs in your browser.'
 
 export class Editor {
   // `onCode` is told the program as letters of a link, see `pack`.
-  constructor(find, sizes, seeds, onCode) {
-    Object.assign(this, { find, sizes, seeds, onCode, number: 0, template: 0, filled: '', packed: '' })
+  constructor(find, { editor: sizes, seeds, several }, onCode) {
+    Object.assign(this, { find, sizes, seeds, several, onCode, number: 0, template: 0, filled: '', packed: '' })
     this.curves = this.curves.bind(this)
     this.paint = { ours: () => this.knowledge('ours'), theirs: () => this.knowledge('theirs') }
     this.field = new Field(find('editor'), () => {
@@ -48,8 +51,9 @@ export class Editor {
       this.packing = setTimeout(() => this.pack(), PAUSE)
     })
     find('template').onchange = () => {
-      if (this.edited() && !confirm('Replace your code?')) find('template').selectedIndex = this.template
-      else this.settled = this.fill().then(() => { this.clear(); this.pack() })
+      const before = this.edited() && this.field.text
+      if (before && !confirm(`Replace your code? You find it again under “begin with: ${KEPT}”.`)) find('template').selectedIndex = this.template
+      else this.settled = this.fill(before).then(() => { this.clear(); this.pack() })
     }
     find('rival').onchange = () => this.clear()
     find('run-code').onclick = () => this.run()
@@ -58,18 +62,19 @@ export class Editor {
     this.first = `With your first change or run, your browser loads Python: ${Math.round(megabytes)} MB.`
   }
 
-  // Show a task; `settled`, which others may set too, is what Run waits for. `state` is the page's, `task` its data at this strength, and `code` writes the lines that make the task
-  // and an agent.
+  // Show a task; `settled`, which others may set too, is what Run waits for. `state` is the page's, `task` its data at
+  // this strength. `code` writes the lines that make the task and an agent, and knows an agent's settings, as they are
+  // called and by the slots of its kernel.
   async open(race, task, state, code) {
     const other = this.race !== race
     Object.assign(this, { race, task, state, code })
     if (other) {
       const names = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
-      this.find('template').innerHTML = `<option>a short one</option>${names}`
+      this.find('template').innerHTML = `<option>a short one</option>${names}${this.kept ? `<option>${KEPT}</option>` : ''}`
       this.find('rival').innerHTML = names
       this.find('rival').selectedIndex = Math.max(0, race.agents.findIndex(({ noted }) => !noted)) // a table of it can be drawn
-      if (!this.edited()) await this.fill()
     }
+    if (!this.edited()) await this.fill() // with the settings of the race as they are now
     await this.take(state.source)
     this.clear()
   }
@@ -97,12 +102,23 @@ export class Editor {
     return this.field.text !== this.filled
   }
 
-  async fill() {
-    this.template = this.find('template').selectedIndex
+  // Show the chosen template; `before` is the reader's program that it replaces, if any.
+  async fill(before) {
+    const menu = this.find('template'), own = menu.value === KEPT
+    this.template = menu.selectedIndex
+    this.found = undefined
+    const kept = this.kept
+    if (before) {
+      if (!kept) menu.append(new Option(KEPT))
+      this.kept = before
+    }
+    if (own) {
+      this.field.text = kept
+      return
+    }
     const agent = this.race.agents[this.template - 1]
     const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
-    this.filled = agent ? `${sources[agent.kind.split('.').at(-1)]}\n\n${this.code.agent(agent)}` : short_one(this.race.own)
-    this.found = undefined
+    this.filled = agent ? `${sources[agent.kind.split('.').at(-1)]}\n\n${this.code.agent(agent)}` : short_one(this.code.own(this.race.agents[0]))
     this.field.text = this.filled
   }
 
@@ -115,10 +131,24 @@ export class Editor {
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
     this.walk = new Walk(look => this.pictures.ours.happen(look), this.task.look.length)
     this.print([])
-    const vectors = this.race.measure ? ' Its learn may also take rewards, the vector of rewards.' : ''
-    this.find('code-said').textContent = `Your code finds the task as mdp. The seed is that of the race.${vectors}`
+    this.find('code-said').textContent = this.terms()
     this.tell(this.found ?? (this.worker ? 'Change something, and run it.' : this.first))
     this.draw()
+  }
+
+  // What both agents meet, and the rival's settings.
+  terms() {
+    const { race, state, lane } = this, { parameter, values, others } = race.strength, { seed, several } = state
+    const task = [`${parameter}=${values[state.strength]}`, ...others].join(', ')
+    const seeds = several > 1 ? `${several} seeds from ${seed} on` : `seed ${seed}`
+    const settings = Object.entries(this.code.own(lane)).map(([name, value]) => `${SIGNS[name]} = ${value}`).join(', ')
+    const vectors = race.measure ? ' Its learn may also take rewards, the vector of rewards.' : ''
+    return `Both learn in ${race.name} with ${task}, for ${short(state.steps)} steps, ${seeds}. ${lane.label} has `
+      + `${settings ? `${settings}, as in the settings of the race` : 'settings of its own'}. Your code finds the task as mdp.${vectors}`
+  }
+
+  get student() {
+    return this.several.find(([n]) => n === this.state.several)[1]
   }
 
   // What the rival sees is the task of both.
@@ -152,22 +182,25 @@ export class Editor {
     this.found = undefined
     this.clear()
     this.field.mark(null)
-    const { steps, seed } = this.state, { race, lane } = this, { table } = lane
+    const { steps, seed, several } = this.state, { race, lane } = this, { table } = lane
+    const chosen = Array.from({ length: several }, (_, k) => (seed + k) % this.seeds.length)
+    this.done = undefined
     this.running = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
-    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seed, episodes: race.episodes,
+    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seeds: chosen, episodes: race.episodes,
       table, look: this.task.look, measured: race.measure?.code })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
       if (data.id !== this.number) return
-      this.theirs.push(...data.points[0])
+      data.points.forEach((points, k) => (this.theirs[k] ??= []).push(...points))
       this.looks.theirs = data
+      this.judge()
       soon(this.curves)
       soon(this.paint.theirs)
     }
     this.rival.postMessage({ kind: 'new', id: ++this.number, kernel: lane.kernel, plan: lane.plan, look: lane.plan.look, table,
-      seeds: [this.seeds[seed]], steps, every: Math.max(1, Math.floor(steps / LATE)), settings: {}, at: 0 })
+      seeds: chosen.map(k => this.seeds[k]), steps, every: Math.max(1, Math.floor(steps / LATE)), settings: this.code.slots(lane), at: 0 })
     this.rival.postMessage({ kind: 'rate', rate: Infinity })
   }
 
@@ -197,6 +230,7 @@ export class Editor {
       this.walk.take(data.games, data.games.length > 1)
       soon(this.paint.ours)
     }
+    if (data.kind === 'seed' && data.k) this.tell(`Your agent learns: ${data.k + 1} of ${data.n} seeds …`)
     if (data.printed) this.print(data.printed)
     if (data.kind !== 'done') return
     if (data.broken) this.stop('') // Python itself has come to an end: the next run loads it again
@@ -205,9 +239,10 @@ export class Editor {
       this.field.mark(data.line)
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
-    this.ours = data.curve
+    this.ours = data.curves
+    this.done = data
     soon(this.curves)
-    this.tell(this.verdict(data))
+    this.judge()
     if (data.said.length) this.find('code-said').textContent = data.said.join(' ')
   }
 
@@ -216,12 +251,14 @@ export class Editor {
     this.find('printed').hidden = !lines.length
   }
 
-  verdict({ curve, seconds }) {
-    const { steps } = this.state, pace = steps / seconds
-    const mean = line => line.slice(-10).reduce((sum, [, value]) => sum + value, 0) / Math.min(10, line.length)
-    const ours = mean(curve), name = this.lane.label
-    const speed = `${short(Number(pace.toPrecision(2)))} steps a second, with evaluation`
-    return `Your agent ends at ${short(ours)}, in ${seconds.toFixed(1)} s: ${speed}. Compare it with ${name} below.`
+  // Say who has won, as soon as both have ended.
+  judge() {
+    if (!this.done) return
+    const { state, done, lane, ours, theirs, student, looks } = this
+    if (!looks.theirs?.over) return this.tell(`Your agent has ended, ${lane.label} is still learning …`)
+    const pace = state.steps * ours.length / done.seconds
+    const luck = ours.length > 1 ? '' : ' Was it luck? Run several seeds at once.'
+    this.tell(`${duel({ curves: ours }, { label: lane.label, curves: theirs }, student)}${luck} Yours took ${done.seconds.toFixed(1)} s: ${short(Number(pace.toPrecision(2)))} steps a second, with evaluation.`)
   }
 
   // The page has another size.
@@ -235,8 +272,8 @@ export class Editor {
   }
 
   curves() {
-    const { task, state, race, lane } = this, lines = [this.ours, this.theirs].map(line => line.map(([step, value]) => [step, value, 0]))
-    chart(this.find('code-chart'), lines, { steps: state.steps, optimum: task.optimum, names: ['Your agent', lane.label] })
+    const { task, state, race, lane } = this
+    chart(this.find('code-chart'), [this.ours, this.theirs], this.student, { steps: state.steps, optimum: task.optimum, names: ['Your agent', lane.label] })
     this.find('code-caption').innerHTML = `${race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`}`
     this.find('rival-name').textContent = lane.label
   }

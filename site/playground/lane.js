@@ -1,8 +1,9 @@
 // One agent in the race: its card on the page, and the worker in which it learns.
 
-import { short } from './chart.js'
+import { estimate, short, within } from './chart.js'
 import { Picture } from './picture.js'
 import { soon } from './soon.js'
+import { ending } from './verdict.js'
 
 export class Lane {
   constructor(k, { onAgent, onBet, onLook }) {
@@ -24,13 +25,13 @@ export class Lane {
 
   // Begin anew: `race` and `task` are the data of the page, `how` its settings.
   begin(race, task, agent, how) {
-    const { label, says, kernel } = race.agents[agent], lane = task.agents[agent]
+    const { label, says, kind, page, kernel } = race.agents[agent], lane = task.agents[agent]
     Object.assign(this, { label, how, look: null, steps: 0, curves: how.seeds.map(() => []), over: false, table: task.tables[lane.table] })
     if (this.race !== race) this.select.innerHTML = race.agents.map(({ label }) => `<option>${label}</option>`).join('')
     this.race = race
     this.select.selectedIndex = agent
     this.name.textContent = label
-    this.says.textContent = says
+    this.says.innerHTML = `${says}: ${page ? `<a href="../${page}.html" target="_top">${kind}</a>` : kind}`
     this.numbers.textContent = ''
     this.picture = new Picture(this.place, task.scene, this.table, task.marks, `${race.name}, as ${label} learns it`)
     this.worker.postMessage({ kind: 'new', id: ++this.id, kernel, plan: lane, look: lane.look, table: this.table, ...how, at: how.at[this.k] })
@@ -55,11 +56,17 @@ export class Lane {
     if (!look) return
     this.picture.happen(look.look)
     this.picture.know(look, how.show, how.policy)
-    const last = this.curves[0].at(-1)
-    const means = this.curves.map(curve => curve.at(-1)[1])
-    const mean = means.reduce((sum, value) => sum + value, 0) / means.length
-    const exploring = last[2] === null ? 'not known yet while it explores' : `${short(last[2])} while it explores`
-    this.numbers.innerHTML = this.race.measure ? `<b>${short(mean)}</b> after ${short(this.steps)} steps`
-      : `points <b>${short(mean)}</b> after ${short(this.steps)} steps<br>${exploring}`
+    this.numbers.innerHTML = this.told()
+  }
+
+  // How it plays now, or at the end in the last tenth of the race; and how it did meanwhile.
+  told() {
+    const { curves, how, over, race } = this, { greedy, exploring, n } = ending(curves, how.student)
+    const now = over ? greedy : estimate(curves.map(curve => curve.at(-1)[1]), how.student)
+    if (!this.steps) return `before training: <b>${within(now)}</b>`
+    const what = race.measure ? '' : 'points ', when = over ? 'in the last tenth' : `after ${short(this.steps)} steps`
+    const some = n < curves.length ? ` (${n} of ${curves.length} seeds)` : ''
+    const meanwhile = race.measure ? '' : exploring ? `${within(exploring)} while it explores${some}` : 'no game has ended while it explores'
+    return `${what}<b>${within(now)}</b> ${when}<br>${meanwhile}`
   }
 }

@@ -1,13 +1,13 @@
-// A link that holds everything seen: the task, the agents, the settings, the seed, the bet, how far the race is, and the
-// reader's own program (see packed.js).
+// A link holds the settings: task, agents, seeds, sliders, and the reader's own program (see packed.js). How far the race
+// is (`at`) it holds where the reader wants its results in it. A bet is nobody's but the reader's, so it holds none.
 
 import { LONGEST } from './packed.js'
 
-export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: 1, seed: 0, several: 1, steps: null,
-  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, bet: null, at: [0, 0, 0], play: false, code: false, blind: false, source: '' }
+export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: 1, seed: 0, several: null, steps: null,
+  learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, at: [0, 0, 0], play: false, code: false, blind: false, source: '' }
 const MOST = 10_000_000 // steps of a race
 const RANGES = { strength: [0, 99], agents: [0, 99], speed: [0, 9], seed: [0, 99], several: [1, 20], steps: [100, MOST],
-  learning_rate: [0.01, 1], discount: [0, 1], epsilon: [0, 1], bet: [0, 2], at: [0, MOST] }
+  learning_rate: [0.01, 1], discount: [0, 1], epsilon: [0, 1], at: [0, MOST] }
 const FRACTIONS = ['speed', 'learning_rate', 'discount', 'epsilon']
 const CHOICES = ['visits', 'values', 'nothing']
 

@@ -14,7 +14,7 @@ onmessage = async ({ data }) => {
     const python = await (loading ??= load(data.sizes))
     if (data.kind === 'run') {
       printed = []
-      postMessage({ kind: 'done', ...run(python, data), printed })
+      postMessage({ kind: 'done', ...runs(python, data), printed })
     } else postMessage({ kind: 'ready' })
   } catch (error) {
     postMessage({ kind: 'done', error: error.message, line: null, broken: true })
@@ -89,8 +89,24 @@ async function begun(pyodide, memory, module, tables) {
   return page
 }
 
-function run(python, { source, task, steps, seed, episodes, table, look, measured }) {
+// The same program with each seed anew; the picture is that of the first.
+function runs(python, data) {
+  const curves = []
+  let seconds = 0, said
+  for (const [k, seed] of data.seeds.entries()) {
+    postMessage({ kind: 'seed', k, n: data.seeds.length })
+    const done = run(python, { ...data, seed, seen: !k })
+    if (done.error) return done
+    curves.push(done.curve)
+    seconds += done.seconds
+    said ??= done.said
+  }
+  return { curves, seconds, said }
+}
+
+function run(python, { source, task, steps, seed, seen, episodes, table, look, measured }) {
   const show = (visits, Q, games) => { // a program may also make a task of its own, which has no picture here
+    if (!seen) return
     const known = visits.length === table.rows ? knowledge(visits.toJs(), Q.toJs(), table) : undefined
     postMessage({ kind: 'look', look: known, games: games.toJs() })
   }

@@ -1,49 +1,60 @@
 // The page: it puts together menu, race, settings, link and game. What it knows of tasks comes from data/, written by
-// the package; what it shows is in one `state`, which is what a link holds.
+// the package; what it shows is in one `state`, which is what a link holds, and the reader's `bet`.
 
 import { Editor } from './editor.js'
-import { chart, short, summary } from './chart.js'
+import { chart, short } from './chart.js'
 import { read, write } from './link.js'
 import { Lane } from './lane.js'
 import { Play } from './play.js'
 import { soon } from './soon.js'
+import { verdict } from './verdict.js'
 
 const find = id => document.getElementById(id)
 const data = await (await fetch('data/playground.json')).json()
 const STEPS = [10_000, 100_000, 1_000_000, 10_000_000] // how long a race may be
 const OWN = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' } // settings that agents may be given, in place of the lesson's
-let state, race, task, running = false, charted = 0
+// On the page of the playground the address is that of the page around this one.
+const whole = window.frameElement?.hasAttribute('data-address') ? parent : window
+const SENT = 'The sender of this link has run this race'
+let state, race, task, bet = null, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
-const editor = data.editor && new Editor(find, data.editor, data.seeds, onCode) // where npm does not answer, the page is built without
+const editor = data.editor && new Editor(find, data, onCode) // where npm does not answer, the page is built without
 lanes.forEach(lane => find('lanes').append(lane.article))
 
 // Menus that do not depend on the task
 
 find('tasks').innerHTML = data.races.map(({ name, challenge }) => `<a href="#task=${name}" title="${challenge}">${name}</a>`).join('')
-find('several').innerHTML = data.several.map(([n]) => `<option value="${n}">${n}</option>`).join('')
+find('tasks').onclick = event => {
+  if (whole === window || !event.target.hash || event.ctrlKey || event.metaKey || event.shiftKey) return
+  event.preventDefault()
+  whole.location.hash = event.target.hash
+}
+// A link would change the address, and with it the task.
+document.querySelector('.skip').onclick = event => {
+  event.preventDefault()
+  find('question').focus()
+}
+find('several').innerHTML = find('code-several').innerHTML = data.several.map(([n]) => `<option value="${n}">${n}</option>`).join('')
 find('code-show').innerHTML = find('show').innerHTML
 find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join('')
 
 // From the state to the page
 
 async function open() {
-  state = read(location.hash)
+  state = read(whole.location.hash)
+  bet = null
   race = data.races.find(({ name }) => name === state.task) ?? data.races.find(({ name }) => name === 'Boulder')
   state.task = race.name
   state.strength = within(state.strength ?? race.strength.first, race.strength.values.length)
   state.agents = state.agents.map(k => within(k, race.agents.length))
   state.seed = within(state.seed, data.seeds.length)
-  if (!data.several.some(([n]) => n === state.several)) state.several = 1
+  if (!data.several.some(([n]) => n === state.several)) state.several = race.seeds
   state.steps ??= race.steps
   state.source ||= editor?.packed ?? '' // what the reader has written goes along
   for (const link of find('tasks').children) {
     if (link.textContent !== race.name) link.removeAttribute('aria-current')
-    else {
-      link.setAttribute('aria-current', 'page')
-      const nav = link.parentElement // scrollIntoView would also scroll a page around this one
-      nav.scrollLeft = link.offsetLeft - nav.offsetLeft - (nav.clientWidth - link.offsetWidth) / 2
-    }
+    else link.setAttribute('aria-current', 'page')
   }
   document.title = `${race.name} · EduGym playground`
   find('question').textContent = race.question
@@ -56,6 +67,8 @@ async function open() {
   find('lesson').href = race.link
   find('strength-name').textContent = race.strength.label
   find('strength').max = race.strength.values.length - 1
+  find('code-strength-name').textContent = find('strength-name').textContent
+  find('code-strength').innerHTML = race.strength.values.map((value, k) => `<option value="${k}">${value}</option>`).join('')
   find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
   find('tab-code').hidden = !editor
@@ -73,27 +86,32 @@ async function begin() {
   const answer = await (await fetch(wanted)).json()
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   task = answer
-  controls()
   for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > (box.id === 'lanes' ? 1.2 : 0.8) * task.scene.height)
   charted = 0
-  const own = agent => Object.fromEntries(given(agent).map(name => [`.${name}`, state[name]]))
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
   const { steps, show, policy, at } = state
-  const how = { seeds, steps, every: Math.max(1, Math.floor(steps / 100)), show, policy, at }
-  lanes.forEach((lane, k) => lane.begin(race, task, state.agents[k], { ...how, settings: own(race.agents[state.agents[k]]) }))
+  const how = { seeds, student: student(), steps, every: Math.max(1, Math.floor(steps / 100)), show, policy, at }
+  lanes.forEach((lane, k) => lane.begin(race, task, state.agents[k], { ...how, settings: slots(race.agents[state.agents[k]]) }))
+  controls()
   find('run').disabled = find('again').disabled = false
-  tell(state.bet === null ? 'First place your bet. Then press Run.' : 'Your bet is placed. Press Run.')
+  invite()
   legend()
   program()
 }
 
-// What the signs and colours in the pictures mean.
+function invite() {
+  tell(state.at.some(Boolean) ? `${SENT} …` : bet === null ? 'Bet first, if you like. Then press Run.' : 'Your bet is placed. Press Run.')
+}
+
+// What the numbers, signs and colours below and in the pictures mean.
 function legend() {
   const signs = new Map()
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
   const named = [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'The darker the purple, the more often it was there.', values: 'The brighter, the more points it expects from there on.', nothing: '' }[state.show]
-  const seen = find('legend').textContent = `${named.length ? `The signs in the picture say what it would do there: ${named.join(', ')}. ` : ''}${colours} ${race.fields}`
+  const seeds = state.several > 1 ? `The numbers are means of ${state.several} seeds, with 95 % intervals; the pictures show seed ${state.seed}. ` : ''
+  const seen = `${named.length ? `The signs in the picture say what it would do there: ${named.join(', ')}. ` : ''}${colours} ${race.fields}`
+  find('legend').textContent = `${seeds}${seen}`
   find('code-legend').textContent = `${seen} Your agent walks as it would play now, without exploring.`
 }
 
@@ -105,25 +123,32 @@ function controls() {
   find('speed').value = state.speed
   find('speed-shown').value = rate() === Infinity ? 'as fast as it goes' : `${short(Math.round(rate()))} steps a second`
   for (const name in OWN) {
-    find(name).value = state[name] ?? race.own[name]
-    find(name).nextElementSibling.value = state[name] ?? `lesson: ${race.own[name]}`
+    const usual = race.agents[0].own[name]
+    find(name).value = state[name] ?? usual
+    find(name).nextElementSibling.value = state[name] ?? `lesson: ${usual}`
   }
   const racing = [...new Set(state.agents)].map(k => race.agents[k]), unmoved = Object.entries(OWN).flatMap(([name, sign]) => {
-    const others = racing.filter(({ takes }) => !takes.includes(name)).map(({ label }) => label)
-    return others.length ? `${sign}: ${others.join(', ')}` : []
+    const others = racing.filter(({ own }) => !(name in own)).map(({ label }) => label)
+    return others.length ? `${sign} changes nothing for ${others.join(', ')}.` : []
   })
-  find('unmoved').textContent = unmoved.length ? `A slider leaves an agent alone that has no such setting, or one on another scale. ${unmoved.join('; ')}.` : ''
+  find('unmoved').textContent = unmoved.join(' ')
   for (const name of ['steps', 'several', 'show', 'seed']) find(name).value = state[name]
-  find('code-steps').value = state.steps
+  for (const name of ['steps', 'several', 'strength']) find(`code-${name}`).value = state[name]
   find('code-show').value = state.show
   find('policy').checked = state.policy
   find('blind').checked = state.blind
-  lanes.forEach((lane, k) => lane.bet.setAttribute('aria-pressed', state.bet === k))
-  history.replaceState(null, '', write(state))
+  const begun = running || state.at.some(Boolean) || lanes.some(({ steps }) => steps)
+  lanes.forEach((lane, k) => {
+    lane.bet.setAttribute('aria-pressed', bet === k)
+    lane.bet.disabled = begun // whoever has seen something does not bet
+  })
+  whole.history.replaceState(null, '', write(state))
 }
 
 // The settings of the sliders that an agent takes, where the reader has moved them.
-const given = ({ takes }) => takes.filter(name => state[name] !== null)
+const given = ({ own }) => Object.keys(own).filter(name => state[name] !== null)
+const slots = agent => Object.fromEntries(given(agent).map(name => [`.${name}`, state[name]]))
+const student = () => data.several.find(([n]) => n === state.several)[1]
 const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
 const rate = () => state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
 const tell = text => { find('verdict').textContent = text }
@@ -132,41 +157,29 @@ const tell = text => { find('verdict').textContent = text }
 
 function onLook(lane, fresh) {
   if (fresh || performance.now() - charted > 100 || lane.over) soon(draw)
-  if (running && lanes.every(({ over }) => over)) finish()
+  const over = lanes.every(({ over }) => over)
+  if (running && over) finish()
+  else if (fresh && state.at.some(Boolean) && lanes.every(({ look }) => look)) {
+    tell(over ? `${SENT}: ${judged()} Other luck begins a race of your own.` : `${SENT} so far. Press Run to go on.`)
+  }
 }
+
+const judged = () => verdict(lanes, student(), state.steps, bet)
 
 function draw() {
   if (!lanes.every(({ look }) => look)) return // a new race has begun meanwhile
   charted = performance.now()
-  const [, t] = data.several.find(([n]) => n === state.several)
-  chart(find('chart'), lanes.map(({ curves }) => summary(curves, t)), { steps: state.steps, optimum: task.optimum, names: lanes.map(({ label }) => label) })
-  const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval; the pictures show the first` : ''
+  chart(find('chart'), lanes.map(({ curves }) => curves), student(), { steps: state.steps, optimum: task.optimum, names: lanes.map(({ label }) => label) })
+  const what = state.several > 1 ? `, mean of ${state.several} seeds with its 95 % interval` : ''
   const says = race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`
   find('caption').textContent = `${says}, after so many steps of training${what}`
 }
 
 function finish() {
-  state.at = lanes.map(({ steps }) => steps)
   stop()
   soon(draw)
   controls()
-  const [, t] = data.several.find(([n]) => n === state.several)
-  const results = lanes.map(lane => {
-    const line = summary(lane.curves, t), end = line.slice(-10), values = line.map(([, value]) => value)
-    const [mean, half] = [1, 2].map(k => end.reduce((sum, point) => sum + point[k], 0) / end.length)
-    const span = Math.max(...values) - Math.min(...values)
-    return { lane, mean, half, span, reached: line.find(([, value]) => value >= mean - 0.1 * span)[0] }
-  })
-  const best = results.reduce((a, b) => b.mean > a.mean ? b : a)
-  if (results.every(({ span, mean }) => !span && mean === best.mean)) return tell('Nobody has learned anything that shows. Try more steps, or an easier task.')
-  const equal = ({ mean, half }) => best.mean - mean <= (state.several > 1 ? half + best.half : 0.03 * Math.abs(best.mean))
-  const good = results.filter(equal), soonest = Math.min(...good.map(({ reached }) => reached))
-  const winners = good.filter(({ reached }) => reached <= soonest + state.steps / 50)
-  const names = winners.map(({ lane }) => lane.label).join(' and ')
-  const first = good.length > winners.length ? ', and got there first' : ''
-  const bet = state.bet === null ? '' : winners.some(({ lane }) => lane.k === state.bet) ? ' Your bet was right.' : ` You had bet on “${lanes[state.bet].label}”.`
-  const luck = state.several > 1 ? '' : ' Was it luck? Run several seeds at once (Settings).'
-  tell(`${names[0].toUpperCase()}${names.slice(1)} did best: ${short(best.mean)} in the last tenth of training${first}.${bet}${luck}`)
+  tell(judged())
 }
 
 function stop() {
@@ -177,12 +190,14 @@ function stop() {
 
 function onAgent(k, agent) {
   state.agents[k] = agent
+  if (bet === k) bet = null
   restart()
 }
 
 function onBet(k) {
-  state.bet = state.bet === k ? null : k
+  bet = bet === k ? null : k
   controls()
+  invite()
 }
 
 function restart() {
@@ -197,13 +212,13 @@ function set(name, value, what = restart) {
 
 find('run').onclick = () => {
   if (running) {
-    state.at = lanes.map(({ steps }) => steps)
     stop()
     return controls()
   }
   if (lanes.every(({ over }) => over)) return restart().then(() => find('run').onclick())
   running = true
   find('run').textContent = 'Pause'
+  controls()
   tell(rate() < 1000 ? 'Slow motion. Move the speed to the right to see who wins.' : 'They are learning …')
   lanes.forEach(lane => lane.rate(rate()))
 }
@@ -216,7 +231,7 @@ find('speed').oninput = event => {
 find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refresh))
 for (const name in OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
 find('own').onclick = () => { for (const name in OWN) state[name] = null; restart() }
-find('code-steps').onchange = event => set('steps', Number(event.target.value), () => settle(restart().then(refresh)))
+for (const name of ['steps', 'several', 'strength']) find(`code-${name}`).onchange = event => set(name, Number(event.target.value), () => settle(restart().then(refresh)))
 for (const name of ['steps', 'several', 'seed']) find(name).onchange = event => set(name, Number(event.target.value))
 find('show').onchange = find('code-show').onchange = event => set('show', event.target.value, redraw)
 find('policy').onchange = event => set('policy', event.target.checked, redraw)
@@ -266,7 +281,12 @@ function uncover() {
 
 async function refresh() {
   if (state.play) await play.open(race, task, data.seeds[state.seed])
-  if (state.code) await settle(editor.open(race, task, state, { task: made, agent: agent => `agent = ${create({ kind: agent.kind.split('.').at(-1) }, agent.settings)}\n` }))
+  if (state.code) await settle(editor.open(race, task, state, {
+    task: made,
+    agent: agent => `agent = ${create({ kind: agent.kind.split('.').at(-1) }, settled(agent))}\n`,
+    own: ({ own }) => Object.fromEntries(Object.entries(own).map(([name, value]) => [name, state[name] ?? value])),
+    slots,
+  }))
 }
 
 // The editor runs nothing before this has come.
@@ -297,15 +317,19 @@ function create({ kind }, settings) {
   return `${kind}.create(${['mdp', ...settings.map(([name, value]) => `${name}=${value}`)].join(', ')})`
 }
 
+// An agent's settings as code, with those of the sliders that the reader has moved.
+function settled(agent) {
+  const known = Object.fromEntries(agent.settings)
+  for (const name of given(agent)) {
+    if (name === 'epsilon') known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
+    else known[name] = state[name]
+  }
+  return Object.entries(known)
+}
+
 function program() {
   const blocks = state.agents.map(k => race.agents[k]).map(agent => {
-    const { label, kind, settings } = agent
-    const known = Object.fromEntries(settings)
-    for (const name of given(agent)) {
-      if (name === 'epsilon') known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
-      else known[name] = state[name]
-    }
-    return `# ${label}\n${made(agent)}agent = edugym.${create(agent, Object.entries(known))}\n`
+    return `# ${agent.label}\n${made(agent)}agent = edugym.${create(agent, settled(agent))}\n`
       + `run = edugym.${race.measure ? 'objectives.train_vectors' : 'train'}(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\n`
       + `print(${race.measure?.code ?? 'run.returns'})\n`
   })
@@ -320,15 +344,17 @@ function onCode(packed) {
 }
 
 find('share').onclick = async () => {
-  state.at = lanes.map(({ steps }) => steps)
   await editor?.pack()
   controls()
+  const at = find('with-results').checked ? lanes.map(({ steps }) => steps) : [0, 0, 0]
+  const link = whole.location.href.split('#')[0] + write({ ...state, at })
   const without = editor?.tooLong ? ' Your code is not in it, since it is too long for a link: send it as a file.' : ''
   try {
-    await navigator.clipboard.writeText(location.href)
+    await navigator.clipboard.writeText(link)
     find('shared').textContent = `Copied.${without}`
-  } catch {
-    find('shared').textContent = `The link is in the address bar.${without}`
+  } catch { // the browser does not let a page copy
+    const shown = Object.assign(document.createElement('a'), { href: link, target: '_top', textContent: 'This is the link' })
+    find('shared').replaceChildren(shown, `: copy it with the menu of your mouse or finger.${without}`)
   }
 }
 find('theme').onclick = () => {
@@ -336,7 +362,7 @@ find('theme').onclick = () => {
   document.documentElement.dataset.theme = localStorage.theme = theme
 }
 addEventListener('storage', setTheme) // the page around this one has changed it
-addEventListener('hashchange', () => settle(open()))
+whole.addEventListener('hashchange', () => { if (/=|^$/.test(whole.location.hash)) settle(open()) }) // others are headings
 addEventListener('resize', remeasure)
 await settle(open())
 document.documentElement.dataset.ready = 'true' // see style.css

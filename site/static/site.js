@@ -72,6 +72,21 @@ if (projected) {
   projected.append(fill)
 }
 
+// A prediction: what was chosen is said there, and again beside what was measured.
+for (const box of document.querySelectorAll('fieldset.prediction')) {
+  const fold = [...document.querySelectorAll('details.measured')].find(one => box.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING)
+  const says = Object.assign(document.createElement('p'), { className: 'chosen', role: 'status' }), beside = document.createElement('p')
+  beside.className = 'chosen'
+  box.append(says)
+  fold?.querySelector('summary').after(beside)
+  box.addEventListener('change', () => {
+    const field = box.querySelector('input:checked') ?? box.querySelector('input[type=text]')
+    const answer = field?.type === 'radio' ? field.parentElement.textContent.trim() : field?.value
+    beside.textContent = `You chose: ${answer}`
+    says.textContent = fold ? `You chose: ${answer}. Now open “${fold.querySelector('summary').textContent}” below.` : beside.textContent
+  })
+}
+
 // On paper nothing can be opened, so what is folded is printed open.
 let opened = []
 addEventListener('beforeprint', () => {

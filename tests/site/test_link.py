@@ -52,13 +52,14 @@ def test_what_stands_for_no_program_gives_none(letters: str) -> None:
 def test_what_is_written_is_read() -> None:
     """All that the page shows."""
     state = in_node("FIRST", None) | {"task": "Golf", "strength": 3, "agents": [2, 0, 1], "source": "q1-_"}
-    state |= {"speed": 2.5, "steps": 1_000, "discount": 0.5, "show": "values", "policy": False, "bet": 1, "code": True}
+    state |= {"speed": 2.5, "steps": 1_000, "discount": 0.5, "show": "values", "policy": False, "code": True}
+    state |= {"at": [5, 0, 9], "several": 5}
     assert in_node("read(write(given))", state) == state
 
 
 @pytest.mark.parametrize(
     "link",
-    ["#bet=9", "#steps=1e9", "#source=%3Cb%3E", f"#source={'a' * 8_001}", "#agents=0.1", "#show=all", "#other=1", "#"],
+    ["#bet=1", "#steps=1e9", "#source=%3Cb%3E", f"#source={'a' * 8_001}", "#agents=0.1", "#show=all", "#other=1", "#"],
 )
 def test_what_cannot_be_is_left_out(link: str) -> None:
     """The rest is as at first."""

@@ -112,7 +112,7 @@ def test_a_race_is_run_to_its_end(race: Any, size: tuple[int, int], theme: str, 
     reader.click(".bet")
     assert reader("document.querySelector('.bet').getAttribute('aria-pressed')") == "true"
     verdict = reader.race()
-    assert "did best" in verdict or "Nobody" in verdict
+    assert "did best" in verdict or "equally" in verdict or "Nobody" in verdict
     assert "bet" in verdict or "Nobody" in verdict
     until(lambda: reader("[...document.querySelectorAll('canvas')].every(c => c.dataset.cells > 0)"), "colours")
     reader.check()
@@ -132,7 +132,7 @@ def _photograph(reader: Reader, name: str) -> None:
 
 
 def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
-    """Task, strength, agents, settings, bet and how far the race is: another reader sees the same numbers."""
+    """Task, strength, agents and settings; the results on request, and never the bet: another reader has her own."""
     reader = Reader(browser, f"{address}#task=Golf")
     reader.move("strength", 4)
     until(lambda: reader.text("#strength-shown") == "0.03", "the other strength")
@@ -141,14 +141,38 @@ def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
     reader.move("discount", 0.9)
     reader.click(".bet")
     reader.race()
-    reader.click("#share")
-    link, numbers = reader("location.href"), reader("[...document.querySelectorAll('.numbers')].map(e => e.innerText)")
+    settings = reader("location.href")
+    assert "at=" not in settings
+    numbers = reader("[...document.querySelectorAll('.numbers')].map(e => e.innerText)")
     curves = reader("document.querySelector('#chart').innerHTML")
-    other = Reader(browser, link)
+    reader("(navigator.clipboard.writeText = text => { window.copied = text })")
+    reader.click("#with-results")
+    reader.click("#share")
+    until(lambda: reader("window.copied"), "the link")
+    other = Reader(browser, reader("window.copied"))
     until(lambda: other("[...document.querySelectorAll('.numbers')].map(e => e.innerText)") == numbers, "the numbers")
     until(lambda: other("document.querySelector('#chart').innerHTML") == curves, "the curves")
-    assert other("document.querySelector('.bet').getAttribute('aria-pressed')") == "true"
+    until(lambda: "sender" in other.text("#verdict"), "whose results these are")
+    unbet = "[...document.querySelectorAll('.bet')].every(bet => bet.disabled && bet.ariaPressed === 'false')"
+    assert other(unbet)
+    other.click("#again")
+    until(lambda: "at=" not in other("location.hash"), "a race of her own")
+    assert not other("document.querySelector('.bet').disabled")
     other.check()
+    fresh = Reader(browser, settings)
+    assert fresh.text("#strength-shown") == "0.03"
+    assert "before training" in fresh.text(".numbers")
+
+
+def test_the_first_link_of_the_page_moves_only_the_focus(address: str, browser: Any) -> None:
+    """It must not change the address, which holds the settings."""
+    from selenium.webdriver import ActionChains, Keys
+
+    reader = Reader(browser, f"{address}#task=Roadrunner&discount=0.9")
+    before = reader("location.hash")
+    ActionChains(browser).send_keys(Keys.TAB, Keys.ENTER).perform()
+    assert reader("document.activeElement.id") == "question"
+    assert reader("location.hash") == before
 
 
 @pytest.mark.parametrize(
@@ -168,6 +192,7 @@ def test_several_seeds_have_a_band(address: str, browser: Any) -> None:
     assert "luck" not in reader.race()
     assert reader("document.querySelectorAll('#chart polygon').length") == 3
     assert "5 seeds" in reader.text("#caption")
+    assert "5 seeds" in reader.text("#legend")
 
 
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
@@ -229,7 +254,7 @@ def ran(reader: Reader) -> str:
 @pytest.mark.parametrize("size", [WIDE, PHONE], ids=["wide", "phone"])
 def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser: Any) -> None:
     """Python comes with the first change; mistakes have their line; what is endless can be stopped."""
-    reader = Reader(browser, f"{address}#task=Boulder&code=true&steps=100000", size)
+    reader = Reader(browser, f"{address}#task=Boulder&strength=3&code=true&steps=100000", size)
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
     until(lambda: reader(f"{FIELD}.text"), "the program")
@@ -269,7 +294,7 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
 
 def test_a_link_holds_the_code(address: str, browser: Any) -> None:
     """Another reader sees it, is told where it is from, and nothing runs before Run; what is damaged is said."""
-    reader = Reader(browser, f"{address}#task=Study&code=true&steps=10000")
+    reader = Reader(browser, f"{address}#task=Study&code=true&steps=10000&several=1")
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
     until(lambda: reader(f"{FIELD}.text"), "the program")
@@ -331,7 +356,7 @@ def test_a_reader_writes_with_keys(size: tuple[int, int], theme: str, address: s
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
 def test_a_reader_runs_the_packages_agents(race: Any, address: str, browser: Any) -> None:
     """From their own files, in every task; Python is loaded by the run, and the curve is that of the kernel."""
-    reader = Reader(browser, f"{address}#task={race.environment}&code=true&steps=10000")
+    reader = Reader(browser, f"{address}#task={race.environment}&code=true&steps=10000&several=1")
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
     until(lambda: reader(f"{FIELD}.text"), "the program")

@@ -1,0 +1,66 @@
+// What came of a race: how each agent ended, who did best, who has learned nothing, and who had bet right.
+
+import { estimate, short, summary, within } from './chart.js'
+
+const LATE = 10 // points of a curve: the last tenth of a race, so far
+const NOTHING = 0.1 // whoever has won less than this share of what the best one has, has learned nothing that shows
+
+// The return in the last tenth of a race: `greedy` without exploring, and `exploring` in the games of training, over the
+// `n` seeds in which such a game has ended; null where none has. Each is a mean and half an interval.
+export function ending(curves, t) {
+  const mean = values => values.reduce((sum, value) => sum + value, 0) / values.length
+  const late = curves.map(curve => curve.slice(-LATE))
+  const found = late.map(points => points.map(([, , exploring]) => exploring).filter(one => one !== null && one !== undefined))
+  const ended = found.filter(({ length }) => length).map(mean)
+  return { greedy: estimate(late.map(points => mean(points.map(([, value]) => value))), t), exploring: ended.length ? estimate(ended, t) : null, n: ended.length }
+}
+
+// Those that are as good as the best, as far as it can be told: with one seed, what differs by 3 % is as good.
+function best(results, of) {
+  const [top, spread] = results.map(of).reduce((a, b) => b[0] > a[0] ? b : a)
+  return results.filter(result => {
+    const [mean, half] = of(result)
+    return top - mean <= (result.curves.length > 1 ? half + spread : 0.03 * Math.abs(top))
+  })
+}
+
+const listed = names => names.length > 1 ? `${names.slice(0, -1).join(', ')} and ${names.at(-1)}` : names[0]
+const begun = text => text[0].toUpperCase() + text.slice(1)
+
+// `agents` have a label, and the curves of their seeds; `bet` is the number of one of them, or null.
+export function verdict(agents, t, steps, bet) {
+  const results = agents.map(({ label, curves }) => {
+    const line = summary(curves, t), values = line.map(([, value]) => value), end = ending(curves, t)
+    const span = Math.max(...values) - Math.min(...values)
+    return { label, curves, ...end, span, start: values[0], reached: line.find(([, value]) => value >= end.greedy[0] - 0.1 * span)[0] }
+  })
+  const good = best(results, ({ greedy }) => greedy), [top] = good.map(({ greedy }) => greedy).sort(([a], [b]) => b - a)
+  if (results.every(({ span, greedy }) => !span && greedy[0] === top[0])) return 'Nobody has learned anything that shows. Try more steps, or an easier task.'
+  const soonest = Math.min(...good.map(({ reached }) => reached))
+  const winners = good.filter(({ reached }) => reached <= soonest + steps / 50)
+  const named = (some, of = ({ greedy }) => greedy) => some.map(one => `${one.label} (${within(of(one))})`)
+  const how = winners.length === results.length ? 'did equally well' : 'did best'
+  const said = [`${begun(listed(named(winners)))} ${how} in the last tenth of training${good.length > winners.length ? ', and got there first' : ''}`]
+  const rest = results.filter(one => !winners.includes(one)), later = rest.filter(one => good.includes(one))
+  const failed = rest.filter(({ greedy, start }) => greedy[0] - start < NOTHING * (top[0] - start))
+  const behind = rest.filter(one => !failed.includes(one) && !later.includes(one))
+  if (later.length) said.push(`as good, but later: ${listed(named(later))}`)
+  if (behind.length) said.push(`behind: ${listed(named(behind))}`)
+  if (failed.length) said.push(`nothing learned that shows: ${listed(named(failed))}`)
+  const sentences = [`${said.join('; ')}.`]
+  if (results.every(({ exploring }) => exploring)) {
+    const earning = best(results, ({ exploring }) => exploring)
+    if (winners.some(one => !earning.includes(one))) sentences.push(`While still exploring, ${listed(named(earning, ({ exploring }) => exploring))} earned most.`)
+  }
+  if (bet !== null) sentences.push(winners.includes(results[bet]) ? 'Your bet was right.' : `You had bet on “${results[bet].label}”.`)
+  if (agents[0].curves.length === 1) sentences.push('Was it luck? Run several seeds at once (Settings).')
+  return sentences.join(' ')
+}
+
+// How a reader's own agent compares with its rival.
+export function duel(own, rival, t) {
+  const results = [own, rival].map(agent => ({ ...agent, ...ending(agent.curves, t) }))
+  const good = best(results, ({ greedy }) => greedy)
+  const said = good.length > 1 ? 'no difference that shows' : good[0] === results[0] ? 'your agent wins' : `${rival.label} wins`
+  return `Your agent ends at ${within(results[0].greedy)}, ${rival.label} at ${within(results[1].greedy)}: ${said}.`
+}
