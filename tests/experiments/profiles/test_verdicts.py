@@ -86,7 +86,7 @@ def test_a_better_agent_beside_is_named_with_how_far_it_gets() -> None:
     problem, far = "a reward that random play hardly ever finds", "masters even a wall of height 40"
     here = profiled({"B": MIDDLE})
     row = tables.take_table(here, pooled(here, beside))[1][0]
-    assert row == [problem, "Boulder", "A 1.00 (of 2 tried)", "–", far]
+    assert row == [problem, "Boulder", "A 1.00 (of 2 tried)", "nobody", far]
     six = dict.fromkeys("ABCDEF", FAR)
     assert tables.take_table(profiled(six))[1][0][3] == "B, C, D, E and F"
     here = profiled({"F": FAR})

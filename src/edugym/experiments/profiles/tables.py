@@ -14,6 +14,8 @@ Table = tuple[list[str], list[list[str]]]
 TAKE_HEADING = ("your problem has", "challenge", "highest score", "not surely worse", "how far the highest gets")
 NAMED_BESIDE = 3
 """Of the agents that are not surely worse than the best, the report names so many besides those that were given."""
+NO_MATTER = "none is good"
+"""What stands in the place of those that are not surely worse than one that is not good itself."""
 MOST_COMPARED = 5
 """Among more agents than these, the report does not compare each with each."""
 
@@ -56,14 +58,19 @@ def take_table(profile: Profile, everybody: Profile | None = None) -> Table:
             rows.append([*row, nobody, "–", "–"])
             continue
         score, far = everybody.score(first, challenge), outcome(everybody, first, challenge).of_one
-        fewer = score.n < max(everybody.score(agent, challenge).n for agent in entered)
-        highest = f"{first} {rounded(score.estimate)}{f' in {score.n} runs' if fewer else ''}"
+        most = max(everybody.score(agent, challenge).n for agent in entered)
+        highest = f"{first} {rounded(score.estimate)}{f' in {score.n} runs' if score.n < most else ''}"
         if score.estimate < HALF:
-            rows.append([*row, f"nobody of {len(entered)} tried is good; the highest is {highest}", "–", far])
+            rows.append([*row, f"nobody of {len(entered)} tried is good; the highest is {highest}", NO_MATTER, far])
             continue
-        shown = [agent for k, agent in enumerate(others) if k < NAMED_BESIDE or agent in profile.agents]
+        runs = {agent: everybody.score(agent, challenge).n for agent in others}
+        shown = [
+            f"{agent} ({runs[agent]} runs)" if runs[agent] < most else agent
+            for k, agent in enumerate(others)
+            if k < NAMED_BESIDE or agent in profile.agents
+        ]
         more = [f"{len(others) - len(shown)} more"] if len(others) > len(shown) else []
-        beside = listed([*shown, *more]) if others else "–"
+        beside = listed([*shown, *more]) if others else "nobody"
         rows.append([*row, f"{highest} (of {len(entered)} tried)", beside, far + _weakest(everybody, first, best)])
     return [*TAKE_HEADING], rows
 
