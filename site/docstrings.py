@@ -15,6 +15,8 @@ _SECTIONS = {
     "Raises": "Raises",
 }
 _SECTION = re.compile(rf"^({'|'.join(_SECTIONS)}):\n((?:(?: {{4}}.*)?\n)+)", re.MULTILINE)
+_HEADING = re.compile(r"^##+ (.*)$", re.MULTILINE)
+"""Those of an environment, which would be headings of the page that it stands on."""
 _ITEM = re.compile(r"^(?=\S)", re.MULTILINE)
 
 
@@ -81,9 +83,8 @@ def described(name: str, thing: Any, module: str = "edugym", docstring: str | No
     if not inspect.isclass(thing):
         return _directive("data", name, summary(thing) if thing.__doc__ != type(thing).__doc__ else "", module)
     members = [_member(label, member) for label, member in public_members(thing)]
-    return _directive(
-        "class", name, "\n\n".join([markdown(thing) if docstring is None else docstring, *members]), module, colons=5
-    )
+    text = _HEADING.sub(r"**\1**\n", markdown(thing)) if docstring is None else docstring
+    return _directive("class", name, "\n\n".join([text, *members]), module, colons=5)
 
 
 def _member(name: str, member: Any) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlencode
 
+from offers import Race
 from races import RACES
 from repository import REPOSITORY, ROOT, with_links
 
@@ -114,14 +115,22 @@ def _opening(first: str, path: Path) -> str:
         "Here you read the lesson with its results. To change it and to solve its exercises, type `make lab`, "
         f"{notebook}, or [open it in Colab]({colab}/blob/main/notebooks/{path.name})."
     )
+    for name in _raced(path):
+        here += (
+            f' <a href="../playground/index.html#task={name}">Race its agents in the playground</a>, with its settings.'
+        )
     return f"{heading}\n\n:::{{container}} where\n{here}\n:::\n{rest}"
 
 
 def _races(path: Path) -> list[str]:
     """Return the race of a lesson's environment, with sliders that need no Python; none where it has no race."""
+    return [RACE.format(race.environment, race.strength.parameter.replace("_", " ")) for race in _raced(path)]
+
+
+def _raced(path: Path) -> list[Race]:
+    """Return the race of a lesson's environment, if it has one."""
     number = number_of(path.stem)
-    races = [race for race in RACES if find(race.environment).lesson == number]
-    return [RACE.format(race.environment, race.strength.parameter.replace("_", " ")) for race in races]
+    return [race for race in RACES if find(race.environment).lesson == number]
 
 
 def _live(source: str) -> str:

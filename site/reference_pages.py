@@ -2,13 +2,21 @@
 
 import ast
 import importlib
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from agent_pages import AGENTS, place
 from docstrings import described, markdown, summary
+from gymnasium.error import DependencyNotInstalled
 from repository import ROOT
 
-HEAD = "# Reference\n\nEvery public name of `edugym`, by the room of the package in which it is defined.\n"
+HEAD = """# Reference
+
+Every public name of `edugym`, by the room of the package in which it is defined; and those of `edugym.games`,
+`edugym.objectives` and `edugym.deep`, which one imports from there.
+"""
+LISTS = ("games", "objectives", "deep")
+"""Modules that list public names of their own."""
 
 
 class Name(NamedTuple):
@@ -16,24 +24,32 @@ class Name(NamedTuple):
 
     Attributes:
         name: the name.
-        room: the room of the package, such as "agents".
+        room: the room of the package, such as "agents", or the module that lists it, such as "games".
         thing: what has the name.
+        module: where it is imported from.
     """
 
     name: str
     room: str
     thing: Any
+    module: str = "edugym"
 
 
 def public_names() -> list[Name]:
-    """Return the public names in the order of `__init__.pyi`, the one list of them."""
+    """Return the public names in the order of `__init__.pyi`, the one list of them, and then those of `LISTS`."""
     listed = ast.parse((ROOT / "src" / "edugym" / "__init__.pyi").read_text(encoding="utf-8")).body
-    return [
+    names = [
         Name(alias.name, node.module.split(".")[1], getattr(importlib.import_module(node.module), alias.name))
         for node in listed
         if isinstance(node, ast.ImportFrom) and node.module
         for alias in node.names
     ]
+    for listing in LISTS:
+        module = importlib.import_module(f"edugym.{listing}")
+        for name in module.__all__:
+            with suppress(DependencyNotInstalled):  # the site needs no torch, and some names of `deep` do
+                names.append(Name(name, listing, getattr(module, name), module.__name__))
+    return names
 
 
 def pages() -> dict[str, str]:
@@ -48,7 +64,7 @@ def pages() -> dict[str, str]:
 
 def _page(room: str, module: Any, names: list[Name]) -> str:
     own = [name for name in names if name.room == room and name.name not in AGENTS]
-    parts = [described(name.name, name.thing) for name in own]
+    parts = [described(name.name, name.thing, name.module) for name in own]
     more = "Each agent has [a page of its own](../agents/index.md).\n" if room == "agents" else ""
     return "\n\n".join([f"# edugym.{room}", markdown(module), more, *parts, ""])
 
@@ -59,7 +75,9 @@ def _table(room: str, names: list[Name]) -> str:
 
 
 def _link(name: Name) -> str:
-    return f"[`{name.name}`](../{place(name.thing)}.md)" if name.name in AGENTS else f"{{py:obj}}`edugym.{name.name}`"
+    if name.name in AGENTS:
+        return f"[`{name.name}`](../{place(name.thing)}.md)"
+    return f"{{py:obj}}`{name.module}.{name.name}`"
 
 
 def _says(name: Name) -> str:

@@ -33,6 +33,7 @@ from edugym.adapters.registration import in_course_order
 HERE = ROOT / "site"
 BUILT = HERE / "build"
 RACE = '\n*{1}* <a href="../playground/index.html#task={0}">Bet on an agent, or play yourself</a>.\n\n```python'
+FARING = "\n## Agents\n[Which agent works with which environment](../agents/index.md), and how far it gets.\n"
 
 LITE = """<a href="lite/lab/index.html">JupyterLab with all lessons</a> runs here in your browser: nothing is
 installed, and nothing is sent anywhere. The first start loads Python and its libraries, which takes a while. Your
@@ -65,6 +66,8 @@ def sources(with_lite: bool = False) -> dict[str, bytes]:
     for race in RACES:
         page = f"environments/{race.environment.lower()}"
         texts[page] = texts[page].replace("\n```python", RACE.format(race.environment, race.question), 1)
+    for entry in in_course_order():
+        texts[f"environments/{entry.name.lower()}"] += FARING
     for name, kind in agent_pages.AGENTS.items():
         link = f"| [{name}](/{agent_pages.place(kind)}.md) |"
         texts["agents/index"] = texts["agents/index"].replace(f"\n| {name} |", f"\n{link}")

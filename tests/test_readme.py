@@ -16,7 +16,7 @@ import edugym
 ROOT = Path(__file__).parent.parent
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
 EXAMPLE = re.compile(r"```python\n(.*?)```\s+```text\n(.*?)```", flags=re.DOTALL)
-TEXTS = [(page.name, page.read_text(encoding="utf-8")) for page in PAGES]
+TEXTS = [(page.name, page.read_text(encoding="utf-8")) for page in [*PAGES, *ROOT.glob("site/pages/*.md")]]
 TEXTS += [(name, inspect.getdoc(getattr(edugym, name)) or "") for name in dir(edugym)]
 EXAMPLES = [(name, *found) for name, text in TEXTS for found in EXAMPLE.findall(text)]
 
@@ -47,7 +47,7 @@ def test_the_worked_example_of_an_agent(monkeypatch: pytest.MonkeyPatch) -> None
 
 def test_links_lead_somewhere() -> None:
     """Those to files of the project; a change of a page's form hides no example."""
-    assert {"README.md", "your-own.md", "train"} <= {page for page, *_ in EXAMPLES}
+    assert {"README.md", "your-own.md", "engineers.md", "train"} <= {page for page, *_ in EXAMPLES}
     links = [
         (page, link.partition("#")[0])
         for page in PAGES
