@@ -51,8 +51,8 @@ if (projected) {
   const turn = way => {
     const top = part => Math.round(part.getBoundingClientRect().top)
     const next = way > 0 ? parts.find(part => top(part) > 1) : parts.findLast(part => top(part) < -1)
-    if (next) next.scrollIntoView()
-    else if (way < 0) scrollTo(0, 0)
+    if (next) next.scrollIntoView({ behavior: 'instant' })
+    else if (way < 0) scrollTo({ top: 0, behavior: 'instant' })
   }
   const ways = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }
   addEventListener('keydown', event => {

@@ -25,6 +25,8 @@ PAGES = [
     "agents/index",
     "agents/q_learning",
     "reference/training",
+    "guides/teaching",
+    "project/01_exploration",
     "survey",
     "search",
 ]
@@ -213,6 +215,24 @@ def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
     browser.find_element("id", "run").click()
     until(lambda: "did best" in browser.find_element("id", "verdict").text, "the end of the race")
     browser.switch_to.default_content()
+
+
+@needs_browser
+def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> None:
+    """It can be read from the last row, nothing stands around it, and a clicker's keys turn."""
+    from selenium.webdriver.common.keys import Keys
+
+    opened(browser, address, "project/01_exploration")
+    size = "return parseFloat(getComputedStyle(document.querySelector('article p')).fontSize)"
+    assert browser.execute_script(size) > 25
+    shown = "return [...document.querySelectorAll('aside')].filter(box => box.checkVisibility()).length"
+    assert browser.execute_script(shown) == 0
+    first = "return [...document.querySelectorAll('h1, h2')].findIndex(one => one.getBoundingClientRect().top >= 0)"
+    seen = []
+    for key in (Keys.PAGE_DOWN, Keys.ARROW_RIGHT, Keys.PAGE_UP, Keys.ARROW_LEFT):
+        browser.find_element("tag name", "body").send_keys(key)
+        seen.append(browser.execute_script(first))
+    assert seen == [2, 3, 2, 0]  # headings; the title and the first part share a screen
 
 
 @needs_browser
