@@ -115,10 +115,9 @@ def _opening(first: str, path: Path) -> str:
         "Here you read the lesson with its results. To change it and to solve its exercises, type `make lab`, "
         f"{notebook}, or [open it in Colab]({colab}/blob/main/notebooks/{path.name})."
     )
-    for name in _raced(path):
-        here += (
-            f' <a href="../playground/index.html#task={name}">Race its agents in the playground</a>, with its settings.'
-        )
+    for race in _raced(path):
+        place = f"../playground/index.html#task={race.environment}"
+        here += f' Or first <a href="{place}">race its agents in the playground</a>.'
     return f"{heading}\n\n:::{{container}} where\n{here}\n:::\n{rest}"
 
 
