@@ -99,6 +99,15 @@ def from_one(mdp: Any, state: Any) -> Scene:
     return dataclasses.replace(scene, shapes=shapes)
 
 
+def _by_the_places(mdp: Any, state: Any) -> Scene:
+    """The doors counted from 1, below the place in the corridor, which is not called a door."""
+    scene = from_one(mdp, state)
+    above = Text(scene.width / 2, 0.5, f"place {state.position + 1} of {state.length}", size=0.5)
+    is_above = [isinstance(shape, Text) and shape.content.startswith("Door ") for shape in scene.shapes]
+    shapes = [above if replaced else shape for shape, replaced in zip(scene.shapes, is_above, strict=True)]
+    return dataclasses.replace(scene, shapes=shapes)
+
+
 def signs(*names: str) -> Callable[[Any], Marks]:
     """Signs in the middle of a cell."""
     return lambda mdp: [(0.0, 0.0, name) for name in names]
@@ -277,7 +286,7 @@ MAPS = {
         _on_the_board, (".ball_x", ".ball_y", ".paddle_x"), signs("←", "•", "→"), scene=_without_text
     ),  # what an agent sees differs
     "MemoryCorridor": Map(
-        _at_the_doors, (".length", ".position", ".opened", "observation"), _doors, _corridors, from_one
+        _at_the_doors, (".length", ".position", ".opened", "observation"), _doors, _corridors, _by_the_places
     ),
     "Tamagotchi": Map(_on_the_screen, (".hp", ".message"), signs("p", "s", "f", "c"), _toys),
     "Trashbot": Map(

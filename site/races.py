@@ -36,14 +36,14 @@ def learning(module: Any) -> dict[str, Any]:
 USUAL = {
     edugym.QLearning: ("Q-learning", "learns what is best for somebody who never slips"),
     edugym.SARSA: ("SARSA", "learns what its own slips cost"),
-    edugym.ExpectedSARSA: ("expected SARSA", "the same, averaged over what it might do next"),
-    edugym.DoubleQLearning: ("double Q-learning", "two tables, so that luck is not taken for value"),
+    edugym.ExpectedSARSA: ("expected SARSA", "SARSA, but counts with all that it might do next"),
+    edugym.DoubleQLearning: ("double Q-learning", "keeps two lists, and lets one check the other"),
     edugym.NStepSARSA: ("n-step SARSA", "looks four rewards ahead"),
-    edugym.TreeBackup: ("tree backup", "looks four steps ahead, and leaves its slips out"),
+    edugym.TreeBackup: ("tree backup", "looks four steps ahead, without its slips"),
     edugym.QLambda: ("Q(λ)", "hands rewards back over many steps"),
     edugym.DynaQ: ("Dyna-Q", "replays ten old steps after each new one"),
-    edugym.PrioritisedSweeping: ("prioritised sweeping", "replays first what changes most"),
-    edugym.RMax: ("R-max", "plans with what is unknown as something wonderful"),
+    edugym.PrioritisedSweeping: ("prioritised sweeping", "replays old steps, those first that change most"),
+    edugym.RMax: ("R-max", "expects wonders of all that it does not know"),
 }
 """What agents are called, and what they do, where nothing else is said."""
 
@@ -60,15 +60,15 @@ BANDIT = Race(
     "One of ten machines pays best. Who finds it?",
     "Pull an arm. The best one pays more often than the others, and nobody tells you which one it is.",
     (
-        Agent("constant rate", "ε-greedy, and old rewards fade", edugym.QLearning, PULLING),
-        Agent("optimism", "greedy: every arm looks as if it always paid", edugym.QLearning, HOPING),
+        Agent("constant rate", "the best so far, or any; old rewards fade", edugym.QLearning, PULLING),
+        Agent("optimism", "believes at first that every arm always pays", edugym.QLearning, HOPING),
         Agent(
             "sample average",
-            "ε-greedy, and every reward counts equally",
+            "the best so far, or any; rewards count alike",
             edugym.SampleAverage,
             {"exploration": edugym.EpsilonGreedy(bandits.EPSILON)},
         ),
-        Agent("greedy", "always the best mean so far", edugym.SampleAverage, {"exploration": edugym.Greedy()}),
+        Agent("greedy", "always the best average so far", edugym.SampleAverage, {"exploration": edugym.Greedy()}),
     ),
     2_000,
     Strength("gap", (0.05, 0.1, 0.2, 0.5, 1.0), 2),
@@ -138,11 +138,11 @@ CATCH = Race(
     "The light changes at every step. Who still learns to catch?",
     "Be under the ball: 1 for a catch, −1 for a miss. The agents see pixels, brighter or darker each time.",
     (
-        Agent("table", "Q-learning: a row for each picture that it meets", edugym.QLearning, CATCHING, LISTED),
-        Agent("weighted sum", "adds up the pixels, each times a weight", edugym.LinearQLearning, ADDING, CHANGING),
-        Agent("network", "DQN: first learns features of the pixels", edugym.DQN, NETWORK, CHANGING),
-        Agent("table, steady light", "the same where the light never changes", edugym.QLearning, CATCHING, STEADY),
-        Agent("network, steady light", "the same where the light never changes", edugym.DQN, NETWORK, PIXELS),
+        Agent("table", "a list: one line for each picture that it met", edugym.QLearning, CATCHING, LISTED),
+        Agent("weighted sum", "gives each dot points, and adds them up", edugym.LinearQLearning, ADDING, CHANGING),
+        Agent("network", "finds out by itself what to look for (DQN)", edugym.DQN, NETWORK, CHANGING),
+        Agent("table, steady light", "the list, where the light stays the same", edugym.QLearning, CATCHING, STEADY),
+        Agent("network, steady light", "where the light stays the same", edugym.DQN, NETWORK, PIXELS),
         Agent("table of places", "is told where ball and paddle are", edugym.QLearning, CATCHING),
         Agent("Q(λ), places", "the same, with rewards handed back at once", edugym.QLambda, CATCHING),
         Agent("Dyna-Q, places", "the same, replaying ten old steps each time", edugym.DynaQ, CATCHING),
@@ -213,7 +213,7 @@ GOLF = Race(
     "A drive is fast and risky, putts are slow and safe. Who gets round best?",
     "Reach the green in few hits. The harder the hit, the farther the ball may miss. Around is water.",
     (
-        Agent("neutral", "Q-learning: only the mean counts", edugym.QLearning, GOLFING),
+        Agent("neutral", "Q-learning: only the average counts", edugym.QLearning, GOLFING),
         Agent("careful", "bad surprises count more", edugym.RiskSensitiveQLearning, {**GOLFING, "risk": -2.0}),
         Agent("daring", "good surprises count more", edugym.RiskSensitiveQLearning, {**GOLFING, "risk": 2.0}),
         *usual(GOLFING, edugym.SARSA, edugym.DoubleQLearning),
@@ -248,16 +248,16 @@ SWITCHES = Race(
     "Another goal in each episode. Who learns from what it has missed?",
     "Flip the switches until they are as the cards say. Below, colours count: none wrong, one, two, ...",
     (
-        Agent("no hindsight", "Q-learning: only the goal that was set", edugym.QLearning, FLIPPING),
+        Agent("no hindsight", "learns only for the goal that was set", edugym.QLearning, FLIPPING),
         Agent(
             "final",
-            "also: as if where it ended had been the goal",
+            "afterwards: as if it had wanted what it got",
             edugym.HindsightQLearning,
             {**FLIPPING, "hindsight": edugym.FinalGoal()},
         ),
         Agent(
             "future",
-            "the same for four later places of each step",
+            "the same, for four things that it got later",
             edugym.HindsightQLearning,
             {**FLIPPING, "hindsight": edugym.FutureGoals(4)},
         ),
@@ -331,9 +331,9 @@ CASINO = Race(
     "Go home for nothing, or go in and play a machine. It pays 0.9 or takes 1.1, with equal chances.",
     (
         Agent("Q-learning", "believes the machine that looks best", edugym.QLearning, PASSING),
-        Agent("double", "a second table says what that one is worth", edugym.DoubleQLearning, PASSING),
-        Agent("maxmin", "believes the smaller of two values", edugym.MaxminQLearning, TWO_TABLES),
-        Agent("maxmin, eight", "believes the smallest of eight values", edugym.MaxminQLearning, EIGHT_TABLES),
+        Agent("double", "asks a second list what that one is worth", edugym.DoubleQLearning, PASSING),
+        Agent("maxmin", "makes two guesses, believes the smaller", edugym.MaxminQLearning, TWO_TABLES),
+        Agent("maxmin, eight", "makes eight guesses, believes the smallest", edugym.MaxminQLearning, EIGHT_TABLES),
         *usual(PASSING, edugym.ExpectedSARSA, edugym.SARSA),
     ),
     100,  # some 60 episodes: later the machines have been found out, by Q-learning too

@@ -170,7 +170,7 @@ WORDS = {
         "A machine that has paid a few times may only have been lucky. Who plays the best so far and nothing else may "
         "never find the best of all. So all agents here also try others: now and then at random, or because they hope "
         "for much from each machine until they know it.",
-        "how much better the best one is",
+        "lead of the best machine",
     ),
 }
 """By the names of the environments."""

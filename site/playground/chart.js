@@ -40,6 +40,7 @@ export function chart(place, agents, t, { steps, optimum, names }) {
   // How bad it was at the very start is left out where it would press all the rest together.
   let low = Math.min(ends[Math.floor(ends.length / 12)] ?? 0, optimum ?? Infinity), high = Math.max(ends.at(-1) ?? 0, optimum ?? -Infinity)
   if (high - ends[0] < 1.6 * (high - low) || low === high) low = Math.min(low, ends[0] ?? low)
+  if (low > 0 && low < 0.3 * high) low = 0
   if (low === high) [low, high] = [low - 1, high + 1]
   const margin = 0.06 * (high - low)
   const key = names.map((name, k) => `<span><svg viewBox="0 0 30 8" aria-hidden="true"><path d="M0 4H30" stroke="var(--lane-${k})" stroke-width="3" stroke-dasharray="${DASHES[k]}"/></svg>${name}</span>`)
@@ -56,10 +57,7 @@ export function chart(place, agents, t, { steps, optimum, names }) {
     const anchor = share === 1 ? 'end' : share ? 'middle' : 'start'
     parts.push(`<text x="${x(share * steps)}" y="${height - 7}" text-anchor="${anchor}">${short(share * steps)}</text>`)
   }
-  if (optimum !== null) {
-    parts.push(`<path d="M${LEFT} ${y(optimum)}H${width - RIGHT}" stroke="var(--optimum)" stroke-width="2" stroke-dasharray="2 5"/>`
-      + `<text x="${width - RIGHT - 4}" y="${y(optimum) - 6}" text-anchor="end">best possible on average: ${short(optimum)}</text>`)
-  }
+  if (optimum !== null) parts.push(`<path d="M${LEFT} ${y(optimum)}H${width - RIGHT}" stroke="var(--optimum)" stroke-width="2" stroke-dasharray="2 5"/>`)
   parts.push(`<clipPath id="inside"><rect x="${LEFT - 2}" width="${width - LEFT - RIGHT + 4}" y="${TOP - 8}" height="${height - TOP - BOTTOM + 8}"/></clipPath><g clip-path="url(#inside)">`)
   lines.forEach((line, k) => {
     const points = sign => line.map(([step, mean, half]) => `${x(step).toFixed(1)},${y(inside(mean + sign * half)).toFixed(1)}`)
@@ -69,6 +67,7 @@ export function chart(place, agents, t, { steps, optimum, names }) {
     parts.push(`<polyline points="${points(0).join(' ')}" fill="none" stroke="var(--lane-${k})" stroke-width="2.5" stroke-dasharray="${DASHES[k]}" stroke-linejoin="round"/>`)
   })
   parts.push('</g>')
+  if (optimum !== null) parts.push(`<text x="${width - RIGHT - 4}" y="${y(optimum) - 6}" text-anchor="end">best possible on average: ${short(optimum)}</text>`)
   place.innerHTML = `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="Learning curves">${parts.join('')}</svg>`
 }
 

@@ -111,7 +111,7 @@ export class Play {
     })
     this.board.dataset.seen = parts.reverse().join('\n')
     this.seen.textContent = `${race.told}: ${parts.join(', ')}.`
-    const letters = Object.keys(codes).length ? ' A letter stands for a number that counts nothing.' : ''
+    const letters = Object.keys(codes).length ? ' The letters stand for numbers that are only names.' : ''
     this.blindWhy.textContent = this.blind.checked
       ? `The agent sees numbers only, without their names, and nobody tells it what they mean: that is all it has to learn from.${letters}`
       : 'Why play blind? Then you meet the game as the agent does: without a picture, you find out from your points alone what helps.'
