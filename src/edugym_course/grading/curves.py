@@ -96,7 +96,8 @@ def compare_with_ours(program: Any, race: Race, seed: int) -> str:
         figures.append(f"{WHAT[name]} {middle:.1f} (ours {min(ours):.1f} to {max(ours):.1f})")
         if not middle >= lowest(ours):  # also when no episode ended
             worst = min(found, key=lambda result: result.played)
-            why = "" if nobody_asks_why() else symptom(worst.run, worst.played)
+            has_learned = name == "played" and "late" in race.judged  # that was judged before
+            why = "" if nobody_asks_why() else symptom(worst.run, worst.played, has_learned)
             raise WrongAnswer(f"in the middle one of {SEEDS} runs, {figures[-1]}, which is too low: {why}")
     return f"In the middle one of {SEEDS} runs, {' and '.join(figures)}."
 
@@ -109,12 +110,13 @@ def lowest(ours: Sequence[float]) -> float:
     return min(ours) - float(np.std(ours, ddof=1))
 
 
-def symptom(run: Run, played: float) -> str:
+def symptom(run: Run, played: float, has_learned: bool = False) -> str:
     """Return what the curve of a run that is too low looks like, and the likely cause.
 
     Args:
         run: the run.
         played: the mean return of its policy.
+        has_learned: whether the last training episodes were as good as ours.
     """
     returns = run.returns
     if len(returns) < 4:
@@ -126,6 +128,11 @@ def symptom(run: Run, played: float) -> str:
         return (
             f"while it learned, its last episodes brought {means[-1]:.1f}, and the policy that it returns brings"
             f" {played:.1f}: does this policy look up the state that it is given, and take the *best* action?"
+        )
+    if has_learned:
+        return (
+            "while it learned, its last episodes were as good as ours, so look at the policy that it returns: does it"
+            " take the *best* action, and never a random one?"
         )
     if max(means) > means[-1] + noise:
         return (

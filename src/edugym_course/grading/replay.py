@@ -276,7 +276,8 @@ class Rule:
         epsilon: how often the program should try a random action.
         truncates: whether episodes are truncated in the small worlds; not for a method that needs the action after the
             last.
-        otherwise: what to ask where no mistake fits.
+        settings: what of the text to compare where no mistake fits.
+        otherwise: what to ask then, besides.
         noisy: whether chance plays a part in the small worlds.
         worlds: in how many small worlds a program is tried.
         n_steps: how many steps it takes in each.
@@ -287,6 +288,7 @@ class Rule:
     mistakes: Mapping[str, Learner]
     epsilon: float
     truncates: bool = True
+    settings: str = "α, γ and the first values"
     otherwise: str = ""
     noisy: bool = True
     worlds: int = 2
@@ -342,6 +344,6 @@ class Rule:
                 " values, with probability 1 − ε, and does the update change these values?"
             )
         return (
-            f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare α, γ and the first"
-            f" values with those of the text, and the update with its equation, term by term{self.otherwise}"
+            f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare {self.settings}"
+            f" with those of the text, and the update with its equation, term by term{self.otherwise}"
         )

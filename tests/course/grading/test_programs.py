@@ -307,6 +307,14 @@ def test_symptoms_of_a_curve(returns: list[float], played: float, says: str) -> 
     assert symptom(run_with(returns), played) == says
 
 
+def test_the_symptom_of_a_policy_alone() -> None:
+    """A curve that rises slowly is no reason where the last episodes are as good as ours."""
+    assert symptom(run_with(CURVES[2][0]), CURVES[2][1], has_learned=True) == (
+        "while it learned, its last episodes were as good as ours, so look at the policy that it returns: does it take"
+        " the *best* action, and never a random one?"
+    )
+
+
 def learner(shape: tuple[int, int]) -> QLearning:
     """An agent that learns a small world."""
     return QLearning.create(shape, learning_rate=0.1)

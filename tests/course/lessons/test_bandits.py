@@ -79,17 +79,26 @@ def test_who_pays_less() -> None:
     assert paired_difference(moving[methods.STEADY], moving[methods.SLIPS]).high < -100
 
 
-def test_worlds_of_the_project() -> None:
-    """Rewards follow means of their own, below 0 in every second world; an end is a truncation where it should be."""
-    for seed, truncates in ((0, True), (1, False)):
-        world = project.Machines(seed, truncates)
-        world.reset(seed=seed)
-        means = [np.mean([world.step(arm)[1] for _ in range(4_000)]) for arm in range(4)]
-        assert sorted(means) == pytest.approx(np.array([-0.5, 0.5, 0.8, 1.0]) - 2 * seed, abs=0.15)
-        world.reset()
-        ends = [world.step(0)[2:4] for _ in range(40)]
-        assert set(ends[:-1]) == {(False, False)}
-        assert ends[-1] == (not truncates, truncates)
+@pytest.mark.parametrize(
+    ("seed", "truncates", "lower", "noise"), [(0, True, 0, 2.0), (1, False, 2, 2.0), (2, True, 0, 0.1)]
+)
+def test_worlds_of_the_project(seed: int, truncates: bool, lower: float, noise: float) -> None:
+    """Rewards follow means of their own, which may be below 0; an end is a truncation where it should be."""
+    world = project.Machines(seed, truncates)
+    world.reset(seed=seed)
+    rewards = np.array([[world.step(arm)[1] for _ in range(4_000)] for arm in range(4)])
+    assert sorted(rewards.mean(axis=1)) == pytest.approx(np.array([-0.5, 0.5, 0.8, 1.0]) - lower, abs=0.15)
+    assert rewards.std(axis=1) == pytest.approx(noise, rel=0.05)
+    world.reset()
+    ends = [world.step(0)[2:4] for _ in range(40)]
+    assert set(ends[:-1]) == {(False, False)}
+    assert ends[-1] == (not truncates, truncates)
+
+
+def test_bandits_that_show_every_arm() -> None:
+    """Their best arms differ, so that each arm is pulled at random alone in one of them."""
+    made = [make_mdp("Bandit", n_arms=project.SURE_ARMS, layout_seed=number) for number in project.LAYOUTS]
+    assert len({mdp.initial(np.random.default_rng(0)) for mdp in made}) == len(made)
 
 
 def test_a_program_that_only_knows_the_arm_is_refused() -> None:

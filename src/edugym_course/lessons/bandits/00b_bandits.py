@@ -53,19 +53,20 @@ play(make_mdp("Bandit", n_arms=5, gap=0.4))
 
 # %% [markdown]
 # What counts is the *regret*: what you would have earned on average by pulling the best arm only, less what your arms pay on average. Every pull of a worse
-# arm adds $\Delta$ to it. Luck does not count, so it is exact, and it can only grow.
+# arm adds $\Delta$ to it. It follows from the arms alone, whatever they happened to pay, so luck with the rewards does not count, and it never falls.
+# `action_gaps` and `regret` compute it from the exact model of the bandit:
 
 # %%
 mdp = make_mdp("Bandit")
 model = finite_model(mdp)
 print("what one pull of each arm costs:", action_gaps(model)[0].round(2))
-print("regret of one pull of each, in order:", regret(model, range(10)).round(2))
+print("regret after each of ten pulls, of arm 0 to arm 9:", regret(model, range(10)).round(2))
 
 # %% [markdown]
 # ## The idea: a pull earns, and a pull teaches
 #
 # ### The mean of each arm
-# The value $Q(a)$ of an arm is the mean of the rewards that it has brought. It needs no list of them: with $N(A)$ the number of pulls of arm $A$,
+# The value $Q(a)$ of an arm is the mean of the rewards that it has brought. It needs no list of them. If arm $A$ was pulled, and paid $R$, with $N(A)$ the number of its pulls,
 #
 # $$
 # N(A) \leftarrow N(A) + 1, \qquad
@@ -94,7 +95,7 @@ finds.measured(100 * settled)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 15 %, hardly more than by blind choice. The first arm that pays has a mean above 0, for ever; the other means stay 0, since nobody pulls them. A mean becomes
+# **Measured.** 15 %, hardly more than the tenth that a blind choice finds. The first arm that pays has a mean above 0, for ever; the other means stay 0, since nobody pulls them. A mean becomes
 # right only for an arm that is pulled. So greedy stays with the first arm that pays. That is the best one with the probability $0.6 / (0.6 + 9 \cdot 0.4)$,
 # or 1/7. If each arm was tried 30 times first, greedy finds the best one in 98 %. It came out so with five arms too, and with a gap of 0.4.
 # </details>
@@ -103,22 +104,25 @@ finds.measured(100 * settled)
 # ### Six ways to go on looking
 # - **ε-greedy**: with probability $\varepsilon$ pull a random arm, else the one with the largest mean.
 # - **A falling ε**: the same with $\varepsilon_t = \min(1, 200/t)$ at pull $t$.
-# - **Optimistic values**: be greedy, but begin with $Q(a) = 1$, as if every arm always paid, and learn with a constant rate $\alpha$ in place of $1/N(A)$. Each
-#   arm disappoints until it has been tried several times.
-# - **Upper confidence bounds** (UCB): take the largest value that an arm may plausibly have. It is above the mean, the more so the fewer pulls the arm has had:
+# - **Optimistic values**: be greedy, but begin with $Q(a) = 1$, as if every arm always paid, and learn with a constant rate $\alpha$ in place of $1/N(A)$ (which is 1 at the first pull,
+#   so that nothing of the first value is left). Each arm disappoints until it has been tried several times.
+# - **Upper confidence bounds** (UCB): take the largest value that an arm may plausibly have. It is above the mean, the more so the fewer pulls the arm has had. At pull $t$, with a constant $c$ that says how much this counts:
 #
 # $$
 # A = \arg\max_a \left[ Q(a) + c \sqrt{\frac{\ln t}{N(a)}} \right]
 # $$
 #
-# - **Thompson sampling**: draw a plausible value $\theta(a)$ of each arm, from a normal distribution around $Q(a)$ that gets narrower with $N(a)$, and take the largest:
+# An arm that was never pulled comes first.
+#
+# - **Thompson sampling**: draw a plausible value $\theta(a)$ of each arm, from a normal distribution around $Q(a)$ that gets narrower with $N(a)$, and take the largest. $\sigma$ is how much
+#   the rewards of an arm spread; an arm that was never pulled comes first here too:
 #
 # $$
 # \theta(a) \sim \mathcal{N}\left(Q(a), \frac{\sigma^2}{N(a)}\right), \qquad A = \arg\max_a \theta(a)
 # $$
 #
-# - **The gradient bandit** has no values. It has preferences $H(a)$, which make probabilities $\pi(a) \propto e^{H(a)}$. A reward above the mean $m$ of all rewards so far makes the
-#   arm likelier, and one below makes it rarer:
+# - **The gradient bandit** has no values. It has preferences $H(a)$, which make probabilities $\pi(a) \propto e^{H(a)}$. A reward above the mean $m$ of all rewards before it makes the
+#   arm likelier, and one below makes it rarer. $1\{a = A\}$ is 1 for the arm that was pulled, and 0 for the others:
 #
 # $$
 # H(a) \leftarrow H(a) + \alpha \left( R - m \right) \left( 1\{a = A\} - \pi(a) \right) \quad \text{for all } a
@@ -140,7 +144,7 @@ source(GradientBandit, "learn")
 # |---|---|
 # | bandit | $n = 10$ arms, gap $\Delta = 0.2$ |
 # | methods | $\varepsilon = 0.1$; UCB $c = 0.7$; Thompson sampling $\sigma = 0.5$; $\alpha = 0.1$ for optimistic values and the gradient bandit |
-# | repetitions | 100, each with another best arm; bands are 95 % intervals |
+# | repetitions | 100, each with a best arm of its own; bands are 95 % intervals |
 #
 # How little regret is possible? Lai and Robbins proved that a strategy which is good on *every* bandit cannot do better, in the long run, than $C \ln t$ with
 #
@@ -180,12 +184,12 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It goes on growing evenly: each pull of the second half costs 0.018. That is exactly $\varepsilon \Delta (n - 1)/n$, the price of pulling a random arm in a share
-# $\varepsilon$ of the pulls. An agent that never stops trying never stops paying. If $\varepsilon$ falls as $200/t$, a pull costs 0.005 instead; it pays more at first (98 against 67 after 1000 pulls), and less in the end (181 against 240).
+# $\varepsilon$ of the pulls. Whoever goes on trying at the same rate goes on paying at the same rate. If $\varepsilon$ falls as $200/t$, a pull costs 0.005 instead; it pays more at first (98 against 67 after 1000 pulls), and less in the end (181 against 240).
 # </details>
 
 # %% [markdown]
-# The right axis is logarithmic, so $C \ln t$ is a straight line there. UCB (160) and Thompson sampling (108) pay less and less: they try an arm again only while it may still be the best.
-# The curves lie *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
+# On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
+# Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 # Optimism looks around at the beginning only. In 94 % of the runs that is enough; in the others it ends with a worse arm.
 
 # %% [markdown]
@@ -200,30 +204,31 @@ def one_setting(n_arms=10, gap=0.2, drift=0.0):
     return figures.one_setting(n_arms, gap, drift)
 
 
-sliders(one_setting, n_arms=[2, 5, 10, 20], gap=[0.05, 0.1, 0.2, 0.5, 1.0], drift=[0.0, 0.001, 0.01])
+sliders(one_setting, n_arms=[2, 5, 10, 20], gap=[0.1, 0.2, 0.5, 1.0], drift=[0.0, 0.001, 0.01])
 
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# More arms cost more, since each has to be tried. Move the gap from 0.05 to 1 and watch the scale of the regret. With a large gap the regret of UCB and of Thompson sampling is soon
+# More arms cost more, since each has to be tried. With a large gap the regret of UCB and of Thompson sampling is soon
 # flat, and ε-greedy's is a straight line. With drift, all curves go on rising: whoever has found the best arm must find the next one.
 # </details>
 
 # %% [markdown]
 # ## See inside: who gets the pulls?
 #
-# "Fair" would be 1000 pulls for each arm. The agents are not fair. The axis is logarithmic:
+# "Fair" would be 1000 pulls for each arm. The agents are not fair. The worse arms are sorted in each run: 2 is the one that was pulled most, and 10 the one that was pulled least.
+# The axis is logarithmic:
 
 # %%
 shown = {method: found[method] for method in ("ε-greedy", "UCB", "Thompson sampling")}
 display(figures.by_arm(shown))
 for method, one in shown.items():
-    print(
-        f"{method:18} gives {one.by_rank()[:, 1:].sum(axis=1).mean() / whole:.1%} of its pulls to the nine worse arms"
-    )
+    worse = one.by_rank()[:, 1:]
+    share, least = worse.sum(axis=1).mean() / whole, worse[:, -1].mean()
+    print(f"{method:18} gives the nine worse arms {share:.1%} of its pulls, and the last of them {least:.0f} pulls")
 
 # %% [markdown]
-# ε-greedy spreads its random pulls evenly. UCB and Thompson sampling give fewer to the worse arms, and not equally many to each. This is how UCB decides; one run, after 10 000 pulls:
+# ε-greedy's random pulls go to all arms alike: even the worse arm that it pulls least gets 89. UCB gives it 39, and Thompson sampling 23. This is how UCB decides; one run, after 10 000 pulls:
 
 # %%
 agent = methods.agent_of("UCB", mdp)
@@ -236,7 +241,7 @@ for arm in np.argsort(-N):
 
 # %% [markdown]
 # The means differ, and the upper bounds are nearly the same. An arm with a low mean has had few pulls, so its bonus is large. As soon as its bound is the highest, it gets a pull, and the bound
-# sinks. As $t$ grows, all bounds rise slowly, and every arm gets its turn again, ever more seldom.
+# sinks. As $t$ grows, the bounds of all other arms rise slowly, and every arm gets its turn again, ever more seldom.
 
 # %% [markdown]
 # ## Predict, then check
@@ -263,6 +268,7 @@ dearest.measured(max(dearest.options, key=paid.get))
 #
 # **Measured.** 0.05: regret first rises with the gap, and then falls. With a gap of 0.01 UCB cannot find the best arm in 10 000 pulls, but no pull costs more than 0.01: random pulls cost 90 in all, and UCB pays 86. With a large gap every mistake is dear, and
 # seen at once. In between, mistakes are dear enough to hurt and small enough to hide. The hardest problem to *solve* is not the one that costs most.
+# (The dashed line is what random pulls cost where the gap is small, and $C \ln t$ where it is large.)
 # It came out so with 5 and with 20 arms, and with Thompson sampling.
 # </details>
 
@@ -283,19 +289,21 @@ for tries in (10, 30, 100, 300):
     print(f"{tries:17}" + "".join(f"{cost:10.0f}" for cost in paid))
 paid = [methods.pulls("Thompson sampling", gap=gap).regret().mean() for gap in (0.1, 0.2, 0.4)]
 print("Thompson sampling" + "".join(f"{cost:10.0f}" for cost in paid))
+few = methods.pulls(methods.tries_first(10)).settled().mean()
+print(f"after 10 tries of each arm, at a gap of 0.2, a worse arm wins in {1 - few:.0%} of the runs")
 fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
-# too few (332): luck decides which arm looks best. Thirty would have been right here (97), but not for a gap of 0.1, where 30 tries cost more than 100, and not for one of 0.4, where 10 cost less. The right number
-# depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
+# too few (332): in 15 % of the runs a worse arm wins. Thirty would have been right here (97), but not for a gap of 0.1, where 30 tries cost more than 100, and not for one of 0.4, where 10 cost less. With the right number the fair
+# test costs hardly more than Thompson sampling at any of these gaps, or even less. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
 # </details>
 
 # %% [markdown]
 # ### What if the arms drift?
-# Now another arm becomes the best one with probability 0.001 at each pull, so some ten times in a run. Two ε-greedy agents: one has sample averages, the other learns with a constant rate $\alpha = 0.1$,
+# Now another arm becomes the best one with probability 0.001 at each pull, so about ten times in a run. Two ε-greedy agents: one has sample averages, the other learns with a constant rate $\alpha = 0.1$,
 # $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade.
 #
 # **Predict.** Which one has less regret?
@@ -335,7 +343,7 @@ from edugym_course.lessons.bandits.exercises import exercise_1, exercise_2, exer
 
 # %% [markdown]
 # ### Exercise 1: regret
-# `p` has the probability of each arm to pay 1, and `arms` is the list of the arms that were pulled. Return the regret of all these pulls together.
+# `p` is a list with the probability of each arm to pay 1, and `arms` is the list of the arms that were pulled. Return the regret of all these pulls together.
 #
 # <details><summary>Hint</summary>What does one pull of arm a cost? The best arm is that with the largest entry of <code>p</code>, whether
 # it was pulled or not.</details>
@@ -423,9 +431,11 @@ check(exercise_3, gradient_update, seed=1, quiet=True)
 # - $\varepsilon = 0.1$, and the first values are 0. A random arm may be any of them, the best one too.
 # - Among equally good arms draw one at random: in the beginning all are equal.
 # - Every reward counts equally in the mean of its arm. What was learned stays when an episode ends.
-# - Random numbers come from `rng = np.random.default_rng(seed)`. The first reset is `environment.reset(seed=seed)`.
+# - Random numbers come from `rng = np.random.default_rng(seed)`.
+# - An episode begins with `state, info = environment.reset()`, the very first one with `reset(seed=seed)`. A pull is `state, reward, terminated, truncated, info = environment.step(arm)`; the episode is over if `terminated`
+#   or `truncated` is True.
 #
-# The check looks at your pulls only: are they the arms that look best by the rewards that your program got? Then it compares what it earns with ours.
+# The check looks at your pulls only: are they the arms that look best by the rewards that your program got? Then it compares what it earns with ours, in episodes of 100 pulls.
 # <details><summary>A plan</summary>Reset. In each step: choose the arm, step, count the pull, move the mean, and reset if the episode is over.</details>
 
 # %% tags=["project"]
@@ -466,13 +476,13 @@ check(project_0b, my_program)
 # - Greedy finds the best of ten arms in 15 % of the runs: it stays with the first arm that pays.
 # - ε-greedy's regret goes on growing evenly, by 0.018 a pull. With a falling $\varepsilon$, UCB, Thompson sampling and the gradient bandit it grows ever more slowly.
 # - After 10 000 pulls ε-greedy has paid 240, a falling $\varepsilon$ 181, UCB 160, Thompson sampling 108. To try each arm 100 times first costs 180.
-# - Regret first rises with the gap and then falls: what is hardest to find out costs least.
+# - Regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
 # - Where arms drift, a constant learning rate pays less than a sample average; where they do not, more.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. So an agent must go on looking, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
-# for ever and pays for ever. Optimism in the face of uncertainty tries an arm as long as it may still be the best: UCB by a bonus that shrinks with the number of pulls, Thompson sampling by a draw
-# from what it believes. Nobody who is good on every bandit pays less than a logarithm of time. If the arms change, whoever never forgets stays behind.
+# and pays at the same rate for ever. UCB and Thompson sampling try an arm the less, the less likely it is the best one: UCB by a bonus that shrinks with the number of pulls (optimism in the face of uncertainty), Thompson sampling
+# by a draw from what it believes. Nobody who is good on every bandit pays less than a logarithm of time. If the arms change, whoever never forgets stays behind.
 #
 # ### Limits
 # There is one state, and an arm changes nothing of what comes. In the next lessons an action also leads somewhere, and what is to be explored may be a hundred steps away: lesson 1

@@ -16,10 +16,10 @@ from edugym.mdp.protocol import Reals
 from edugym_course.lessons.bandits.methods import (
     BOUNDS,
     GAP,
+    GRADIENT,
     N_ARMS,
     N_PULLS,
     SLIPS,
-    STEADY,
     THOMPSON,
     Pulls,
     pulls,
@@ -35,7 +35,7 @@ POWERS = (10, 30, 100, 300, 1_000, 3_000, 10_000)
 """The points of a line over pulls on a logarithmic axis."""
 GAPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
 BOUND = "Lai and Robbins, C ln t"
-EITHER = "the smaller of: random pulls, C ln T"
+EITHER = "the smaller of: random pulls, C ln t"
 
 
 def constant_of(n_arms: int = N_ARMS, gap: float = GAP) -> float:
@@ -117,5 +117,5 @@ def by_arm(found: Mapping[str, Pulls]) -> Sheet:
 def one_setting(n_arms: int, gap: float, drift: float, **how: Any) -> Sheet:
     """Return the regret of four methods in short runs, for sliders."""
     few: dict[str, Any] = {"n_pulls": N_PULLS // 5, "repetitions": 20, "n_arms": n_arms, "gap": gap, "drift": drift}
-    found = {method: pulls(method, **{**few, **how}) for method in (SLIPS, BOUNDS, THOMPSON, STEADY)}
+    found = {method: pulls(method, **{**few, **how}) for method in (SLIPS, BOUNDS, THOMPSON, GRADIENT)}
     return Sheet("one_setting", [[over_pulls(found, None if drift else n_arms)]])

@@ -22,14 +22,19 @@ N_STEPS, PULLS = 3_000, 100
 FIRST_PULLS = 30
 """In so many runs the first arm is looked at: who breaks ties at random does not pull the same one in most of them."""
 MOST_ALIKE = 0.6
-FIRST = 1e9
-"""The value of an arm that is pulled before all others."""
+SURE_PULLS, SURE_ARMS = 2_000, 5
+"""In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end."""
+LAYOUTS = 0, 1
+"""The best arms of these are the last one and another, so that one bandit shows every arm that is left out."""
+LATE = 1_000
+"""So many of these pulls are looked at. In fewer than one of 10⁷ runs there is an arm that no random pull takes."""
 
 
 class Machines(gymnasium.Env[Any, Any]):
     """Four arms with rewards around means of their own; episodes end after 40 pulls.
 
-    In every second world all means are below 0. An arm that was never pulled looks best there, with its value of 0.
+    In every third world all means are below 0. An arm that was never pulled looks best there, with its value of 0. In
+    every third one rewards hardly depend on chance: whoever begins with other values than 0 pulls other arms there.
 
     Args:
         seed: the number from which the means are drawn, and which says whether they are below 0.
@@ -41,8 +46,8 @@ class Machines(gymnasium.Env[Any, Any]):
         """Draw the means."""
         rng = np.random.default_rng(APART + seed)
         self.observation_space, self.action_space = spaces.Discrete(1), spaces.Discrete(4)
-        self._means: Reals = rng.permutation([-0.5, 0.5, 0.8, 1.0]) - 2.0 * (seed % 2)
-        self._truncates, self._noise, self._pulls = truncates, 2.0 * noisy, 0
+        self._means: Reals = rng.permutation([-0.5, 0.5, 0.8, 1.0]) - 2.0 * (seed % 3 == 1)
+        self._truncates, self._noise, self._pulls = truncates, (0.1 if seed % 3 == 2 else 2.0) * noisy, 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Begin an episode; the arms stay the same."""
@@ -66,10 +71,13 @@ class Counting(NamedTuple):
         N: shape (1, n_arms): the pulls.
         plus: what is added to the number of pulls before the mean moves.
         shared: whether the pulls of all arms count for each.
-        sums: whether rewards are added up, and not averaged.
+        sums: whether rewards are added up by whole steps.
         counts: whether the arm that was pulled most looks best.
-        tries: whether each arm is pulled once before anything else.
+        first: the value of an arm that was never pulled.
         only: whether it learns only from the arms that look best.
+        towards: 1, or -1 for a mean that moves away from rewards.
+        less: how much of the old mean is subtracted from a reward.
+        forgets: whether nothing is left of an episode that has ended.
     """
 
     Q: Reals
@@ -78,15 +86,18 @@ class Counting(NamedTuple):
     shared: bool = False
     sums: bool = False
     counts: bool = False
-    tries: bool = False
+    first: float = 0.0
     only: bool = False
+    towards: float = 1.0
+    less: float = 1.0
+    forgets: bool = False
 
     def values(self, state: int) -> Reals:
         """What the arms look worth."""
         if self.counts:
             pulls: Reals = self.N[state]
             return pulls
-        table: Reals = np.where((self.N[state] == 0) & self.tries, FIRST, self.Q[state])
+        table: Reals = np.where(self.N[state] == 0, self.first, self.Q[state])
         return table
 
     def act(self, state: int, rng: np.random.Generator) -> int:
@@ -100,14 +111,16 @@ class Counting(NamedTuple):
         """The arm that looks best."""
         return int(self.values(state).argmax())
 
-    def learn(self, state: int, action: int, reward: float) -> None:
+    def learn(self, state: int, action: int, reward: float, terminated: bool, truncated: bool) -> None:
         """Move the value of the arm."""
         if self.only and self.Q[state, action] < self.Q[state].max():
             return
         self.N[state, action] += 1
         pulls = (self.N.sum() if self.shared else self.N[state, action]) + self.plus
-        step = 1.0 if self.sums else 1.0 / pulls
-        self.Q[state, action] += step * (reward - (0.0 if self.sums else self.Q[state, action]))
+        step = self.towards * (1.0 if self.sums else 1.0 / pulls)
+        self.Q[state, action] += step * (reward - self.less * self.Q[state, action])
+        if self.forgets and (terminated or truncated):
+            self.Q[:], self.N[:] = 0.0, 0.0
 
 
 def right(shape: tuple[int, int]) -> Any:
@@ -115,9 +128,9 @@ def right(shape: tuple[int, int]) -> Any:
     return SampleAverage.create(shape)
 
 
-def constant(shape: tuple[int, int]) -> Any:
+def constant(shape: tuple[int, int], learning_rate: float = LEARNING_RATE) -> Any:
     """Make one with a constant step size."""
-    return QLearning.create(shape, learning_rate=LEARNING_RATE, discount=0.0)
+    return QLearning.create(shape, learning_rate=learning_rate, discount=0.0)
 
 
 def counting(shape: tuple[int, int], **mistake: Any) -> Any:
@@ -140,20 +153,31 @@ RULE = Rule(
             partial(counting, shared=True)
         ),
         "rewards are added up and not averaged, so the arm that is pulled most looks best: divide by N": Learner(
-            partial(counting, sums=True)
+            partial(counting, sums=True, less=0.0)
         ),
         "the arm that was *pulled* most is taken, and not that which pays best: is it N in place of Q?": Learner(
             partial(counting, counts=True)
         ),
         "every arm is pulled once before anything else; in the text the first values are 0, and ties are broken at"
-        " random": Learner(partial(counting, tries=True)),
+        " random": Learner(partial(counting, first=1e9)),
+        "the first values are 1; in the text they are 0": Learner(partial(counting, first=1.0)),
+        "only the last reward counts: N(A) grows by 1 with each pull of the arm": Learner(
+            partial(constant, learning_rate=1.0)
+        ),
+        "the mean moves away from the reward: is it Q(A) + [R − Q(A)] / N(A), with these signs?": Learner(
+            partial(counting, towards=-1.0)
+        ),
+        "the old mean is added to the reward; it is subtracted: R − Q(A)": Learner(partial(counting, less=-1.0)),
+        "what was learned is forgotten at the end of an episode; the arms stay the same": Learner(
+            partial(counting, forgets=True)
+        ),
         "random pulls are not learned from, but every reward counts": Learner(partial(counting, only=True)),
         "a reward counts as 1 or 0, for a win or none: take the reward itself into the mean": Learner(right, _wins),
         LOW: mistakes_of_loops(right)[LOW],
     },
     EPSILON,
-    otherwise="; look at three places: N has a number for each arm, N(A) counts the pull that is learned from, and"
-    " nothing is forgotten when an episode ends",
+    settings="the first values",
+    otherwise="; N has a number for each arm, and N(A) counts the pull that is learned from",
     worlds=12,
     n_steps=350,
     world=Machines,
@@ -163,6 +187,9 @@ TEN_ARMS = Race(partial(make_environment, "Bandit", gap=0.5, max_steps=PULLS), N
 
 def project_0b(answer: Any, seed: int) -> str:
     """Check a program with ε-greedy and sample averages."""
+    late, last = _late_arms(answer, seed), f"in the last {LATE} of {SURE_PULLS} steps my_program"
+    if any(len(arms) == 1 for arms in late):
+        raise WrongAnswer(f"{last} pulls one arm only: a random one has the probability ε up to the last step")
     RULE.check(answer, seed)
     first = Counter(
         run_program(answer, Machines(number), 10, number).steps[0].action
@@ -174,4 +201,18 @@ def project_0b(answer: Any, seed: int) -> str:
             f"in {times} of {FIRST_PULLS} runs my_program pulls arm {arm} first, though all arms look equally good"
             " then: argmax takes the first of several equal values; draw one of them at random"
         )
+    left_out = sorted({*range(SURE_ARMS)} - (late[0] & late[1]))
+    if left_out:
+        raise WrongAnswer(
+            f"{last} never pulls arm {left_out[0]}: a random arm may be any of them, and rng.integers(n) draws one"
+        )
     return f"Right: every reward counts equally. {compare_with_ours(answer, TEN_ARMS, seed)}"
+
+
+def _late_arms(answer: Any, seed: int) -> list[set[int]]:
+    """Return which arms a program pulls late, in two bandits whose best arm it has long found."""
+    arms = []
+    for number in LAYOUTS:
+        sure = make_environment("Bandit", n_arms=SURE_ARMS, gap=1.0, layout_seed=number, max_steps=PULLS)
+        arms.append({step.action for step in run_program(answer, sure, SURE_PULLS, seed).steps[-LATE:]})
+    return arms

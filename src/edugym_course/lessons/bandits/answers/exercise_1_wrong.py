@@ -67,7 +67,7 @@ def total_regret(p, arms):
 
 
 # %% rewards are drawn
-# says: none of the usual mistakes
+# says: rewards were drawn with these probabilities; luck does not count, so subtract p of the arm that was pulled
 def total_regret(p, arms):
     rng = np.random.default_rng(0)
     return sum(max(p) - (rng.random() < p[arm]) for arm in arms)
@@ -101,3 +101,45 @@ total_regret = 0.6
 # in: a sum of differences
 # - return sum(max(p) - p[arm] for arm in arms)
 # + return sum(max(p) - p[arm] for arm in arms[:-1])
+
+# %% what the best arm earns
+# says: that is what the best arm would have earned on average; subtract what the pulls earn
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return len(arms) * max(p)
+
+# %% the gap of the second best
+# says: each pull of a worse arm costs as much as one of the second best; it costs the gap of its own arm
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return sum((max(p) - sorted(p)[-2]) * (p[arm] < max(p)) for arm in arms)
+
+# %% as many random pulls
+# says: that is the regret of as many random pulls; what counts is which arms were pulled
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return len(arms) * (max(p) - np.mean(p))
+
+# %% the worst arm
+# says: it is compared with the worst arm; compare with the best one
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return sum(p[arm] - min(p) for arm in arms)
+
+# %% every arm once
+# says: that is the regret of one pull of each arm; what counts is which arms were pulled, and how often
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return sum(max(p) - one for one in p)
+
+# %% upside down
+# says: none of the usual mistakes
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return sum(p[arm] / max(p) for arm in arms)
+
+# %% returns in the loop
+# says: that is the regret of the first pull: does the `return` stand inside the loop?
+# in: the solution of total_regret
+# - cost += max(p) - p[arm]
+# + return max(p) - p[arm]

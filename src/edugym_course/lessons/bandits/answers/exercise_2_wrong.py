@@ -126,7 +126,7 @@ def upper_bounds(Q, N, c):
 
 
 # %% the best arm
-# says: should give an array of shape
+# says: gives a single value: return the bounds of all arms, and choose none of them
 # in: with where
 # - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
 # + return np.argmax(np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf))
@@ -156,3 +156,69 @@ upper_bounds = 1.0
 # in: with where
 # - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
 # + return np.where(N > 0, Q + c * np.sqrt(np.log(t) / (N + 1)), np.inf)
+
+# %% one more than the arms
+# says: t is one more than the number of arms; it is one more than that of all pulls
+# in: with where
+# - t = N.sum() + 1
+# + t = len(N) + 1
+
+# %% one pull too many
+# says: t is one too large: is 1 added twice?
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return np.where(N > 0, Q + c * np.sqrt(np.log(1 + t) / N), np.inf)
+
+# %% a t for each arm
+# says: each arm has a t of its own, with its own pulls; t counts those of all
+# in: with where
+# - t = N.sum() + 1
+# + t = N + 1
+
+# %% N and t the other way round
+# says: N(a) and t have changed places
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return np.where(N > 0, Q + c * np.sqrt(np.log(np.maximum(N, 1)) / t), np.inf)
+
+# %% the fraction the other way round
+# says: the fraction below the root is upside down
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return np.where(N > 0, Q + c * np.sqrt(N / np.log(t)), np.inf)
+
+# %% one pull more for all
+# says: 1 is added to every N(a), so that nothing is divided by 0; leave N(a) as it is, and give an arm that was never pulled the bound np.inf
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return Q + c * np.sqrt(np.log(t) / (N + 1))
+
+# %% all times c
+# says: the mean is multiplied by c too; c belongs to the root alone
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return np.where(N > 0, c * (Q + np.sqrt(np.log(t) / N)), np.inf)
+
+# %% nearly never pulled
+# says: the bound of an arm that was never pulled is np.inf itself, and no other number
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return Q + c * np.sqrt(np.log(t) / (N + 1e-8))
+
+# %% a large number
+# says: the bound of an arm that was never pulled is np.inf itself, and no other number
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), 1e9)
+
+# %% without the untried
+# says: should give an array of shape
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return (Q + c * np.sqrt(np.log(t) / N))[N > 0]
+
+# %% the mean twice
+# says: none of the usual mistakes
+# in: with where
+# - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
+# + return np.where(N > 0, 2 * Q + c * np.sqrt(np.log(t) / N), np.inf)

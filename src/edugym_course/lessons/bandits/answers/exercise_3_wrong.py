@@ -91,7 +91,7 @@ def gradient_update(H, arm, reward, mean, learning_rate):
 # + H += (reward - mean) * (indicator - pi)
 
 # %% a new array
-# says: are what they were before: change the array in place, as in H -= ..., and return nothing; H = H - ... makes a new array, which nobody sees
+# says: are what they were before: change the array in place, as in H += ..., and return nothing; H = H + ... makes a new array, which nobody sees
 # in: with an indicator
 # - H += learning_rate * (reward - mean) * (indicator - pi)
 # + H = H + learning_rate * (reward - mean) * (indicator - pi)
@@ -116,3 +116,51 @@ def gradient_update(H, arm, reward, mean, learning_rate):
     for a in range(len(H)):
         pi = np.exp(H) / sum(np.exp(H))
         H[a] += learning_rate * (reward - mean) * ((a == arm) - pi[a])
+
+
+# %% all as if pulled
+# says: each arm moves by 1 − π(a), as if it had been pulled; for the others 1{a = A} is 0
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H += learning_rate * (reward - mean) * (1 - pi)
+
+# %% by its probability
+# says: the arm that was pulled moves by π(A); it moves by 1 − π(A)
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H += learning_rate * (reward - mean) * (2 * indicator - 1) * pi
+
+# %% minus H
+# says: e has the power of −H; it is that of H
+# in: with an indicator
+# - pi = np.exp(H) / sum(np.exp(H))
+# + pi = np.exp(-H) / sum(np.exp(-H))
+
+# %% as a mean
+# says: H(A) moves towards the reward, as a mean does; a preference is no mean
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H[arm] += learning_rate * (reward - H[arm])
+
+# %% in the place of the old
+# says: the change takes the place of the old preferences; add it to them
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H[:] = learning_rate * (reward - mean) * (indicator - pi)
+
+# %% the logarithm
+# says: none of the usual mistakes
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H += learning_rate * (reward - mean) * np.log(pi)
+
+
+# %% the pulled arm first
+# says: π is worked out again after the first change; all changes follow from the preferences before
+def gradient_update(H, arm, reward, mean, learning_rate):
+    pi = np.exp(H) / sum(np.exp(H))
+    H[arm] += learning_rate * (reward - mean) * (1 - pi[arm])
+    pi = np.exp(H) / sum(np.exp(H))
+    for a in range(len(H)):
+        if a != arm:
+            H[a] -= learning_rate * (reward - mean) * pi[a]

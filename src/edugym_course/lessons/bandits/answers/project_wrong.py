@@ -57,7 +57,7 @@
 # + return int(np.argmax(means))
 
 # %% forgets at the end of an episode
-# says: ; look at three places: N has a number for each arm, N(A) counts the pull that is learned from, and nothing is forgotten when an episode ends
+# says: what was learned is forgotten at the end of an episode; the arms stay the same
 # in: with lists
 # - environment.reset(seed=seed if taken == 0 else None)
 # + environment.reset(seed=seed if taken == 0 else None)
@@ -101,3 +101,60 @@
 # + if means[arm] == max(means):
 # +     pulls[arm] += 1
 # +     means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+
+# %% first values of 1
+# says: the first values are 1; in the text they are 0
+# in: with lists
+# - means, pulls = [0.0] * n, [0] * n
+# + means, pulls = [1.0] * n, [0] * n
+
+# %% the last reward
+# says: only the last reward counts: N(A) grows by 1 with each pull of the arm
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] = reward
+
+# %% away from the reward
+# says: the mean moves away from the reward: is it Q(A) + [R − Q(A)] / N(A), with these signs?
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] -= (reward - means[arm]) / pulls[arm]
+
+# %% plus for minus
+# says: the old mean is added to the reward; it is subtracted: R − Q(A)
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += (reward + means[arm]) / pulls[arm]
+
+# %% random half of the time
+# says: the first values
+# says: If ε is right, compare the first values with those of the text
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if rng.random() < 0.5 else best()
+
+# %% counted twice
+# says: ; N has a number for each arm, and N(A) counts the pull that is learned from
+# in: with lists
+# - pulls[arm] += 1
+# + pulls[arm] += 2
+
+# %% random at first only
+# says: pulls one arm only: a random one has the probability ε up to the last step
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if taken < 0.1 * n_steps else best()
+
+# %% never the last arm at random
+# says: steps my_program
+# says: never pulls arm
+# says: : a random arm may be any of them, and rng.integers(n) draws one
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n - 1)) if rng.random() < 0.1 else best()
+
+# %% a random policy
+# says: so look at the policy that it returns: does it take the *best* action, and never a random one?
+# in: with lists
+# - return lambda state: int(np.argmax(means))
+# + return lambda state: int(np.argmax(means)) if rng.random() > 0.1 else int(rng.integers(n))
