@@ -52,6 +52,14 @@ def test_a_map_is_mended_by_ones_own_steps() -> None:
     assert plans.mending(20, door=(7, 6)) == 95.0
 
 
+def test_sweeps_of_value_iteration() -> None:
+    """Far fewer are needed from the entrance on than in all states, and one fewer is not enough."""
+    sweeps = plans.sweeps_needed()
+    assert sweeps.from_entrance < sweeps.everywhere
+    assert sweeps.pairs == 4 * 420
+    assert plans.in_the_shop(None, (sweeps.from_entrance - 1, sweeps.from_entrance)) == pytest.approx([78.0, 95.0])
+
+
 def test_the_wrong_model_is_the_cause() -> None:
     """In soccer and in the shop a deeper look is never worth less in the right model, and it is in the wrong one."""
     for right, wrong in (

@@ -1,11 +1,11 @@
 # %% [markdown]
-# # Search at decision time: a deeper look is not always a better one
+# # Search at decision time: how many simulations, and how deep?
 #
 # **The challenge.** You have a model of the task, but no policy, and no time to plan for all states. Before each step you may simulate a
 # little, from where you stand. How do you spend these simulations? And what if the model is wrong?
 #
 # **You will be able to** write Monte Carlo tree search with upper bounds (UCT); say what a tree gains over plain roll-outs, and what more
-# actions cost; and show, exactly, when a deeper look ahead does harm.
+# actions cost; and compute exactly what a deeper look ahead is worth, in a right model and in a wrong one.
 #
 # **Time.** {time} **Before you start.** You should know values, value iteration (Sutton and Barto, 2nd edition, section 4.4), and upper confidence bounds (2.7; lesson 0b). This
 # lesson is about their sections 8.8 to 8.11. Lesson 9 plans in the same shop, with and without a given model. All symbols are in the [table of
@@ -57,6 +57,8 @@ for action, name in enumerate(shop.action_names):
 #
 # (Nothing follows where the task has ended.) Before each step, compute this for each action, take the best one, and forget the rest. It needs no table and no learning. (Exercise 3
 # is to write it.) But with $b$ actions there are $b^d$ ways to go on. For 20 steps in the shop these are $4^{20}$, a million millions.
+# Only where many ways lead to the same few states is there a short cut: $d$ sweeps of value iteration give $V_d$ of all states at once. So we can compute below what the
+# exact look-ahead gets in this shop. In a large task nobody can.
 #
 # ### Try some of it: roll-outs
 # So *sample*. Try each action in the model, go on at random until step $d$, and add up the discounted rewards. The mean of many such returns is
@@ -70,14 +72,14 @@ for action, name in enumerate(shop.action_names):
 #    $$
 #    Q(\text{node}, a) + c \sqrt{\frac{\ln N(\text{node})}{N(\text{node}, a)}},
 #    $$
-#    and one that was never tried first. The root $\sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node.
+#    but an action that was never tried comes before all others. The bonus $c \sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node.
 # 2. **Expand.** The first state that is not in the tree becomes a new node.
 # 3. **Roll out.** From there on, act at random until the end, or until step $d$.
 # 4. **Back up.** From the last node to the root: $G \leftarrow R + \gamma G$, count the action, and
 #    $Q(\text{node}, A) \leftarrow Q(\text{node}, A) + \left[ G - Q(\text{node}, A) \right] / N(\text{node}, A)$.
 #
-# In the end take the action with the highest $Q$ in the root, and throw the tree away. (In the code `OUTSIDE` means: not in the tree. Where the model was never told
-# of an action, the simulation ends; here it knows all.)
+# In the end take the action with the highest $Q$ in the root, and throw the tree away. (UCT is short for *upper confidence bounds applied to trees*. In the code `OUTSIDE` means: not in the tree. The code counts an action
+# when it is selected, which comes to the same as in step 4. Where the model was never told of an action, the simulation ends; here it knows all.)
 
 # %%
 source(UCT, "simulate", "select", "back_up")
@@ -89,7 +91,7 @@ source(UCT, "simulate", "select", "back_up")
 # |---|---|
 # | simulations before each step | 30 to 3000, each of at most $d = 20$ steps |
 # | constant, discount | $c = 10$, $\gamma = 0.95$ (returns are shown without a discount) |
-# | plain roll-outs | the same, but the tree has no node besides the root |
+# | plain roll-outs | the same, but the tree has no node besides the root: only the first action is chosen |
 # | episodes | 30 for each point; bands are 95 % intervals |
 #
 # **Predict.** Take plain roll-outs with 3000 simulations before each step instead of 300. They now get ...
@@ -113,30 +115,29 @@ more.measured(more.options[0 if change > 3 else 2 if change < -3 else 1])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less. With more roll-outs each value comes closer to its mean, the value of *random play* after the first step. That is the
-# wrong value to know exactly. The best action by these values gets 59, whatever the number of simulations (dotted line, computed exactly): it leaves with one item. With 300 simulations the values still have errors, and here these help by chance.
+# wrong value to know exactly. The best action by these values gets 59, whatever the number of simulations (dotted line, computed exactly): it leaves with one item. With 300 simulations the values still have errors, and here these help: 68.
 # UCT has no such limit: in its tree later actions are good ones. It gets 81 with 1000 simulations, and no more with 3000. The exact look-ahead of 20 steps gets 95.
 # </details>
 
 # %% [markdown]
 # ## Your turn
 #
-# How does it depend on the number of actions, on the depth $d$ and on $c$? (20 episodes. Further actions
-# stand still.)
+# How does it depend on the depth $d$ and on $c$? (20 episodes for each point.)
 
 
 # %%
-def one_setting(n_actions=4, depth=20, c=10.0):
-    """Draw what both searches get with 30, 100 and 300 simulations."""
-    return figures.one_setting(n_actions, depth, c)
+def one_setting(depth=20, c=10.0):
+    """Draw what both searches get with 30 to 1000 simulations."""
+    return figures.one_setting(depth, c)
 
 
-sliders(one_setting, n_actions=[4, 8, 16], depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
+sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With 16 actions both fail: most episodes do not end. With a depth of 5 they often see neither item nor exit, and then all
-# actions look alike. With $c = 0$ UCT stays with what looked good first, and gets much less. A constant that is ten times as large costs little here.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains most with 20 steps and 1000 simulations.
+# With $c = 0$ UCT stays with what looked good first, and gets much less. With $c = 100$ it gets about what plain roll-outs get.
 # </details>
 
 # %% [markdown]
@@ -180,28 +181,28 @@ crowded = predict("With 16 actions, of which 12 stand still, UCT gets ...", unit
 crowded
 
 # %%
-crowds = {n_actions: methods.in_crowd(n_actions, repetitions=20).mean() for n_actions in (4, 8, 16)}
+crowds = {n_actions: methods.in_crowd(n_actions, repetitions=20) for n_actions in (4, 8, 16)}
 for n_actions, got in crowds.items():
-    print(f"{n_actions:2} actions: {got:4.0f}")
+    print(f"{n_actions:2} actions: {got.mean():4.0f}   less than 0 in {(got < 0).sum():2} of {len(got)} episodes")
 repeating = methods.in_crowd(16, copies=True, repetitions=20).mean()
 print(f"16 actions, of which 12 repeat the four directions: {repeating:.0f}")
-crowded.measured(crowds[16])
+crowded.measured(crowds[16].mean())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** −32: most episodes never end. You may think that the tree is to blame, for it has 16 branches at each node now. But where the
+# **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). You may think that the tree is to blame, for it has 16 branches at each node now. But where the
 # twelve actions *repeat* the four directions, the tree has as many branches, and UCT still gets 67. So mostly the *roll-outs* are to blame: of their 20 steps 15 stand
-# still, and they seldom get anywhere. (The same with a discount of 0.9, and with 30 steps.) That is why programs that play well do not roll out at random: they
+# still, and they seldom get anywhere. (The same with a discount of 0.9, and with 30 steps.) This is one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
 # %% [markdown]
 # ### Is it random play that misleads roll-outs?
-# Above, plain roll-outs got worse with more simulations. If that is since their values come to those of random play, it should not be so where random play is a better guide. In *shorter*
-# roll-outs it is: with 10 steps the best action by its exact values gets 78, not 59.
+# Above, plain roll-outs got worse with more simulations. If the reason is that their values come to those of random play, it should not be so where random play is a better guide. In *shorter*
+# roll-outs it is one: with 10 steps the best action by its exact values gets 78, not 59.
 #
-# **Predict.** With roll-outs of 10 steps, 3000 simulations get ... than 300.
+# **Predict.** With roll-outs of 10 steps, what do 3000 simulations get, compared with 300?
 
 # %%
 short = predict("With roll-outs of 10 steps, 3000 simulations get ...", ["more", "about as much", "less"])
@@ -247,10 +248,10 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
-# the same plan each time. The short look never sees what is behind the door. On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# the same plan each time. The short look never sees what is behind the door. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
 # where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. With another door, or a discount of 0.9, it came out the same.
 #
-# On the right: soccer (lesson 13). We think that the opponent moves at random; it always runs towards its goal. Three steps of look-ahead
+# On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (Who knows the opponent gains 0.5 and 1.)
 # </details>
 
@@ -264,8 +265,8 @@ searching = [methods.searched(door=door, repetitions=20).mean() for door in (Non
 print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
 
 # %% [markdown]
-# There the deeper look is the better one. And UCT, too, loses on the old map, though less than the
-# exact look-ahead. (Two guesses: small errors matter less than what lies far away, and UCT's own chance leads it away from the wall now and then.)
+# There the deeper look is the better one, and the *short* one suffers: 17 instead of 59. And UCT, too, loses on the old map, though less than the
+# exact look-ahead. (Two guesses: where a short look sees neither item nor exit, the errors alone decide; and UCT's own chance leads it away from the wall now and then.)
 #
 # ### What does it cost?
 # With 1000 simulations of up to 20 steps, UCT takes up to 20 000 steps of the model before *each* step of its own. And it learns nothing: in the next episode it begins again.
@@ -278,16 +279,17 @@ cheap
 
 # %%
 learned = methods.learned(repetitions=20).mean()
-sweeps = next(d for d in plans.DEPTHS if plans.in_the_shop(None, (d,))[0] > 94.9)
 print(f"Q-learning gets {learned:.0f}, UCT {searching[0]:.0f}")
-n_pairs = 4 * len(model.states)
-print(f"value iteration: {sweeps} sweeps over {n_pairs} pairs are {sweeps * n_pairs} questions")
+needed = plans.sweeps_needed()
+for where, sweeps in (("from the entrance on", needed.from_entrance), ("in every state", needed.everywhere)):
+    asked = sweeps * needed.pairs
+    print(f"value iteration, best {where}: {sweeps} sweeps over {needed.pairs} pairs are {asked} questions")
 cheap.measured(cheap.options[0 if learned > searching[0] + 3 else 2 if learned < searching[0] - 3 else 1])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than UCT. And value iteration asks the model about as often, once, and then knows the best action in all 428 states. In a small task that you will
+# **Measured.** More than UCT. And value iteration asks the model about as often, *once*, and then knows the best way from the entrance to the exit. After 27 sweeps it knows the best action in every state. In a small task that you will
 # do often, search is a waste. It pays where the states cannot be gone through: Go has more than $10^{170}$, and a search sees no more of them than it simulates. It can also pay where
 # the model changes from day to day.
 # </details>
@@ -305,7 +307,7 @@ from edugym_course.lessons.search.exercises import exercise_1, exercise_2, exerc
 # %% [markdown]
 # ### Exercise 1: the upper bound
 # Return the number by which UCT selects an action: `q` is its mean return in this node, `n_action` how often it was tried there, `n_node` how many choices the
-# node has seen. What was never tried comes before everything else.
+# node has seen. What was never tried comes before everything else: its bound is infinite.
 #
 # <details><summary>Hint</summary><code>float("inf")</code> is larger than every number.</details>
 
@@ -358,7 +360,7 @@ check(exercise_2, back_up, seed=1, quiet=True)
 # %% [markdown]
 # ### Exercise 3: look at everything
 # Return what a state is worth if you look `depth` steps ahead, exactly, with $\gamma = 0.9$: the first equation of this lesson.
-# `model[state][action]` is a list of outcomes `(probability, next_state, reward, terminated)`.
+# `model` is a dictionary. `model[state]` is a list with one entry for each action, and this entry is a list of outcomes `(probability, next_state, reward, terminated)`.
 #
 # <details><summary>Hint</summary>The function calls itself, with one step less. When does it stop?</details>
 
@@ -370,7 +372,7 @@ def look_ahead(model, state, depth):
     if depth == 0:
         return 0.0
     values = []
-    for outcomes in model[state].values():
+    for outcomes in model[state]:
         value = 0.0
         for probability, next_state, reward, terminated in outcomes:
             future = 0.0 if terminated else look_ahead(model, next_state, depth - 1)
@@ -396,7 +398,7 @@ check(exercise_3, look_ahead, seed=1, quiet=True)
 # - `model(state, action)` gives `(reward, next_state, terminated)`. What follows may be drawn at random. Actions are 0 to `n_actions - 1`. There is no other environment.
 # - Make `n_simulations` simulations, each from `state` on. It ends where the model says so, or after 10 steps in all, roll-out included.
 # - $\gamma = 0.9$ and $c = 5$. What was never tried in a node comes first; among equals draw one.
-# - Return the action with the highest value in the root. Random numbers come from `rng = np.random.default_rng(seed)`.
+# - Return the action with the highest value in the root, of those that were tried there: there may be fewer simulations than actions. Random numbers come from `rng = np.random.default_rng(seed)`.
 #
 # The check sets it riddles: tiny tasks, each of which cannot be solved if one part of the search is missing. States and actions have other numbers each time.
 # <details><summary>A plan</summary>Keep a dictionary: for each node two lists, counts and values. A node may be the tuple of what led to it: (), then (action, state), and so on. A function
@@ -465,12 +467,12 @@ check(project_18, my_program)
 # - UCT got about 80 with 1000 simulations, and no more with 3000. The exact look-ahead of 20 steps gets 95.
 # - Twelve actions that stand still ruined UCT. Mostly the roll-outs were to blame, not the branches of the tree.
 # - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with small errors in all rewards deeper was better.
-# - Nothing is kept. UCT simulates up to 20 000 steps before each of its own; value iteration asks the model about as often, once, and is done.
+# - Nothing is kept. UCT simulates up to 20 000 steps before each of its own; value iteration asks the model about as often, once, and has the best way.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Search at decision time plans for the present state only, again before each step. A tree with upper bounds spends simulations where it seems good, and
 # so sees what good play leads to, not what random play does. It costs much, and keeps nothing, so it pays where there are too many states to plan for all. A deeper
-# look trusts the model further. If the model is wrong there, the look finds what does not exist, and may go after it for ever.
+# look trusts the model further. If the model is wrong there, the search finds what does not exist, and may go after it for ever.
 #
 # ### Limits
 # The shop is small, and nothing in it is random; so we can compute what a search should find, and so planning once is cheaper. We chose the old map so that its door

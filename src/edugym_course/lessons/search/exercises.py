@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import accumulate
 from math import inf, log
 from typing import Annotated, Any, NamedTuple
 
@@ -58,10 +59,14 @@ def bounded(
         "swapped": log(count) / n_node,
         "no count": log(n_node),
         "root of the log alone": log(n_node) / count ** (1 / power),
+        "log of base 10": log(n_node, 10) / count,
+        "log of base 2": log(n_node, 2) / count,
+        "log of one more": log(n_node + 1) / count,
+        "twice the log": 2 * log(n_node) / count,
     }[inside]
     bonus = ratio if times == "no root" else ratio**power
     bonus *= {"c": c, "none": 1.0, "inside": c**power, "no root": c}[times]
-    return float({"sum": q + bonus, "difference": q - bonus, "bonus": bonus}[part])
+    return float({"sum": q + bonus, "difference": q - bonus, "bonus": bonus, "divided": q / count + bonus}[part])
 
 
 BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
@@ -78,6 +83,11 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the bonus is subtracted: that is a *lower* bound": {"part": "difference"},
     "Q(node, a) is missing: then the search looks for what is seldom, not for what is good": {"part": "bonus"},
     "1 is added to N(node, a): that makes an action that was never tried look like any other": {"n": "one more"},
+    "ln is the natural logarithm, not that of base 10": {"inside": "log of base 10"},
+    "ln is the natural logarithm, not that of base 2": {"inside": "log of base 2"},
+    "1 is added to N(node), which counts all choices already": {"inside": "log of one more"},
+    "some books have a 2 before the logarithm; here c takes its place": {"inside": "twice the log"},
+    "Q(node, a) is a mean already: it is divided by N(node, a) once more": {"part": "divided"},
 }
 UNTRIED = "an action that was never tried comes first, so its bound is infinite: float('inf')"
 
@@ -131,6 +141,7 @@ def backed_up(
     gamma: str = "right",
     start: str = "roll-out",
     reward: str = "all",
+    moved: str = "at once",
     step: str = "mean",
     count: str = "before",
     which: str = "all",
@@ -138,21 +149,32 @@ def backed_up(
 ) -> Reals:
     """Return values and counts after a simulation, shape (2, nodes, A); other arguments are mistakes."""
     values, counts = case.values.copy(), case.counts.astype(float)
-    discount = case.discount if gamma == "right" else 1.0
+    discount = 1.0 if gamma == "one" else case.discount
     G = case.G if start == "roll-out" else 0.0
-    steps = [*zip(case.path, case.rewards, strict=True)]
-    for place, (entry, own) in enumerate(steps if order == "first first" else steps[::-1]):
-        earned = own - cost
+    entries = case.path if order in ("first first", "rewards alone") else case.path[::-1]
+    rewards = case.rewards if order in ("first first", "path alone") else case.rewards[::-1]
+    if reward == "root":
+        for own in rewards:
+            G = own - cost + discount * G
+    for place, (entry, own) in enumerate(zip(entries, rewards, strict=True)):
+        earned, target = own - cost, G
         if reward == "all":
             G = discount * (earned + G) if gamma == "all" else earned + discount * G
-        elif place == 0:
+        elif reward == "last" and place == 0:
             G = earned + discount * G
-        if which == "root" and place < len(steps) - 1:
+        if moved != "late":
+            target = G
+        at_root = place == len(rewards) - 1
+        if (which == "root" and not at_root) or (which == "below the root" and at_root):
             continue
-        n = counts[entry] + (1 if count in ("before", "kept") else 0 if count == "after" else 2)
-        change = {"mean": (G - values[entry]) / max(n, 1), "whole": G - values[entry], "sum": G, "only": G / max(n, 1)}
-        values[entry] += change[step]
-        counts[entry] += 0 if count == "kept" else 1
+        where = entry[0] if which == "row" else entry
+        more = {"before": 1, "kept": 1, "after": 0, "two more": 2, "node": 1}[count]
+        n = np.maximum((counts[entry[0]].sum() if count == "node" else counts[where]) + more, 1)
+        error = target - values[where]
+        values[where] += {"mean": error / n, "whole": error, "sum": target, "only": target / n}[step]
+        counts[where] += 0 if count == "kept" else 1
+        if moved == "highest":
+            G = float(values[entry[0]].max())
     return np.stack([values, counts])
 
 
@@ -169,6 +191,15 @@ BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the error is divided by one too many: this simulation counts once": {"count": "two more"},
     "the simulation is not counted: N(node, A) goes up by 1": {"count": "kept"},
     "only the root learns; every node on the path does": {"which": "root"},
+    "the root does not learn; every node on the path does": {"which": "below the root"},
+    "only `path` is gone through from its end; `rewards` goes with it": {"order": "path alone"},
+    "only `rewards` is gone through from its end; `path` goes with it": {"order": "rewards alone"},
+    "the value moves before G has this step's reward: first G, then the value": {"moved": "late"},
+    "the reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
+    "every node gets the return from the root on; each learns from what followed after *it*": {"reward": "root"},
+    "the error is divided by all choices in the node; N(node, A) counts this action alone": {"count": "node"},
+    "all actions of a node change; only the one that was taken does": {"which": "row"},
+    "the highest value of a node is passed on; it is the return of this simulation": {"moved": "highest"},
 }
 
 
@@ -210,7 +241,13 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     return "Right: one pass backwards, and every node on the path has learned."
 
 
-Model = Mapping[int, Mapping[int, list[tuple[float, int, float, bool]]]]
+Outcomes = list[tuple[float, int, float, bool]]
+"""What may follow on an action: probability, next state, reward, terminated."""
+Model = Mapping[int, list[Outcomes]]
+"""The outcomes of each action of each state."""
+LESSONS_DISCOUNT = 0.95
+WITHOUT_CHANCE = ("none", "first", "likely", "best")
+"""Mistakes in which no outcome has its probability."""
 
 
 class Look(NamedTuple):
@@ -238,13 +275,21 @@ def looked_ahead(
         if depth <= 0:
             return 0.0
         of_actions = []
-        for outcomes in case.model[state].values():
-            total = 0.0
-            for p, after, r, terminated in outcomes[:1] if chance == "first" else outcomes:
-                follows = 0.0 if terminated and end == "right" else value(after, depth - 1)
+        for outcomes in case.model[state]:
+            last = next((k for k, outcome in enumerate(outcomes) if outcome[3]), len(outcomes))
+            seen = {"first": outcomes[:1], "likely": [max(outcomes)], "to an end": outcomes[: last + 1]}
+            parts = []
+            for p, after, r, terminated in seen.get(chance, outcomes):
+                follows = 0.0 if terminated and end != "beyond" else value(after, depth - 1)
                 earned = r if reward == "all" or depth <= 1 else 0.0
-                now = r * discount + discount * follows if gamma == "all" else earned + factor * follows
-                total += (1.0 if chance in ("none", "first") else p) * now
+                of_reward = 1.0 if chance in (*WITHOUT_CHANCE, "future") else p
+                of_future = 1.0 if chance in (*WITHOUT_CHANCE, "reward") else p
+                if terminated and end == "dropped":
+                    of_reward = 0.0
+                if gamma == "all":
+                    earned *= discount
+                parts.append(of_reward * earned + of_future * factor(depth) * follows)
+            total = max(parts) if chance == "best" else sum(parts)
             of_actions.append(total)
         return {
             "best": max(of_actions),
@@ -252,9 +297,13 @@ def looked_ahead(
             "worst": min(of_actions),
             "first": of_actions[0],
             "sum": sum(of_actions),
+            "from 0": max(0.0, *of_actions),
+            "added": max(accumulate(of_actions)),
         }[choice]
 
-    factor = discount if gamma == "right" else 1.0
+    def factor(depth: int) -> float:
+        return {"one": 1.0, "power": discount**depth, "lesson's": LESSONS_DISCOUNT}.get(gamma, discount)
+
     return value(case.state, case.depth + count)
 
 
@@ -263,7 +312,7 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the actions are added up; you will take the best": {"choice": "sum"},
     "only action 0 is looked at": {"choice": "first"},
     "that is the value of the worst action": {"choice": "worst"},
-    "it looks beyond the end: where `terminated` is True nothing follows": {"end": "always"},
+    "it looks beyond the end: where `terminated` is True nothing follows": {"end": "beyond"},
     "the probabilities are left out": {"chance": "none"},
     "only the first outcome of each action is looked at": {"chance": "first"},
     "it looks one step too far: with 0 steps left the value is 0": {"count": 1},
@@ -271,6 +320,18 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "γ is left out": {"gamma": "one"},
     "the first reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
     "only the last reward counts; each step's is added": {"reward": "last"},
+    "the reward of the step that ends the task is lost; only what would follow it is 0": {"end": "dropped"},
+    "the best action is looked for from 0 on, and all may be worth less: begin with float('-inf')": {
+        "choice": "from 0"
+    },
+    "the sum is not set back to 0 for each action": {"choice": "added"},
+    "only the reward has its probability; what follows has it, too": {"chance": "reward"},
+    "only what follows has its probability; the reward has it, too": {"chance": "future"},
+    "only the likeliest outcome of each action is looked at": {"chance": "likely"},
+    "the best outcome is taken; you choose the action, but chance draws the outcome": {"chance": "best"},
+    "the outcomes after one that ends are left out; each has its probability": {"chance": "to an end"},
+    "γ has the power of the depth; each call multiplies by it once, and that adds up": {"gamma": "power"},
+    "that is the γ of the shop, 0.95; the exercise has another": {"gamma": "lesson's"},
 }
 
 
@@ -278,16 +339,17 @@ def _looks(rng: np.random.Generator) -> list[Look]:
     """Make up models of three states and two actions, some outcomes of which end, and questions about them."""
     made = []
     for depth in (1, 2, 3, 2):
-        model: dict[int, dict[int, list[tuple[float, int, float, bool]]]] = {}
-        for state in range(3):
-            model[state] = {}
-            for action in range(2):
-                p = float(rng.choice([0.25, 0.5, 1.0]))
-                model[state][action] = [
-                    (share, int(rng.integers(3)), float(rng.integers(-4, 9)), bool(rng.random() < 0.3))
-                    for share in (p, 1 - p)
-                    if share
-                ]
+        model: dict[int, list[Outcomes]] = {state: [] for state in range(3)}
+        for actions in model.values():
+            for _ in range(2):
+                p = float(rng.choice([0.25, 0.75, 1.0]))
+                actions.append(
+                    [
+                        (share, int(rng.integers(3)), float(rng.integers(-4, 9)), bool(rng.random() < 0.3))
+                        for share in (p, 1 - p)
+                        if share
+                    ]
+                )
         made.append(Look(model, int(rng.integers(3)), depth))
     return made
 

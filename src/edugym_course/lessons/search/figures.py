@@ -17,7 +17,6 @@ from edugym_course.lessons.search.methods import (
     NUMBERS,
     OPTIMUM,
     SIMULATIONS,
-    in_crowd,
     model_of_map,
     searched,
     searcher,
@@ -28,7 +27,7 @@ from edugym_course.lessons.search.plans import DEPTHS, SOCCER_DEPTHS, in_soccer,
 TREE, ROLL_OUTS = "UCT", "plain roll-outs"
 IDLE, COPIES = "more actions that stand still", "more actions that repeat the four"
 RIGHT, WRONG = "in the right model", "in the wrong model"
-FEW = (30, 100, 300)
+FEW = NUMBERS[:4]
 
 
 def over_simulations(found: Mapping[str, Sequence[Reals]], numbers: Sequence[int] = NUMBERS) -> Sheet:
@@ -50,12 +49,12 @@ def measured_simulations(**how: Any) -> tuple[Sheet, dict[str, list[Reals]]]:
     return over_simulations(found), found
 
 
-def one_setting(n_actions: int, depth: int, c: float, **how: Any) -> Sheet:
-    """Return the returns of few simulations in a few episodes, for sliders."""
+def one_setting(depth: int, c: float, **how: Any) -> Sheet:
+    """Return the returns of up to 1000 simulations in a few episodes, for sliders."""
     few: dict[str, Any] = {"repetitions": 20, "depth": depth, "c": c, **how}
     found = {
-        TREE: [in_crowd(n_actions, simulations=number, **few) for number in FEW],
-        ROLL_OUTS: [in_crowd(n_actions, simulations=number, nodes=1, **few) for number in FEW],
+        TREE: [searched(simulations=number, **few) for number in FEW],
+        ROLL_OUTS: [searched(simulations=number, nodes=1, **few) for number in FEW],
     }
     panel = Against(FEW, found, "", "simulations before each step", "return of an episode", log=True)
     return Sheet("one_setting", [[panel]])

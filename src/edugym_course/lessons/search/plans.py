@@ -15,7 +15,7 @@ from edugym.exact.tables import FiniteModel
 from edugym.exact.values import greedy_actions
 from edugym.mdp.player_policies import uniform_policy
 from edugym.mdp.protocol import Reals
-from edugym_course.lessons.search.methods import DEPTH, DISCOUNT, DOOR, MAX_STEPS, model_of_map
+from edugym_course.lessons.search.methods import DEPTH, DISCOUNT, DOOR, MAX_STEPS, OPTIMUM, model_of_map
 
 DEPTHS = (1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30)
 SOCCER_DEPTHS = (1, 2, 3, 4, 5, 6, 8, 10, 20)
@@ -63,6 +63,35 @@ def random_play(depth: int = DEPTH, discount: float = DISCOUNT) -> float:
     uniform = np.full(model.successors.shape[:2], 1 / model.successors.shape[1])
     best = policy_evaluation(model, uniform, discount, horizon=depth).greedy_policy()
     return policy_evaluation(model, best, horizon=MAX_STEPS).start
+
+
+class Sweeps(NamedTuple):
+    """Numbers of sweeps of value iteration over the shop.
+
+    Attributes:
+        from_entrance: after so many, whoever follows the values from the entrance on gets the best return.
+        everywhere: after so many, the best actions by the values are the best ones in every state.
+        pairs: the pairs of a state and an action that a sweep asks the model about.
+    """
+
+    from_entrance: int
+    everywhere: int
+    pairs: int
+
+
+def sweeps_needed(discount: float = DISCOUNT) -> Sweeps:
+    """Return how many sweeps of value iteration the shop needs."""
+    model, numbers = model_of_map(), range(1, MAX_STEPS + 1)
+    Q = [values.Q for values in finite_horizon(model, MAX_STEPS, discount)]
+    is_best = Q[-1] >= Q[-1].max(axis=1, keepdims=True) - 1e-9
+    worth = in_the_shop(None, numbers, discount)
+    return Sweeps(
+        from_entrance=next(d for d in numbers if worth[d - 1] > OPTIMUM - 1e-9),
+        everywhere=next(
+            d for d in numbers if is_best[(greedy_actions(Q[d]) > 0) & ~model.terminal[:, np.newaxis]].all()
+        ),
+        pairs=int((~model.terminal).sum()) * is_best.shape[1],
+    )
 
 
 def mending(depth: int, door: tuple[int, int] = DOOR, discount: float = DISCOUNT) -> float:

@@ -5,11 +5,12 @@ riddles: tiny tasks, each of which cannot be solved if one part of the search is
 """
 
 from collections.abc import Callable, Mapping
+from math import log, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.mdp.protocol import Random
+from edugym.mdp.protocol import Integers, Random
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
@@ -62,6 +63,13 @@ def gamble(place: int, action: int, rng: Random) -> Step:
     return (12.0 if rng.random() < 0.3 else 0.0) if action == 0 else 1.0, END
 
 
+def crossing(place: int, action: int, rng: Random) -> Step:
+    """Lead from the root to one of two places by chance, for action 0; each place pays for another action."""
+    if place == ROOT:
+        return (0.0, int(rng.integers(1, 3))) if action == 0 else (7.0, END)
+    return 10.0 if action == place - 1 else 4.0, END
+
+
 def losses(place: int, action: int, rng: Random) -> Step:
     """Lose 6 by every action, and 5 by action 0."""
     return -5.0 if action == 0 else -6.0, END
@@ -72,6 +80,12 @@ BASICS = (
     " if its bound were infinite?"
 )
 DISCOUNTED = "is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?"
+ROUND = Riddle(
+    "two actions are nearly as good as the best one",
+    "is the action in the end the one with the highest value, without the exploration term?",
+    written({ROOT: ((10.0, END), (9.7, 1), (9.7, 1)), 1: ((0.0, 2),) * 3, 2: ((0.0, 1),) * 3}),  # round for ever
+)
+"""Here roll-outs are long, so that searches with other random numbers ask other things."""
 RIDDLES = (
     Riddle(
         "every action gains, and one gains most",
@@ -88,6 +102,11 @@ RIDDLES = (
         "what follows the best action is good only if one goes on well",
         "it looks as if all later actions were random: in the tree, choose them by their upper bounds, too",
         written({ROOT: ((0.0, 1), (2.4, END), (2.4, END)), 1: ((10.0, END), (-3.0, END), (-3.0, END))}),
+    ),
+    Riddle(
+        "chance says where the best action leads, and each place wants another action",
+        "is a node a state with the way to it? After one action two states may follow, and each is a node of its own",
+        crossing,
     ),
     Riddle(
         "two losses come before a gain",
@@ -107,10 +126,11 @@ RIDDLES = (
         n_simulations=N_ACTIONS,
     ),
     Riddle(
-        "a reward comes eight steps later that is worth waiting for",
+        "a reward comes nine steps later that is worth waiting for",
         f"does each simulation look {DEPTH} steps ahead, roll-out included?",
-        written({ROOT: ((0.0, 1), (3.0, END), (3.0, END)), **line(0.0, 30.0, 8)}),
+        written({ROOT: ((0.0, 1), (3.0, END), (3.0, END)), **line(0.0, 30.0, 9)}),
     ),
+    ROUND,
     Riddle(
         "all actions lose, and there are fewer simulations than actions",
         "an action that was not simulated from the root has no value: choose among those that were",
@@ -118,12 +138,30 @@ RIDDLES = (
         (0, 1, 2),
         N_ACTIONS - 1,
     ),
-    Riddle(
-        "two actions are nearly as good as the best one",
-        "is the action in the end the one with the highest value, without the exploration term?",
-        written({ROOT: ((10.0, END), (9.7, 1), (9.7, 1)), 1: ((0.0, 2),) * 3, 2: ((0.0, 1),) * 3}),  # round for ever
-    ),
 )
+
+
+BEFORE_COUNTS = 2
+"""After so many riddles the simulations are counted: the others would blame the tree for a wrong bound."""
+PAY = (10.0, 9.0, 5.0)
+"""What the actions pay, for certain, in the task in which the simulations are counted."""
+COUNTED = Riddle("every action ends the task", "", written({ROOT: tuple((reward, END) for reward in PAY)}))
+BONUSES: Mapping[str, Callable[[float, float], float]] = {
+    "c is 10, as in the shop; here it is 5": lambda of_node, n: 10 * sqrt(log(of_node) / n),
+    "the logarithm is missing": lambda of_node, n: 5 * sqrt(of_node / n),
+    "ln is the natural logarithm, not that of base 10": lambda of_node, n: 5 * sqrt(log(of_node, 10) / n),
+    "some books have a 2 before the logarithm; here c takes its place": lambda of_node, n: (
+        5 * sqrt(2 * log(of_node) / n)
+    ),
+    "c stands under the root; it is outside": lambda of_node, n: sqrt(5 * log(of_node) / n),
+    "only the logarithm is under the root; N(node, a) belongs there, too": lambda of_node, n: (
+        5 * sqrt(log(of_node)) / n
+    ),
+    "the root is missing": lambda of_node, n: 5 * log(of_node) / n,
+}
+"""By mistake, what it adds to a value, given N(node) and N(node, a)."""
+NEAR = 2
+"""How far the counts may be from those of the rule: equal bounds are in any order, and N(node) may count one more."""
 
 
 class Model:
@@ -131,6 +169,7 @@ class Model:
 
     Attributes:
         from_root: how often each action was simulated from the root, by its number in the riddle.
+        asked: all actions that it was asked for, in order.
         slip: the sentence of the first thing that was refused, "" if there is none.
         n_simulations: how many there are to be; a few more in each run, so that it is not always the same one that a
             bonus would choose.
@@ -140,6 +179,7 @@ class Model:
         """Deal out the numbers anew."""
         rng = np.random.default_rng([seed, 18])
         self.from_root = np.zeros(N_ACTIONS, int)
+        self.asked: list[int] = []
         self.slip = ""
         few = riddle.n_simulations < N_SIMULATIONS
         self.n_simulations = riddle.n_simulations + (0 if few else seed % RUNS)
@@ -152,6 +192,7 @@ class Model:
         """Return what follows: the reward, the next state, and whether it is the end."""
         place = self._place(state)
         taken = self.meant(action_of("the action that is given to the model", action, N_ACTIONS))
+        self.asked.append(taken)
         if place == ROOT:
             self._begin(taken)
         elif self._here == END:
@@ -204,10 +245,12 @@ class Found(NamedTuple):
     Attributes:
         action: the action, by its number in the riddle.
         from_root: how often each was simulated from the root.
+        asked: all actions that were simulated, in order.
     """
 
     action: int
-    from_root: Any
+    from_root: Integers
+    asked: list[int]
 
 
 def search(program: Any, riddle: Riddle, seed: int) -> Found:
@@ -235,7 +278,7 @@ def search(program: Any, riddle: Riddle, seed: int) -> Found:
             f"{call} simulates from the root {begun} times, and it should {model.n_simulations} times: a search is a"
             " loop of n_simulations, each from the root to its end"
         )
-    return Found(taken, model.from_root)
+    return Found(taken, model.from_root, model.asked)
 
 
 def solved(riddle: Riddle, found: Found) -> bool:
@@ -243,10 +286,46 @@ def solved(riddle: Riddle, found: Found) -> bool:
     return found.action in riddle.right and found.from_root[found.action] > 0
 
 
+def counts_by(bonus: Callable[[float, float], float], n_simulations: int) -> Integers:
+    """Return how often each action of the counted task is simulated, if it is chosen by a value and a bonus."""
+    counts = np.ones(N_ACTIONS, int)
+    for of_node in range(N_ACTIONS, n_simulations):
+        counts[np.argmax([pay + bonus(of_node, n) for pay, n in zip(PAY, counts, strict=True)])] += 1
+    return counts
+
+
+def require_bound(program: Any, seed: int) -> None:
+    """Refuse a program that does not simulate the actions of the counted task as often as UCT does."""
+    found = search(program, COUNTED, seed).from_root
+    n = int(found.sum())
+    right = counts_by(lambda of_node, n: 5 * sqrt(log(of_node) / n), n)
+    if np.abs(found - right).max() <= NEAR:
+        return
+    fitting = (why for why, bonus in BONUSES.items() if np.abs(found - counts_by(bonus, n)).max() <= NEAR)
+    otherwise = "is the action in a node the one with the highest Q(node, a) + 5 √(ln N(node) / N(node, a))?"
+    why = "" if nobody_asks_why() else f": {next(fitting, otherwise)}"
+    raise WrongAnswer(
+        f"in a task in which {COUNTED.told}, with {', '.join(f'{pay:g}' for pay in PAY)}, the actions should be"
+        f" simulated about {right.tolist()} times, but are {found.tolist()} times{why}"
+    )
+
+
+def require_repeatable(program: Any, seed: int) -> None:
+    """Refuse a program that simulates something else with the same seed."""
+    first, again = (search(program, ROUND, seed).asked for _ in range(2))
+    if first != again:
+        raise WrongAnswer(
+            f"{NAME} does not repeat itself: two searches with seed {seed} simulate different actions. Draw every"
+            " random number from rng = np.random.default_rng(seed)"
+        )
+
+
 def project_18(answer: Any, seed: int) -> str:
     """Check a program that searches: in every riddle it must find the right action, in nearly all runs."""
     require_function(NAME, answer, "model, n_actions, state, n_simulations and seed")
-    for riddle in RIDDLES:
+    for number_of_riddle, riddle in enumerate(RIDDLES):
+        if number_of_riddle == BEFORE_COUNTS:
+            require_bound(answer, seed)
         runs = [search(answer, riddle, RUNS * seed + number) for number in range(RUNS)]
         right = sum(solved(riddle, found) for found in runs)
         if right < RUNS - MOST_SLIPS:
@@ -254,4 +333,5 @@ def project_18(answer: Any, seed: int) -> str:
             raise WrongAnswer(
                 f"in a task in which {riddle.told}, it finds the right action in {right} of {RUNS} searches{why}"
             )
+    require_repeatable(answer, seed)
     return f"Right: it solves all {len(RIDDLES)} riddles, and asks of the model what a search may ask."

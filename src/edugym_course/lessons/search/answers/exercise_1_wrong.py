@@ -80,3 +80,33 @@
 # %% a number
 # says: q, n_action, n_node and c
 upper_bound = 3.5
+
+# %% base 10
+# says: ln is the natural logarithm, not that of base 10
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(np.log10(n_node) / n_action) if n_action > 0 else inf
+
+# %% base 2
+# says: ln is the natural logarithm, not that of base 2
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(np.log2(n_node) / n_action) if n_action > 0 else inf
+
+# %% one choice too many
+# says: 1 is added to N(node), which counts all choices already
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node + 1) / n_action) if n_action > 0 else inf
+
+# %% twice the logarithm
+# says: some books have a 2 before the logarithm; here c takes its place
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(2 * log(n_node) / n_action) if n_action > 0 else inf
+
+# %% a mean of the mean
+# says: Q(node, a) is a mean already: it is divided by N(node, a) once more
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q / n_action + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf

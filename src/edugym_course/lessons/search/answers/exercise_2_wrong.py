@@ -77,3 +77,68 @@
 # %% a table
 # says: values, counts, path, rewards, G and discount
 back_up = [1, 2]
+
+# %% below the root
+# says: the root does not learn; every node on the path does
+# in: from the end, by places
+# - for place in range(len(path) - 1, -1, -1):
+# + for place in range(len(path) - 1, 0, -1):
+
+# %% the path alone from its end
+# says: only `path` is gone through from its end; `rewards` goes with it
+# in: from the end, by places
+# - G = rewards[place] + discount * G
+# + G = rewards[-1 - place] + discount * G
+
+# %% the rewards alone from their end
+# says: only `rewards` is gone through from its end; `path` goes with it
+# in: from the end, by places
+# - node, action = path[place]
+# + node, action = path[-1 - place]
+
+# %% G comes late
+# says: the value moves before G has this step's reward: first G, then the value
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = values[node, action] + (followed - values[node, action]) / n
+# - G = rewards[place] + discount * G
+# + followed, G = G, rewards[place] + discount * G
+
+# %% all discounted
+# says: the reward is discounted, too; γ only stands before what follows
+# in: from the end, by places
+# - G = rewards[place] + discount * G
+# + G = discount * (rewards[place] + G)
+
+# %% the root's return for all
+# says: every node gets the return from the root on; each learns from what followed after *it*
+# in: from the end, by places
+# - for place in range(len(path) - 1, -1, -1):
+# + for reward in reversed(rewards):
+# +     G = reward + discount * G
+# + for place in range(len(path)):
+# - G = rewards[place] + discount * G
+# + pass
+
+# %% the number of the node
+# says: the error is divided by all choices in the node; N(node, A) counts this action alone
+# in: from the end, by places
+# - n = counts[node, action]
+# + n = counts[node].sum()
+
+# %% a whole row
+# says: all actions of a node change; only the one that was taken does
+# in: from the end, by places
+# - counts[node, action] += 1
+# + counts[node] += 1
+# - n = counts[node, action]
+# + n = counts[node]
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node] = values[node] + (G - values[node]) / n
+
+# %% the highest value
+# says: the highest value of a node is passed on; it is the return of this simulation
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + G = values[node].max()

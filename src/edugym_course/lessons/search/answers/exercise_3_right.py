@@ -4,7 +4,7 @@ def look_ahead(model, state, depth):
     def action_value(outcomes):
         return sum(p * (r + (0 if end else 0.9 * look_ahead(model, after, depth - 1))) for p, after, r, end in outcomes)
 
-    return max(action_value(outcomes) for outcomes in model[state].values()) if depth else 0
+    return max(action_value(outcomes) for outcomes in model[state]) if depth else 0
 
 
 # %% backwards, with a table
@@ -14,7 +14,7 @@ def look_ahead(model, state, depth):
         V = {
             s: max(
                 sum(p * (reward + 0.9 * V[after] * (not terminated)) for p, after, reward, terminated in outcomes)
-                for outcomes in actions.values()
+                for outcomes in actions
             )
             for s, actions in model.items()
         }

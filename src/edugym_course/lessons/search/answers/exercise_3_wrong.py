@@ -80,3 +80,71 @@
 # %% a number
 # says: model, state and depth
 look_ahead = 12
+
+# %% the last reward lost
+# says: the reward of the step that ends the task is lost; only what would follow it is 0
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + value += 0.0 if terminated else probability * (reward + 0.9 * future)
+
+# %% from 0 on
+# says: the best action is looked for from 0 on, and all may be worth less: begin with float('-inf')
+# in: the solution of look_ahead
+# - return max(values)
+# + return max(0.0, *values)
+
+# %% sums that go on
+# says: the sum is not set back to 0 for each action
+# in: the solution of look_ahead
+# - for outcomes in model[state]:
+# -     value = 0.0
+# + value = 0.0
+# + for outcomes in model[state]:
+
+# %% probability of the reward
+# says: only the reward has its probability; what follows has it, too
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + value += probability * reward + 0.9 * future
+
+# %% probability of the future
+# says: only what follows has its probability; the reward has it, too
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + value += reward + probability * 0.9 * future
+
+# %% the likeliest outcome
+# says: only the likeliest outcome of each action is looked at
+# in: the solution of look_ahead
+# - for probability, next_state, reward, terminated in outcomes:
+# + for _, next_state, reward, terminated in [max(outcomes)]:
+# - value += probability * (reward + 0.9 * future)
+# + value += reward + 0.9 * future
+
+# %% the best outcome
+# says: the best outcome is taken; you choose the action, but chance draws the outcome
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + values.append(reward + 0.9 * future)
+# - values.append(value)
+# + pass
+
+# %% up to an end
+# says: the outcomes after one that ends are left out; each has its probability
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + value += probability * (reward + 0.9 * future)
+# + if terminated:
+# +     break
+
+# %% a power of γ
+# says: γ has the power of the depth; each call multiplies by it once, and that adds up
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + value += probability * (reward + 0.9**depth * future)
+
+# %% the shop's γ
+# says: that is the γ of the shop, 0.95; the exercise has another
+# in: the solution of look_ahead
+# - value += probability * (reward + 0.9 * future)
+# + value += probability * (reward + 0.95 * future)

@@ -28,12 +28,70 @@
 # - return sum(self.returns[action]) / len(self.returns[action])
 # + return self.returns[action][-1]
 
+# %% the c of the shop
+# says: every action ends the task
+# says: , the actions should be simulated about
+# says: times, but are
+# says: c is 10, as in the shop; here it is 5
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 10 * np.sqrt(np.log(N[node].sum()) / N[node])
+
+# %% no logarithm
+# says: the logarithm is missing
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(N[node].sum() / N[node])
+
+# %% base 10
+# says: ln is the natural logarithm, not that of base 10
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(np.log10(N[node].sum()) / N[node])
+
+# %% twice the logarithm
+# says: some books have a 2 before the logarithm; here c takes its place
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(2 * np.log(N[node].sum()) / N[node])
+
+# %% c under the root
+# says: c stands under the root; it is outside
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = np.sqrt(5 * np.log(N[node].sum()) / N[node])
+
+# %% a short root
+# says: only the logarithm is under the root; N(node, a) belongs there, too
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(np.log(N[node].sum())) / N[node]
+
+# %% no root
+# says: the root is missing
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.log(N[node].sum()) / N[node]
+
+# %% ε-greedy
+# says: is the action in a node the one with the highest Q(node, a) + 5 √(ln N(node) / N(node, a))?
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 1000 * (rng.random() < 0.1) * rng.random(n_actions)
+
 # %% no tree
 # says: what follows the best action is good only if one goes on well
 # says: it looks as if all later actions were random: in the tree, choose them by their upper bounds, too
 # in: nodes are objects
 # - node.children[action, after] = Node(n_actions)
 # + pass
+
+# %% one node for two states
+# says: chance says where the best action leads, and each place wants another action
+# says: is a node a state with the way to it? After one action two states may follow, and each is a node of its own
+# in: a loop and a path
+# - node = (*node, action, here)
+# + node = (*node, action)
 
 # %% the last reward
 # says: two losses come before a gain
@@ -63,7 +121,7 @@
 # + weight *= 1
 
 # %% five steps
-# says: a reward comes eight steps later that is worth waiting for
+# says: a reward comes nine steps later that is worth waiting for
 # says: does each simulation look
 # says: steps ahead, roll-out included?
 # in: nodes are objects
@@ -133,6 +191,13 @@
 # in: nodes are objects
 # - for _ in range(n_simulations):
 # + for _ in range(n_simulations - 1):
+
+# %% a generator without a seed
+# says: my_program does not repeat itself: two searches with seed
+# says: simulate different actions. Draw every random number from rng = np.random.default_rng(seed)
+# in: a loop and a path
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng()
 
 # %% a state for an action
 # says: the action that is given to the model
