@@ -34,7 +34,14 @@ if (films.length) {
 
 // Whoever has no mouse scrolls a wide table, formula or program with the arrow keys.
 const scrollable = '.table-wrapper, .highlight pre, .formula, .output'
+const SMALLEST = 0.75 // of a formula that is too wide
 const reach = () => {
+  for (const box of document.querySelectorAll('.formula')) {
+    const formula = box.querySelector('math')
+    formula.style.fontSize = ''
+    const share = (box.clientWidth - 2) / box.scrollWidth
+    if (box.clientWidth && box.scrollWidth > box.clientWidth + 1) formula.style.fontSize = `${1.12 * Math.max(SMALLEST, share)}em`
+  }
   for (const box of document.querySelectorAll(scrollable)) {
     if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0
     else box.removeAttribute('tabindex')
