@@ -274,7 +274,9 @@ export class Editor {
   curves() {
     const { task, state, race, lane } = this
     chart(this.find('code-chart'), [this.ours, this.theirs], this.student, { steps: state.steps, optimum: task.optimum, names: ['Your agent', lane.label] })
-    this.find('code-caption').innerHTML = `${race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`}`
+    const says = race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`
+    const { several, seed } = state
+    this.find('code-caption').textContent = several > 1 ? `${says}, mean of ${several} seeds with its 95 % interval. The pictures show seed ${seed}` : says
     this.find('rival-name').textContent = lane.label
   }
 
