@@ -35,7 +35,8 @@ export function verdict(agents, t, steps, bet) {
     return { label, curves, ...end, span, start: values[0], reached: line.find(([, value]) => value >= end.greedy[0] - 0.1 * span)[0] }
   })
   const good = best(results, ({ greedy }) => greedy), [top] = good.map(({ greedy }) => greedy).sort(([a], [b]) => b - a)
-  if (results.every(({ span, greedy }) => !span && greedy[0] === top[0])) return 'Nobody has learned anything that shows. Try more steps, or an easier task.'
+  const still = results.every(({ greedy, start, span }) => greedy[0] - start <= NOTHING * span)
+  if (still && good.length === results.length) return 'Nobody has learned anything that shows. Try more steps, or an easier task.'
   const soonest = Math.min(...good.map(({ reached }) => reached))
   const winners = good.filter(({ reached }) => reached <= soonest + steps / 50)
   const named = (some, of = ({ greedy }) => greedy) => some.map(one => `${one.label} (${within(of(one))})`)
