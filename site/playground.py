@@ -13,7 +13,7 @@ import json
 import math
 import re
 import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -35,6 +35,7 @@ import edugym
 import edugym.objectives
 from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import find
+from edugym.mdp.protocol import Random
 from edugym.mdp.task import task_of
 from edugym.training.trainers import streams
 from edugym.training.visits import record_visits
@@ -239,7 +240,7 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
         "actions": list(map(counted_from_one, actions)),
         "buttons": buttons(race, mdp),
         "codes": WORDS[race.environment].codes(mdp),
-        "by_chance": by_chance(played(race, mdp)),
+        "others": list(others(race, mdp)),
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
         "optimum": optimum(race.measured(mdp)) if race.is_finite else None,
@@ -310,14 +311,24 @@ def buttons(race: Race, mdp: Any) -> Buttons:
     return [list(race.actions)] if race.actions else WORDS[race.environment].buttons(mdp)
 
 
-def by_chance(mdp: Any, n_steps: int = 10_000) -> float:
-    """The mean return of games in which every action is drawn at random: as many games as `n_steps` take."""
+def others(race: Race, mdp: Any) -> Iterator[tuple[str, float]]:
+    """What simple players do, and what they get, for people to compare with."""
+    task, rule = played(race, mdp), WORDS[race.environment].rule
+    n_actions = int(task.action_space.n)
+    yield "moves at random", mean_return(task, lambda seen, rng: int(rng.integers(n_actions)))
+    if rule:
+        what, choose = rule
+        yield what, mean_return(task, lambda seen, rng: choose(seen))
+
+
+def mean_return(mdp: Any, act: Callable[[Any, Random], int], n_steps: int = 10_000) -> float:
+    """The mean return of somebody who acts so, over as many games as `n_steps` take."""
     limit, rng, total = task_of(mdp).max_steps or math.inf, np.random.default_rng(0), 0.0
     done = n_episodes = 0
     while done < n_steps:
         state, steps = mdp.initial(rng), 0
         while not mdp.terminal(state) and steps < limit:
-            action = int(rng.integers(mdp.action_space.n))
+            action = act(mdp.observation(state, rng), rng)
             state, last = mdp.transition(state, action, rng), state
             total += mdp.reward(last, action, state, rng)
             steps += 1

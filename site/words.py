@@ -57,6 +57,8 @@ class Words(NamedTuple):
         buttons: from the task, what its actions are called where somebody plays.
         codes: from the task, letters for numbers of an observation that count nothing, so that nobody takes them for
             the numbers of actions: for the name of such a number, a letter for each value.
+        rule: where the best possible return is not known, a simple way to play, to compare with: what somebody does who
+            plays so, and the action by the number of the observation.
     """
 
     challenge: str
@@ -65,6 +67,7 @@ class Words(NamedTuple):
     fields: str = ""
     buttons: Callable[[Any], Buttons] = by_name
     codes: Callable[[Any], dict[str, list[str]]] = _as_numbers
+    rule: tuple[str, Callable[[int], int]] | None = None
 
 
 WORDS = {
@@ -118,6 +121,7 @@ WORDS = {
         "On the screen each field is something that the agent can hear: downwards another word, to the right more hit "
         "points.",
         codes=_letters("word", 4),
+        rule=("always does what the word says", lambda seen: seen % 4),  # the word changes fastest
     ),
     "Trashbot": Words(
         "To move an arm, which can turn by any angle.",
@@ -137,8 +141,8 @@ WORDS = {
     "Supermarket": Words(
         "To learn from few tries, by thinking about what was tried.",
         "Q-learning uses each step once, when it happens. The others remember what their steps did, and go through "
-        "them again in thought between two real ones. So they shop well after far fewer real steps. In the end "
-        "Q-learning may still be the best.",
+        "them again in thought between two real ones. So they shop well after far fewer real steps. "
+        "With many more steps Q-learning gets there, too, and may then be the best.",
         "most steps of a visit",
     ),
     "Switches": Words(

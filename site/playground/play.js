@@ -26,7 +26,7 @@ export class Play {
       button.onclick = () => this.step(k)
       button.lastElementChild.textContent = this.keys(k)
     })
-    this.record.textContent = `${this.best()} ${this.chance()}`
+    this.record.textContent = `${this.best()} ${this.others()}`
     this.restart()
   }
 
@@ -35,8 +35,8 @@ export class Play {
     return this.task.optimum === null ? '' : `The best possible is ${points(this.task.optimum)} on average.`
   }
 
-  chance() {
-    return `Who moves at random gets about ${points(+this.task.by_chance.toPrecision(2))}.`
+  others() {
+    return this.task.others.map(([what, mean]) => `Who ${what} gets about ${points(+mean.toPrecision(2))}.`).join(' ')
   }
 
   keys(k) {
@@ -76,7 +76,7 @@ export class Play {
     if (!this.over) return
     this.returns.push(this.result(3))
     const mean = this.returns.reduce((sum, one) => sum + one, 0) / this.returns.length
-    this.record.textContent = `Points in your games: ${this.returns.slice(-8).map(short).join(', ')}. On average ${short(mean)}. ${this.best()} ${this.chance()}`
+    this.record.textContent = `Points in your games: ${this.returns.slice(-8).map(short).join(', ')}. On average ${short(mean)}. ${this.best()} ${this.others()}`
   }
 
   // How the game has ended.

@@ -11,7 +11,7 @@ import playground
 import pytest
 from offers import Race
 from places import MAPS
-from races import RACES, TRASHBOT
+from races import CASINO, RACES, TAMAGOTCHI, TRASHBOT
 from scenery import elements, key_of, scenery, table
 from words import WORDS
 
@@ -56,6 +56,20 @@ def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
         assert len(shown) in (1, seen.observation_space.n)
         sizes = dict(zip(race.numbers, table_sizes(race.agents[0].view.places(mdp).observation_space), strict=False))
         assert {name: len(letters) for name, letters in words.codes(mdp).items()}.items() <= sizes.items()
+
+
+@pytest.mark.parametrize(
+    ("race", "k", "expected"),
+    [
+        (CASINO, 0, [0.5 * 0.5 * (-0.1 - 2.1)]),  # in with probability 1/2; then the machine, or what is none
+        (TAMAGOTCHI, 0, [-676, 6707]),  # as its docstring has them
+    ],
+    ids=["Casino", "Tamagotchi"],
+)
+def test_simple_players_get_what_is_known(race: Race, k: int, expected: list[float]) -> None:
+    """Somebody who moves at random, and somebody who does what the toy says."""
+    found = [mean for _, mean in playground.others(race, race.mdp(k))]
+    assert found == pytest.approx(expected, rel=0.05)
 
 
 @each_race
