@@ -108,7 +108,7 @@ for noise in (0.1, 1.0, 10.0):
 source(most_likely)
 
 # %% [markdown]
-# ### Follow the reward, but not too far
+# ### Follow the reward, with a penalty
 # Now we have a reward, and any method of this course can maximise it. In practice one does not let it: each step is charged for
 # leaving the reference policy, with a *penalty* $\beta$. The policy maximises
 #
@@ -143,7 +143,7 @@ second, second_returns = methods.nights(model, reference, 100, rng)
 prefers_first = rng.random(100) < preference(first_returns, second_returns, noise=1.0)
 
 learned = with_rewards(model, fit_rewards(first, second, prefers_first))
-for penalty in (30.0, 3.0, 1.0, 0.5, 0.2, 0.05):
+for penalty in (30.0, 3.0, 1.0):
     values = regularised_iteration(learned, reference, penalty)
     policy = regularised_policy(values, reference, penalty)
     by_learned, by_meant = (policy_evaluation(judge, policy).start for judge in (learned, model))
@@ -201,13 +201,13 @@ def one_setting(n_comparisons=100, noise=1.0, prior=0.1):
     return figures.one_setting(n_comparisons, noise, prior)
 
 
-sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[0.0, 0.3, 1.0, 3.0, 10.0], prior=[0.01, 0.1, 1.0])
+sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10.0], prior=[0.01, 0.1, 1.0])
 
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
 # From its highest point the meant return fell by 0.6 to 1.1 with 10, 30, 100 and 300 comparisons, and by 0.2 with 1 000. (Below
-# there are 3 000.) With 100 comparisons it was 0.9; a weak prior, 0.01, made it larger (1.2), a strong one, 1, smaller (0.5). Less noise than $\tau = 1$ changed hardly anything. With $\tau = 3$ it fell by 2.1, and with
+# there are 3 000.) With 100 comparisons it was 0.9; a weak prior, 0.01, made it larger (1.2), a strong one, 1, smaller (0.5). With $\tau = 3$ it fell by 2.1, and with
 # $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever.
 # </details>
 
@@ -256,7 +256,7 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers. What a
+# **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers (22 states, three actions). What a
 # comparison says is which night was better *as a whole*, and not which of its steps made it so. Errors of the teacher make
 # it worse, if there are many (the sliders show $\tau = 10$); but without any it is still there. On a longer morning and with other costs the
 # same came out.
@@ -285,7 +285,9 @@ everywhere
 random = methods.followed(at_random=True)
 display(figures.gains({"nights of the reference": hundred, "random nights": random}))
 print(f"the fall: {hundred.fall().mean():.2f} of the reference, {random.fall().mean():.2f} of random nights")
-worse = random.at(methods.MODEST).mean() < hundred.at(methods.MODEST).mean()
+at_modest = [mine.at(methods.MODEST).mean() for mine in (hundred, random)]
+print(f"meant gain with β = {methods.MODEST}: {at_modest[0]:.2f} and {at_modest[1]:.2f}")
+worse = at_modest[1] < at_modest[0]
 everywhere.measured(everywhere.options[2 if random.fall().mean() > 0.3 else 1 if worse else 0])
 
 # %% [markdown]

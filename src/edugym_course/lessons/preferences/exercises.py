@@ -1,5 +1,6 @@
 """The exercises of lesson 14: the probability of a preference, a gradient step, and a policy with a penalty."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Annotated, Any
@@ -41,6 +42,15 @@ PREFERENCE_MISTAKES: Mapping[str, Callable[[float, float, float], float]] = {
     "that is e^x and no probability: divide it by 1 + e^x": lambda g, h, t: float(np.exp((g - h) / t)),
     "that is x itself, and σ(x) is missing": lambda g, h, t: (g - h) / t,
     "that is the logarithm of the probability": lambda g, h, t: float(np.log(_p(g, h, t))),
+    "that is the share of the first return; returns may be negative, and only their difference counts": (
+        lambda g, h, t: g / (g + h) if g + h else 0.0
+    ),
+    "that is the distribution function of a normal distribution; σ is 1 / (1 + e^(−x))": lambda g, h, t: (
+        0.5 + 0.5 * math.erf((g - h) / t / math.sqrt(2))
+    ),
+    "σ itself is divided by the noise; divide the difference": lambda g, h, t: _p(g, h, 1.0) / t,
+    "the difference is divided by the square of the noise": lambda g, h, t: _p(g, h, t * t),
+    "the difference is divided by twice the noise": lambda g, h, t: _p(g, h, 2 * t),
     "that is tanh, which goes from −1 to 1; σ goes from 0 to 1": lambda g, h, t: float(np.tanh((g - h) / t)),
 }
 
@@ -72,6 +82,8 @@ def exercise_1(answer: Any, seed: int, lead: Lead = 0.0) -> str:
         with student_code(call), np.errstate(over="ignore", invalid="ignore"):
             found = answer(first, second, 1.0)
         given(call, found)
+        if isinstance(found, int | float | np.number) and 1e-6 < abs(found - expected) < 0.1:
+            raise WrongAnswer(f"{call} should be {expected:g}, but is {found}: the difference is cut off too early")
         if not isinstance(found, int | float | np.number) or not abs(found - expected) < 1e-6:
             raise WrongAnswer(
                 f"{call} should be {expected:g}, but is {found}: an exponential overflows, so write σ(x) for x below 0"
@@ -97,6 +109,8 @@ def stepped(
     target: str = "right",
     rate: str = "right",
     slope: bool = False,
+    rows: bool = False,
+    kept: float = 1.0,
     sure: float = 1.0,
 ) -> Reals:
     """Return the table after one step; y is `sure` or 1 - `sure`. Other arguments than the defaults are mistakes."""
@@ -106,7 +120,15 @@ def stepped(
         for state, action in {"visits": night, "once": {*night}, "last": night[-1:], "first": night[:1]}[counts]:
             table[state, action] += 1.0
     whole = [sum(float(rewards[pair]) for pair in night) for night in (one, other)]
-    p = {"first": _p(whole[0], whole[1], 1.0), "second": _p(whole[1], whole[0], 1.0), "half": 0.5, "none": 0.0}[p_of]
+    p = {
+        "first": _p(whole[0], whole[1], 1.0),
+        "second": _p(whole[1], whole[0], 1.0),
+        "half": 0.5,
+        "none": 0.0,
+        "hard": float(whole[0] > whole[1]),
+        "means": _p(whole[0] / LENGTH, whole[1] / LENGTH, 1.0),
+        "share": whole[0] / sum(whole) if sum(whole) else 0.0,
+    }[p_of]
     y = {
         "right": sure if prefers_first else 1 - sure,
         "always": sure,
@@ -115,8 +137,13 @@ def stepped(
     }[target]
     error = sign * (y - p) * (p * (1 - p) if slope else 1.0)
     error *= {"right": learning_rate, "none": 1.0, "by length": learning_rate / LENGTH}[rate]
-    away = {"subtracted": -1.0, "added": 1.0, "left out": 0.0}[second]
-    stepped_table: Reals = rewards + error * (visits[0] + away * visits[1])
+    away = {"subtracted": -1.0, "added": 1.0, "left out": 0.0, "winner": 0.0}[second]
+    change = error * (visits[0] + away * visits[1])
+    if second == "winner" and not prefers_first:
+        change = -error * visits[1]
+    if rows:
+        change = change.sum(axis=1, keepdims=True)
+    stepped_table: Reals = kept * rewards + change
     return stepped_table
 
 
@@ -125,6 +152,12 @@ STEP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "p is that of the second night: the first return less the second goes into σ": {"p_of": "second"},
     "p is 1/2, as with a table of zeros: work it out from the returns by `rewards`": {"p_of": "half"},
     "p is left out: the error is y − p": {"p_of": "none"},
+    "p is 1 or 0, as if the teacher never erred: it is σ of the difference": {"p_of": "hard"},
+    "p follows from mean rewards; a return is a sum": {"p_of": "means"},
+    "p is a share of the returns; it is σ of their difference": {"p_of": "share"},
+    "only the night that she prefers has changed; the other one loses as much": {"second": "winner"},
+    "all actions of a state have changed; only the one that was taken does": {"rows": True},
+    "the old rewards are left out: add the step to them": {"kept": 0.0},
     "each pair of a state and an action counts once, and a night may take it more often": {"counts": "once"},
     "only the last step of each night has changed; all of them count": {"counts": "last"},
     "only the first step of each night has changed; all of them count": {"counts": "first"},
@@ -215,6 +248,10 @@ def weighed(
         return np.asarray(base)
     exponents = sign * values / scale
     weights = base * np.exp(np.where(base > 0, exponents - exponents[base > 0].max(), -np.inf))
+    if kind == "inside":
+        weights = np.exp(exponents + base - (exponents + base).max())
+    if kind == "share":
+        weights = np.exp(exponents * base - (exponents * base).max())
     if kind == "added":
         weights = base + np.exp(exponents - exponents.max())
     policy: Reals = weights / (1.0 if kind == "not normalised" else weights.sum())
@@ -232,6 +269,8 @@ POLICY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "that is the greedy policy, which is what a penalty of 0 would give": {"kind": "greedy"},
     "that is the reference: the values play no part": {"kind": "reference"},
     "the reference is added to the exponentials; multiply by it": {"kind": "added"},
+    "the reference is added inside the exponential; it is multiplied by the exponential": {"kind": "inside"},
+    "the reference is multiplied by the values; it is multiplied by the exponential": {"kind": "share"},
     "the reference is multiplied in twice": {"reference": "squared"},
     "it matters only whether the reference takes an action, and it should matter how often": {"reference": "support"},
 }

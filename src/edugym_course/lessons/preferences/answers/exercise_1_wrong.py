@@ -75,3 +75,42 @@ def prefers(first, second, noise):
 # %% a number
 # says: first, second and noise
 prefers = 0.5
+
+
+# %% a share
+# says: that is the share of the first return; returns may be negative, and only their difference counts
+def prefers(first, second, noise):
+    return first / (first + second) if first + second else 0.0
+
+
+# %% a normal distribution
+# says: that is the distribution function of a normal distribution; σ is 1 / (1 + e^(−x))
+def prefers(first, second, noise):
+    from math import erf, sqrt
+
+    return (1 + erf((first - second) / noise / sqrt(2))) / 2
+
+
+# %% the noise outside
+# says: σ itself is divided by the noise; divide the difference
+def prefers(first, second, noise):
+    return 1 / (1 + np.exp(second - first)) / noise
+
+
+# %% the noise squared
+# says: the difference is divided by the square of the noise
+def prefers(first, second, noise):
+    return 1 / (1 + np.exp((second - first) / noise**2))
+
+
+# %% twice the noise
+# says: the difference is divided by twice the noise
+def prefers(first, second, noise):
+    return 1 / (1 + np.exp((second - first) / noise / 2))
+
+
+# %% cut at ten
+# says: : the difference is cut off too early
+def prefers(first, second, noise):
+    x = np.clip((first - second) / noise, -10, 10)
+    return 1 / (1 + np.exp(-x))

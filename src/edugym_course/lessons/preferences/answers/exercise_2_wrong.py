@@ -166,3 +166,79 @@ def learn(rewards, first, second, prefers_first, learning_rate):
 # %% a table
 # says: rewards, first, second, prefers_first and learning_rate
 learn = np.zeros((3, 2))
+
+
+# %% a hard p
+# says: p is 1 or 0, as if the teacher never erred: it is σ of the difference
+def learn(rewards, first, second, prefers_first, learning_rate):
+    new = rewards.copy()
+    returns = [sum(rewards[pair] for pair in night) for night in (first, second)]
+    p = float(returns[0] > returns[1])
+    step = learning_rate * (prefers_first - p)
+    for night, sign in ((first, 1), (second, -1)):
+        for state, action in night:
+            new[state, action] += sign * step
+    return new
+
+
+# %% mean rewards
+# says: p follows from mean rewards; a return is a sum
+def learn(rewards, first, second, prefers_first, learning_rate):
+    new = rewards.copy()
+    returns = [sum(rewards[pair] for pair in night) for night in (first, second)]
+    p = 1 / (1 + np.exp(returns[1] / len(second) - returns[0] / len(first)))
+    step = learning_rate * (prefers_first - p)
+    for night, sign in ((first, 1), (second, -1)):
+        for state, action in night:
+            new[state, action] += sign * step
+    return new
+
+
+# %% a share of returns
+# says: p is a share of the returns; it is σ of their difference
+def learn(rewards, first, second, prefers_first, learning_rate):
+    new = rewards.copy()
+    returns = [sum(rewards[pair] for pair in night) for night in (first, second)]
+    p = returns[0] / sum(returns) if sum(returns) else 0.0
+    step = learning_rate * (prefers_first - p)
+    for night, sign in ((first, 1), (second, -1)):
+        for state, action in night:
+            new[state, action] += sign * step
+    return new
+
+
+# %% all actions of a state
+# says: all actions of a state have changed; only the one that was taken does
+def learn(rewards, first, second, prefers_first, learning_rate):
+    new = rewards.copy()
+    returns = [sum(rewards[pair] for pair in night) for night in (first, second)]
+    p = 1 / (1 + np.exp(returns[1] - returns[0]))
+    step = learning_rate * (prefers_first - p)
+    for night, sign in ((first, 1), (second, -1)):
+        for state, action in night:
+            new[state] += sign * step
+    return new
+
+
+# %% an empty table
+# says: the old rewards are left out: add the step to them
+def learn(rewards, first, second, prefers_first, learning_rate):
+    new = np.zeros_like(rewards)
+    returns = [sum(rewards[pair] for pair in night) for night in (first, second)]
+    p = 1 / (1 + np.exp(returns[1] - returns[0]))
+    step = learning_rate * (prefers_first - p)
+    for night, sign in ((first, 1), (second, -1)):
+        for state, action in night:
+            new[state, action] += sign * step
+    return new
+
+
+# %% only the preferred night
+# says: only the night that she prefers has changed; the other one loses as much
+def learn(rewards, first, second, prefers_first, learning_rate):
+    new = rewards.copy()
+    returns = [sum(rewards[pair] for pair in night) for night in (first, second)]
+    p = 1 / (1 + np.exp(returns[1] - returns[0]))
+    for pair in first if prefers_first else second:
+        new[pair] += learning_rate * abs(prefers_first - p)
+    return new

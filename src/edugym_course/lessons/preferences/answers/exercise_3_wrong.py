@@ -115,3 +115,19 @@ with_penalty = np.ones(3)
 # in: from the largest
 # - below = np.where(reference > 0, values - values[reference > 0].max(), -np.inf)
 # + below = values - values.max()
+
+
+# %% the reference in the exponent
+# says: the reference is added inside the exponential; it is multiplied by the exponential
+def with_penalty(values, reference, penalty):
+    exponents = values / penalty + reference
+    weights = np.exp(exponents - exponents.max())
+    return weights / weights.sum()
+
+
+# %% the reference times the values
+# says: the reference is multiplied by the values; it is multiplied by the exponential
+def with_penalty(values, reference, penalty):
+    exponents = reference * values / penalty
+    weights = np.exp(exponents - exponents.max())
+    return weights / weights.sum()
