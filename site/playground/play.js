@@ -36,7 +36,7 @@ export class Play {
   }
 
   others() {
-    return this.task.others.map(([what, mean]) => `Who ${what} gets about ${points(+mean.toPrecision(2))}.`).join(' ')
+    return this.task.others.map(([what, mean]) => `Who ${what} gets about ${points(Number(Math.abs(mean) < 10 ? mean.toFixed(2) : mean.toPrecision(2)))}.`).join(' ')
   }
 
   keys(k) {
@@ -97,9 +97,10 @@ export class Play {
   show(what) {
     const { kernel, table, race, task: { codes } } = this, names = this.names()
     this.buttons.forEach((button, k) => {
+      button.disabled = this.over
+      if (this.over) return // nothing moves under the finger
       button.firstElementChild.textContent = names[k]
       button.hidden = !names[k]
-      button.disabled = this.over
     })
     this.board.classList.toggle('unseen', this.blind.checked)
     this.picture.happen(this.task.play.look.map(k => kernel.result(k)))
