@@ -14,6 +14,7 @@ from urllib.parse import urlencode
 from offers import Race
 from races import RACES
 from repository import REPOSITORY, ROOT, with_links
+from words import WORDS
 
 from edugym import ENVIRONMENTS
 from edugym.adapters.registration import find
@@ -123,7 +124,7 @@ def _opening(first: str, path: Path) -> str:
 
 def _races(path: Path) -> list[str]:
     """Return the race of a lesson's environment, with sliders that need no Python; none where it has no race."""
-    return [RACE.format(race.environment, race.strength.parameter.replace("_", " ")) for race in _raced(path)]
+    return [RACE.format(race.environment, WORDS[race.environment].strength) for race in _raced(path)]
 
 
 def _raced(path: Path) -> list[Race]:
