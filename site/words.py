@@ -172,8 +172,8 @@ WORDS = {
     "Bandit": Words(
         "To choose between trying something new and what was good so far.",
         "A machine that has paid a few times may only have been lucky. Who plays the best so far and nothing else may "
-        "never find the best of all. So all agents here also try others: now and then at random, or because they hope "
-        "for much from each machine until they know it.",
+        "never find the best of all. So the first three agents here also try others: now and then at random, or "
+        "because they hope for much from each machine until they know it.",
         "lead of the best machine",
     ),
 }
