@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import accumulate
+from operator import mul
 from typing import Annotated, Any
 
 import numpy as np
@@ -49,20 +51,41 @@ def _weight(ratios: Sequence[float], kind: str) -> float:
     }[kind]
 
 
-def weighed(case: Judging, *, weight: str = "product", by: str = "weights", discount: float = 1.0) -> float:
+def _gathered(episode: Episode, ratios: Sequence[float], kind: str, discount: float) -> float:
+    """What an episode is worth; other kinds than the sum of its rewards are mistakes."""
+    rewards = [discount**t * r for t, (*_, r) in enumerate(episode)]
+    if kind == "per decision":
+        return sum(float(np.prod(ratios[: t + 1])) * r for t, r in enumerate(rewards))
+    return {"sum": sum(rewards), "mean": sum(rewards) / len(rewards), "last": rewards[-1]}[kind]
+
+
+def weighed(
+    case: Judging,
+    *,
+    weight: str = "product",
+    by: str = "weights",
+    gathered: str = "sum",
+    carried: str = "nothing",
+    discount: float = 1.0,
+) -> float:
     """Return the weighted estimate; other arguments than the defaults are mistakes."""
     episodes, target, behaviour = case
+    if by == "first episode":
+        episodes = episodes[:1]
+    ratios = [_ratios(episode, target, behaviour) for episode in episodes]
     if weight == "target alone":
         weights = [float(np.prod([target[s, a] for s, a, _ in episode])) for episode in episodes]
     else:
-        weights = [_weight(_ratios(episode, target, behaviour), weight) for episode in episodes]
-    returns = [sum(discount**t * r for t, (*_, r) in enumerate(episode)) for episode in episodes]
-    if by == "per step":
-        return sum(w * g / len(episode) for w, g, episode in zip(weights, returns, episodes, strict=True)) / sum(
-            weights
-        )
-    total = sum(w * g for w, g in zip(weights, returns, strict=True))
-    return total / {"weights": sum(weights), "episodes": len(episodes), "nothing": 1.0}[by]
+        weights = [_weight(one, weight) for one in ratios]
+    returns = [_gathered(episode, one, gathered, discount) for episode, one in zip(episodes, ratios, strict=True)]
+    if carried == "weights":
+        weights = [*accumulate(weights, mul)]
+    if carried == "returns":
+        returns = [*accumulate(returns)]
+    counted = [1.0] * len(returns) if gathered == "per decision" else weights
+    total = sum(w * g for w, g in zip(counted, returns, strict=True))
+    divisors = {"episodes": len(episodes), "nothing": 1.0, "steps": sum(map(len, episodes))}
+    return total / divisors.get(by, sum(weights))
 
 
 WEIGHED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
@@ -78,8 +101,16 @@ WEIGHED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the weights are products of π alone; b, which chose the episodes, is left out": {"weight": "target alone"},
     "it is not divided by the sum of the weights": {"by": "nothing"},
     "the mean reward of a step takes the place of the return; an episode is worth the sum of its rewards": {
-        "by": "per step"
+        "gathered": "mean"
     },
+    "only the last reward of an episode counts; its return is the sum of all": {"gathered": "last"},
+    "each reward has the weight up to its step: that is per decision; here an episode has one weight": {
+        "gathered": "per decision"
+    },
+    "the weight goes on from one episode to the next; each episode begins with 1": {"carried": "weights"},
+    "the return goes on from one episode to the next; each episode begins with 0": {"carried": "returns"},
+    "only the first episode is looked at: does a `return` stand inside the loop?": {"by": "first episode"},
+    "it is divided by the number of steps; divide by the sum of the weights": {"by": "steps"},
 }
 
 
@@ -137,9 +168,13 @@ def corrected(
 ) -> float:
     """Return the doubly robust value of an episode; other arguments than the defaults are mistakes."""
     episode, target, behaviour, Q = case
-    total = 0.0
-    for s, a, r in episode[::-1] if order == "backwards" else episode:
+    total, product = 0.0, 1.0
+    if order == "last step":
+        episode = episode[-1:]
+    for s, a, r in episode if order == "forwards" else episode[::-1]:
+        product *= target[s, a] / behaviour[s, a]
         rho = {
+            "product": product,
             "right": target[s, a] / behaviour[s, a],
             "left out": 1.0,
             "upside down": behaviour[s, a] / target[s, a],
@@ -148,6 +183,7 @@ def corrected(
             "mean": target[s] @ Q[s],
             "largest": Q[s].max(),
             "of b": behaviour[s] @ Q[s],
+            "plain": Q[s].mean(),
             "of the action": Q[s, a],
             "left out": 0.0,
         }[value]
@@ -156,6 +192,9 @@ def corrected(
             "inside": V + rho * (r + discount * total - off),
             "outside": V + rho * (r - off) + discount * total,
             "left out": V + rho * (r - off),
+            "reward alone": V + rho * r + discount * total - off,
+            "V inside": rho * (V + r + discount * total - off),
+            "added": total + V + rho * (r + discount * total - off),
         }[later]
     return float(total)
 
@@ -173,6 +212,14 @@ CORRECTED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "V(s) is taken off; it is the value of the action that was taken, Q(s, a)": {"taken_off": "V"},
     "what comes later is not weighed by ρ: it belongs into the parentheses, beside the reward": {"later": "outside"},
     "what comes later is left out": {"later": "left out"},
+    "V(s) is the plain mean of the values; each action counts as often as π takes it": {"value": "plain"},
+    "ρ stands before the reward alone; it goes before the whole parentheses": {"later": "reward alone"},
+    "ρ goes before V(s), too; V(s) stands in front of it": {"later": "V inside"},
+    "what comes later is counted twice: the new value takes the place of the old one": {"later": "added"},
+    "ρ is the product over the steps; here it is that of one step, for the value has the later ones": {
+        "ratio": "product"
+    },
+    "only the last step is looked at: does a `return` stand inside the loop?": {"order": "last step"},
     "the steps are gone through forwards; what a step is worth needs what comes after it, so begin at the end": {
         "order": "forwards"
     },
@@ -232,9 +279,17 @@ def swept(
     steps, before, penalty, lowest = case
     targets: dict[tuple[int, int], list[float]] = {}
     for s, a, r, after, terminated in steps:
-        V = {"largest": before[after].max(), "mean": before[after].mean(), "same action": before[after, a]}[future]
-        going_on = {"right": not terminated, "always": True, "never": False}[end]
-        targets.setdefault((s, a), []).append(r + (discount * float(V) if going_on else 0.0))
+        if terminated and end == "skipped":
+            continue
+        V = {
+            "own": before[s].max(),
+            "largest": before[after].max(),
+            "mean": before[after].mean(),
+            "same action": before[after, a],
+        }[future]
+        going_on = {"always": True, "never": False}.get(end, not terminated)
+        earned = 0.0 if terminated and end == "worth 0" else r
+        targets.setdefault((s, a), []).append(earned + (discount * float(V) if going_on else 0.0))
     Q = {
         "lowest": np.full_like(before, lowest),
         "zero": np.zeros_like(before),
@@ -245,7 +300,13 @@ def swept(
         n = len(seen)
         taken = sum(1 for one in steps if one[0] == s) if per == "state" else n
         fitted = {"mean": float(np.mean(seen)), "sum": sum(seen), "last": seen[-1], "best": max(seen)}[fit]
-        size = {"root": penalty / np.sqrt(taken), "n": penalty / taken, "one": penalty, "times": penalty * np.sqrt(n)}
+        size = {
+            "root of both": np.sqrt(penalty / n),
+            "root": penalty / np.sqrt(taken),
+            "n": penalty / taken,
+            "one": penalty,
+            "times": penalty * np.sqrt(n),
+        }
         Q[s, a] = fitted - sign * {**size, "none": 0.0}[over]
         if floor:
             Q[s, a] = max(lowest, Q[s, a])
@@ -257,6 +318,7 @@ SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the penalty is divided by n; the error of a mean goes down with √n": {"over": "n"},
     "the penalty does not get smaller with n": {"over": "one"},
     "the penalty is multiplied by √n; what is known well should cost less": {"over": "times"},
+    "the penalty is under the root, too; only n is": {"over": "root of both"},
     "the penalty is left out: that is fitted Q as it is, with the lowest value for what is unseen": {"over": "none"},
     "n counts all steps from the state; it counts those with this action": {"per": "state"},
     "the targets are added up; fit their mean": {"fit": "sum"},
@@ -270,6 +332,9 @@ SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "what comes after a step is left out: where the task goes on, add the largest value of the next state": {
         "end": "never"
     },
+    "the reward of the last step is lost: where `terminated` is True it is the target": {"end": "worth 0"},
+    "steps that end are left out; their target is the reward alone": {"end": "skipped"},
+    "that is the largest value of the state itself; take that of the *next* state": {"future": "own"},
     "the next state counts with its mean value; take the largest": {"future": "mean"},
     "the next state counts with the value of the same action; take the largest": {"future": "same action"},
 }

@@ -74,3 +74,46 @@
 # %% an array
 # says: episodes, target and behaviour
 weighted_estimate = np.zeros(3)
+
+# %% the last reward
+# says: only the last reward of an episode counts; its return is the sum of all
+# in: two sums
+# - gathered += reward
+# + gathered = reward
+
+# %% per decision
+# says: each reward has the weight up to its step: that is per decision; here an episode has one weight
+# in: two sums
+# - gathered += reward
+# + gathered += weight * reward
+# - total += weight * gathered
+# + total += gathered
+
+# %% a weight that goes on
+# says: the weight goes on from one episode to the next; each episode begins with 1
+# in: two sums
+# - total, weights = 0.0, 0.0
+# + total, weights, weight = 0.0, 0.0, 1.0
+# - weight, gathered = 1.0, 0.0
+# + gathered = 0.0
+
+# %% a return that goes on
+# says: the return goes on from one episode to the next; each episode begins with 0
+# in: two sums
+# - total, weights = 0.0, 0.0
+# + total, weights, gathered = 0.0, 0.0, 0.0
+# - weight, gathered = 1.0, 0.0
+# + weight = 1.0
+
+# %% one episode
+# says: only the first episode is looked at: does a `return` stand inside the loop?
+# in: two sums
+# - weights += weight
+# + weights += weight
+# + return total / weights
+
+# %% by steps
+# says: it is divided by the number of steps; divide by the sum of the weights
+# in: two sums
+# - return total / weights
+# + return total / sum(len(episode) for episode in episodes)

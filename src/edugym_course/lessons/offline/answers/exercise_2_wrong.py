@@ -82,3 +82,42 @@
 # %% a number
 # says: episode, target, behaviour and Q
 doubly_robust_value = 0.5
+
+# %% a plain mean
+# says: V(s) is the plain mean of the values; each action counts as often as π takes it
+# in: from the end
+# - V = target[state] @ Q[state]
+# + V = Q[state].mean()
+
+# %% the reward alone
+# says: ρ stands before the reward alone; it goes before the whole parentheses
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * reward + value - Q[state, action]
+
+# %% V in the parentheses
+# says: ρ goes before V(s), too; V(s) stands in front of it
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = rho * (V + reward + value - Q[state, action])
+
+# %% twice
+# says: what comes later is counted twice: the new value takes the place of the old one
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value += V + rho * (reward + value - Q[state, action])
+
+# %% a product
+# says: ρ is the product over the steps; here it is that of one step, for the value has the later ones
+# in: from the end
+# - value = 0.0
+# + value, rho = 0.0, 1.0
+# - rho = target[state, action] / behaviour[state, action]
+# + rho *= target[state, action] / behaviour[state, action]
+
+# %% one step
+# says: only the last step is looked at: does a `return` stand inside the loop?
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward + value - Q[state, action])
+# + return value

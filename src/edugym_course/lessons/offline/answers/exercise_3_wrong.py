@@ -126,3 +126,29 @@
 # %% a table
 # says: steps, Q, penalty and lowest
 pessimistic_sweep = np.zeros((3, 2))
+
+# %% a root of both
+# says: the penalty is under the root, too; only n is
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) - np.sqrt(penalty / len(values)))
+
+# %% the last reward lost
+# says: the reward of the last step is lost: where `terminated` is True it is the target
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = 0.0 if terminated else reward + Q[next_state].max()
+
+# %% ends left out
+# says: steps that end are left out; their target is the reward alone
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + if terminated:
+# +     continue
+# + target = reward if terminated else reward + Q[next_state].max()
+
+# %% the state itself
+# says: that is the largest value of the state itself; take that of the *next* state
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward if terminated else reward + Q[state].max()
