@@ -27,7 +27,7 @@
 # + Q = counts
 
 # %% always quiet
-# says: it chooses the same action in every state; are the values looked up in the state to which they belong, and is the best action taken?
+# says: it chooses the same action in every state; are the values looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the best action taken?
 def my_program(steps, n_states, n_actions, seed):
     return lambda state: 0
 
@@ -61,3 +61,11 @@ def my_program(steps, n_states, n_actions, seed):
 # %% a list
 # says: steps, n_states, n_actions and seed
 my_program = [0, 1, 2]
+
+# %% beyond the end
+# says: does nothing follow where `terminated` is True, and is the best action taken?
+# in: sums and counts
+# - for _ in range(30):
+# + for _ in range(300):
+# - sums[s, a] += r if terminated else r + V[after]
+# + sums[s, a] += r + V[after]
