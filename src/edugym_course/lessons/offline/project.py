@@ -94,8 +94,8 @@ def symptom(one: Run) -> str:
     """Return what a policy that is worth too little looks like, and the likely cause."""
     if len({*one.actions[~TASK.model.terminal].tolist()}) == 1:
         return (
-            "it chooses the same action in every state; are the values looked up in the state to which they belong, does"
-            " nothing follow where `terminated` is True, and is the best action taken?"
+            "it chooses the same action in every state; are the values looked up in the state to which they belong,"
+            " does nothing follow where `terminated` is True, and is the best action taken?"
         )
     if one.kept < one.gathered:
         return (
