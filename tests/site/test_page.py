@@ -161,7 +161,7 @@ def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
     other.check()
     fresh = Reader(browser, settings)
     assert fresh.text("#strength-shown") == "0.03"
-    assert "before training" in fresh.text(".numbers")
+    until(lambda: "before training" in fresh.text(".numbers"), "what an agent earns before training")
 
 
 def test_the_first_link_of_the_page_moves_only_the_focus(address: str, browser: Any) -> None:
