@@ -1,4 +1,5 @@
 # %% when the episode is over
+# slow
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng, t = np.random.default_rng(seed), 0

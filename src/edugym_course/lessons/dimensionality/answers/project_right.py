@@ -1,4 +1,5 @@
 # %% SARSA from each step once
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     n, k = np.prod(environment.observation_space.shape), environment.action_space.n

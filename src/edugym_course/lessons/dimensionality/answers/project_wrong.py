@@ -53,6 +53,7 @@
 # + y = R[i]
 
 # %% no end
+# slow
 # says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
@@ -106,6 +107,7 @@
 # + return lambda image: int(rng.integers(k))
 
 # %% a table of images
+# slow
 # says: it solves the riddles, but in the middle one of
 # says:  runs on Catch in changing light it catches
 # says:  of the balls, and it should be 70% or more: in steady light it catches

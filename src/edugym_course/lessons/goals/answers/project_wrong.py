@@ -1,34 +1,40 @@
 # %% no hindsight
+# slow
 # says: there is no hindsight: nothing is learned again when an episode is over
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
 # + for s, a, s2 in []:
 
 # %% the goal that it had
+# slow
 # says: the steps are learned again for the goal that the episode *had*; take what its last step achieved
 # in: numbers for patterns
 # - new = s2
 # + new = g
 
 # %% the goal of the first step
+# slow
 # says: the new goal is what the *first* step achieved, and it should be the last one
 # in: numbers for patterns
 # - new = s2
 # + new = episode[0][2]
 
 # %% before the last step
+# slow
 # says: the new goal is the pattern *before* the last step; take what this step achieved, its next state
 # in: numbers for patterns
 # - new = s2
 # + new = episode[-1][0]
 
 # %% the start as a goal
+# slow
 # says: the new goal is the pattern at the start; take what the last step achieved
 # in: numbers for patterns
 # - new = s2
 # + new = episode[0][0]
 
 # %% a goal for each step
+# slow
 # says: each step gets a goal of its own, what it achieves itself; 'final' has one for an episode
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
@@ -36,18 +42,21 @@
 # +     new = s2
 
 # %% only where it missed
+# slow
 # says: only episodes that missed their goal are learned again; do so after all of them
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
 # + for s, a, s2 in episode[::-1] if truncated else []:
 
 # %% only where it arrived
+# slow
 # says: only episodes that reached their goal are learned again, and they need it least
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
 # + for s, a, s2 in episode[::-1] if terminated else []:
 
 # %% first to last
+# slow
 # says: the steps are learned again in the order in which they were taken; begin with the last one, so that the first hears of the goal in the same sweep
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
@@ -60,6 +69,7 @@
 # + for s, a, s2 in episode[-2::-1]:
 
 # %% the last step alone
+# slow
 # says: only the last step is learned again; all of the episode should be
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
@@ -82,18 +92,21 @@
 # + target = r if s2 == g else r + 0.9 * Q[s2, new].max()
 
 # %% paid for every step
+# slow
 # says: every step that is learned again is paid 0; only one that achieves the new goal is
 # in: numbers for patterns
 # - r = 0.0 if s2 == new else -1.0
 # + r = 0.0
 
 # %% no end at the new goal
+# slow
 # says: a step that achieves the new goal ends the episode: its target is the reward alone
 # in: numbers for patterns
 # - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
 # + target = r + 0.9 * Q[s2, new].max()
 
 # %% the old goal in the maximum
+# slow
 # says: the new goal stands beside the state alone; the maximum is that of the next one *with it* too
 # in: numbers for patterns
 # - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
@@ -106,6 +119,7 @@
 # + Q[s, g, a] += 0.5 * (target - Q[s, g, a])
 
 # %% in hindsight only
+# slow
 # says: the steps are learned in hindsight only; learn each at once for its own goal too
 # in: numbers for patterns
 # - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
@@ -126,6 +140,7 @@
 # + target = r
 
 # %% no discount
+# slow
 # says: the discount is missing: γ is 0.9 in the text
 # in: numbers for patterns
 # - target = r if terminated else r + 0.9 * Q[s2, g].max()
@@ -134,6 +149,7 @@
 # + target = r if s2 == new else r + Q[s2, new].max()
 
 # %% the whole difference
+# slow
 # says: the old value is lost: α is 0.5 in the text, and Q moves by a half of the difference
 # in: numbers for patterns
 # - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
@@ -142,6 +158,7 @@
 # + Q[s, new, a] = target
 
 # %% small steps
+# slow
 # says: the learning rate is much too small: it is 0.5 in the text
 # in: numbers for patterns
 # - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
@@ -156,6 +173,7 @@
 # + a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].min())))
 
 # %% beyond the end
+# slow
 # says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone
 # in: numbers for patterns
 # - target = r if terminated else r + 0.9 * Q[s2, g].max()

@@ -1,4 +1,5 @@
 # %% an agent of its own
+# slow
 class Learner:
     def __init__(self, n_actions, rng):
         self.values = {}

@@ -109,6 +109,7 @@
 # + w2 = (w + (0, o))[-5:] if len(w) < 3 else (*w[2:], a, o) if rng.random() < 0.7 else (*w[2:], 0, o)
 
 # %% a policy that forgets
+# slow
 # says: the policy that it returns brings
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())

@@ -1,4 +1,5 @@
 # %% a smaller rate
+# slow
 # says: Right. Share of evaluation episodes that reach the goal, in the second half of training: Q-learning 0.00,
 #   Dyna-10 0.00, mine 0.50. A learning rate of 1 with sampled updates fails on slippery ice: each value keeps only the
 #   last outcome. Expected updates, or a lower rate, average over all of them.
@@ -11,6 +12,7 @@ lake_results = repeat(
 )
 
 # %% two of one's own
+# slow
 lake_results = repeat(
     lake,
     {
@@ -24,6 +26,7 @@ lake_results = repeat(
 )
 
 # %% the id and its parameters
+# slow
 lake_results = repeat(
     "FrozenLake-v1",
     {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},

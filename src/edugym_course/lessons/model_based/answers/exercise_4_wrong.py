@@ -25,6 +25,7 @@
 
 
 # %% a rate of nearly 1
+# slow
 # says: let each value average over many outcomes, by expected updates or by a learning rate such as 0.1
 # in: a smaller rate
 # - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
@@ -40,6 +41,7 @@ lake_results = repeat(lake, methods, 3_000, repetitions=5, evaluation_episodes=1
 lake_results = repeat(lake, {**methods, "mine": methods["Dyna-10"]}, 3_000, repetitions=5, evaluation_episodes=10)
 
 # %% one evaluation episode
+# slow
 # says: should be an experiment with evaluation_episodes 10, but it has evaluation_episodes 1
 lake_results = repeat(
     lake,

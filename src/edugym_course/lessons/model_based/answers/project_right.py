@@ -34,6 +34,7 @@ def my_program(env, n_steps, seed):
 
 
 # %% a model in arrays
+# slow
 def my_program(environment, n_steps, seed):
     n_states, n_actions = environment.observation_space.n, environment.action_space.n
     Q = np.zeros((n_states, n_actions))

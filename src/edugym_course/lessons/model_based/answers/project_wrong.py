@@ -34,6 +34,7 @@
 # + terminated = terminated or truncated
 
 # %% a model of states
+# slow
 # says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action
 # in: a model in arrays
 # - R[s, a], S2[s, a], ends[s, a] = r, s2, terminated

@@ -1,4 +1,5 @@
 # %% by bisection
+# slow
 # says: Right: planning on the model finds at once what expected SARSA needs thousands of steps for. (It is close to 3
 #   divided by the cost of a fall where one step more avoids the one deadly action.)
 def switch(model):

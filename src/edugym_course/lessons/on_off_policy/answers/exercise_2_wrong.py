@@ -74,6 +74,7 @@ def switch(model):
 
 
 # %% never found
+# slow
 # says: that is the end of the search: the change was never found; is the comparison the right way round, and is
 #   `horizon` 50?
 # in: the solution of switch
@@ -149,6 +150,7 @@ def switch(model):
 
 
 # %% up to 1, the wrong way round
+# slow
 # says: that is the end of the search; is the comparison the right way round?
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
@@ -176,6 +178,7 @@ def switch(model):
 
 
 # %% the number of the step
+# slow
 # says: that is 1 000 times ε: is it the number of the step, and not the ε of that step?
 def switch(model):
     fastest = policy_evaluation(model, value_iteration(model, horizon=50).greedy_policy(), horizon=50).start
@@ -232,6 +235,7 @@ def switch(model):
 
 
 # %% the lowest of all returns
+# slow
 # says: that is where the *slowest* run begins, with the lowest of all returns; the best run may change more than once, and
 #   its first change is asked for
 def switch(model):
@@ -241,6 +245,7 @@ def switch(model):
 
 
 # %% the last change
+# slow
 # says: that is where the *slowest* run begins
 def switch(model):
     last, before = 0.0, value_iteration(model, horizon=50).start

@@ -226,6 +226,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% one action drawn
+# slow
 # says: a second time it gives something else: `learn` needs no random numbers
 def learn(self, state, action, reward, next_state, terminated):
     row = self.Q[next_state]

@@ -25,6 +25,7 @@ def my_program(env, n_steps, seed):
 
 
 # %% a class with both
+# slow
 class Sarsa:
     def __init__(self, n_states, n_actions, seed):
         self.table = [[0.0] * n_actions for _ in range(n_states)]

@@ -44,6 +44,7 @@ def my_program(environment, compare, n_comparisons, seed):
 
 
 # %% visits as vectors
+# slow
 def my_program(environment, compare, n_comparisons, seed):
     rng = np.random.default_rng(seed)
     shape = (*environment.observation_space.nvec, 3)

@@ -1,4 +1,5 @@
 # %% nothing is learned of the comparisons
+# slow
 # says: it chooses action 0 in every state; are the rewards that were learned looked up in the state and the action where they belong?
 # in: visits as vectors
 # - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
@@ -20,12 +21,14 @@
 # + differences.append(visits(first) + visits(second))
 
 # %% the last step alone
+# slow
 # says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, depth), action, _ in steps[-1:]:
 
 # %% no time
+# slow
 # says: that is hardly better than random buttons; do the rewards change with every comparison, and does the policy use them?
 # in: visits as vectors
 # - table[time, depth, action] += 1

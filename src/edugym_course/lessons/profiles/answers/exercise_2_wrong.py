@@ -5,6 +5,7 @@ def make_mine(environment):
 
 
 # %% nothing has changed
+# slow
 # says: : it has no hole in Study, since its score there is not surely lower by
 # says: ; which part of the equation lets Q-learning see what comes much later?
 def make_mine(environment):

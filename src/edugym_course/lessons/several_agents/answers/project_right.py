@@ -1,4 +1,5 @@
 # %% all pairs at random
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     me, you = environment.possible_agents
@@ -25,6 +26,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a class, lists, and player 1 who answers
+# slow
 class Player:
     def __init__(self, n_states, n_actions, n_others, seed):
         self.q = [np.zeros((n_actions, n_others)) for _ in range(n_states)]

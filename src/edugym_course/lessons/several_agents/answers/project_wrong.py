@@ -27,6 +27,7 @@
 # + solved[state] = games.solve_zero_sum(Q[state].T)
 
 # %% half at random
+# slow
 # says: Look at this place:
 # says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] learned from every pair of actions, and is the policy returned without the random moves?
 # in: all pairs at random
@@ -34,18 +35,21 @@
 # + return lambda state: 0.6 * solved[state].first + 0.4 / shape[1]
 
 # %% reward alone
+# slow
 # says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.0
 
 # %% as if the other were kind
+# slow
 # says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return Q[state].max()
 
 # %% no discount
+# slow
 # says: there 4.75 at once is more than 5 a step later: what follows is multiplied by γ = 0.9
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
@@ -58,6 +62,7 @@
 # + if terminated:
 
 # %% beyond the end
+# slow
 # says: after the end a number is seen that other places have, too: what comes then is worth 0, so with `terminated` the target is R alone
 # in: all pairs at random
 # - if not terminated[me]:
@@ -65,12 +70,14 @@
 # + target += 0.9 * value(int(seen[me]))
 
 # %% cut off is over
+# slow
 # says: its episodes are truncated, not terminated: the clock was stopped, and the next place still has its value, so only `terminated` makes R alone the target
 # in: all pairs at random
 # - if not terminated[me]:
 # + if not terminated[me] and not truncated[me]:
 
 # %% too slow
+# slow
 # says: After
 # says:  steps it is safe, so it learns too slowly: is the learning rate, or the share of random actions, too small?
 # in: all pairs at random

@@ -280,6 +280,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the row of the next state
+# slow
 # says: another entry changes than should,
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
