@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from numba.core.errors import TypingError
 
+import edugym
 from edugym.compiled import compiler, namedtuples
 from edugym.compiled.compiler import compiled
 from edugym.compiled.numba_setup import CompilationError
@@ -147,6 +148,21 @@ EVERYDAY = """x = self.t.max() + self.t.min() + np.max(self.t) + np.min(self.t) 
 """What students write in every agent."""
 
 
+@pytest.fixture
+def builds(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, bool]]:
+    """Numba's options in the builds that are tried, none of which was made before."""
+    built: list[dict[str, bool]] = []
+    original = compiler._compile
+
+    def watched(*arguments: Any) -> Any:
+        built.append(arguments[-1])
+        return original(*arguments)
+
+    monkeypatch.setattr(compiler, "_compile", watched)
+    monkeypatch.setattr(compiler, "_built", {})
+    return built
+
+
 def rest_of_the_table(n: int, mdp: Any, rng: Any) -> tuple[int, Any]:
     """Give back a part of an array, which owns nothing itself."""
     return n, mdp.t[1:]
@@ -161,23 +177,14 @@ def rest_of_the_table(n: int, mdp: Any, rng: Any) -> tuple[int, Any]:
         (rest_of_the_table, "return s", True),
     ],
 )
-def test_reference_counts(loop: Any, body: str, counts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_reference_counts(loop: Any, body: str, counts: bool, builds: list[dict[str, bool]]) -> None:
     """There are some only where something allocates or is given back; all that is allocated is freed."""
-    built: list[dict[str, bool]] = []
-    original = compiler._compile
-
-    def watched(*arguments: Any) -> Any:
-        built.append(arguments[-1])
-        return original(*arguments)
-
-    monkeypatch.setattr(compiler, "_compile", watched)
-    monkeypatch.setattr(compiler, "_built", {})
     kind = cell(f"class A(NamedTuple):\n    t: np.ndarray\n    def f(self, s, rng):\n        {body}\n")["A"]
     run = compiled(loop, 1, kind(np.arange(4.0)), np.random.default_rng(0))
     interpreted, machine_code = (way(50, kind(np.arange(4.0)), np.random.default_rng(5)) for way in (loop, run))
     assert str(interpreted) == str(machine_code)
-    assert [options.get("_nrt", True) for options in built] == [False, True][: 1 + counts]
-    assert all(options["boundscheck"] for options in built)
+    assert [options.get("_nrt", True) for options in builds] == [False, True][: 1 + counts]
+    assert all(options["boundscheck"] for options in builds)
     values = kind(np.arange(4.0)), np.random.default_rng(0)
     run(1, *values)
     memory: Any = importlib.import_module("numba.core.runtime._nrt_python")
@@ -189,6 +196,22 @@ def test_reference_counts(loop: Any, body: str, counts: bool, monkeypatch: pytes
     assert [sys.getrefcount(value) for value in (*values, values[0].t)] == references
     assert memory.memsys_get_stats_alloc() - made == memory.memsys_get_stats_free() - freed
     memory.memsys_disable_stats()
+
+
+def starts(n: int, mdp: Any, rng: np.random.Generator) -> int:
+    """Draw n first states of a panel with switches."""
+    wrong = 0
+    for _ in range(n):
+        state = mdp.initial(rng)
+        wrong += state.switches ^ state.goal
+    return wrong
+
+
+def test_own_code_draws_integers_without_an_array(builds: list[dict[str, bool]]) -> None:
+    """An environment that calls `rng.integers` costs its loop no reference counts, and draws what NumPy draws."""
+    interpreted, machine_code = both(starts, 99, edugym.make_mdp("Switches", n_switches=7))
+    assert interpreted == machine_code
+    assert [options.get("_nrt", True) for options in builds] == [False]
 
 
 def test_threads() -> None:

@@ -13,7 +13,7 @@ from edugym.compiled.finite import IMPLEMENTED
 from edugym.compiled.mixed_numbers import follow_only
 from edugym.compiled.namedtuples import building
 from edugym.compiled.typed_checks import check_typed
-from edugym.compiled.untyped_checks import add_polling_only, check_untyped
+from edugym.compiled.untyped_checks import check_untyped, finish_own
 
 
 def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") -> Any:
@@ -76,7 +76,7 @@ def _after_lowering(state: Any) -> bool:
 BEFORE_LOWERING = _pass("edugym_before_lowering", _before_lowering, "AnalysisPass")
 AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
 CHECK_UNTYPED = _pass("edugym_check_untyped", check_untyped)
-ADD_POLLING = _pass("edugym_add_polling", add_polling_only)
+FINISH_OWN = _pass("edugym_finish_own", finish_own)
 CHECK_TYPED = _pass("edugym_check_typed", check_typed)
 FOLLOW_MIXED = _pass("edugym_follow_mixed", follow_only)
 REQUIRE_COMPLETE = _pass("edugym_require_complete", require_complete)
@@ -87,7 +87,7 @@ def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
 
     def define_pipelines(self: Any) -> list[Any]:
         manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
-        manager.add_pass_after(CHECK_UNTYPED if checked else ADD_POLLING, untyped_passes.InlineClosureLikes)
+        manager.add_pass_after(CHECK_UNTYPED if checked else FINISH_OWN, untyped_passes.InlineClosureLikes)
         if not part:
             manager.add_pass_after(REQUIRE_COMPLETE, typed_passes.NopythonTypeInference)
         manager.add_pass_after(CHECK_TYPED if checked else FOLLOW_MIXED, typed_passes.NopythonTypeInference)

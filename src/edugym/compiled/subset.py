@@ -228,7 +228,7 @@ def _code_problem(code: CodeType, function: FunctionType) -> str | None:
     value: Any = UNKNOWN  # what the instruction before has loaded by a global name
     path = ""
     byte_code = dis.Bytecode(code)
-    entries = vars(byte_code).get("exception_entries", ())
+    entries = vars(byte_code).get("exception_entries", ())  # mypy knows no such attribute
     guarded = {entry.target: entry.start for entry in entries}  # what `try` or `with` stands around
     lines: dict[int, int | None] = {}
     for instruction in byte_code:

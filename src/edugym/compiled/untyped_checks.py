@@ -77,8 +77,17 @@ def check_untyped(state: Any) -> bool:
     return True
 
 
-def add_polling_only(state: Any) -> bool:
-    """Adds polling to every `while`: the pass for the package's own code."""
+def finish_own(state: Any) -> bool:
+    """Adds polling to every `while`, and lets `rng.integers` draw no array: the pass for the package's own code.
+
+    What makes an array needs reference counts, with which all of a loop is several times slower.
+    """
+    for block, statement in statements(state.func_ir):
+        call = getattr(statement, "value", None)
+        if isinstance(call, ir.Expr) and call.op == "call":
+            method = _definition(state.func_ir, call.func)
+            if isinstance(method, ir.Expr) and method.op == "getattr" and method.attr == "integers":
+                _call_instead(state.func_ir, block, statement, DRAWN["integers"], method.value)
     insert_polling(state.func_ir, foreign=False)
     return True
 
@@ -100,7 +109,7 @@ def _require_values(func_ir: Any) -> None:
         for label in graph.topo_order():
             assigned = set(before(label))
             for statement in blocks[label].body:
-                _assign(statement, assigned, everything)
+                _follow_values(statement, assigned, everything)
             if after.get(label) != assigned:
                 after[label], changed = assigned, True
     for label in graph.topo_order():
@@ -109,11 +118,11 @@ def _require_values(func_ir: Any) -> None:
             for variable in _variables_used(statement):
                 if variable.name in everything and variable.name not in assigned and not variable.is_temp:
                     refuse(f"the variable {variable.unversioned_name} may have no value", statement.loc)
-            _assign(statement, assigned, everything)
+            _follow_values(statement, assigned, everything)
 
 
-def _assign(statement: Any, assigned: set[str], everything: set[str]) -> None:
-    """Change the set of the variables that have a value as a statement does.
+def _follow_values(statement: Any, assigned: set[str], everything: set[str]) -> None:
+    """Follows which variables have a value: changes the set of them as a statement does.
 
     Since Python 3.12 a list comprehension runs in the function that it stands in. It sets its variable aside, which may
     have no value yet, and puts it back at the end.
@@ -226,13 +235,20 @@ def _replace_call(func_ir: Any, block: Any, statement: Any) -> None:
     """Replaces a call of `int`, or of a method such as `rng.normal`, by a call of the checked function."""
     call = statement.value
     definition = _definition(func_ir, call.func)
-    function, owner = None, []
+    function, owner = None, None
     if isinstance(definition, ir.Expr) and definition.op == "getattr":
-        function, owner = _checked_method(func_ir, definition, call), [definition.value]
+        function, owner = _checked_method(func_ir, definition, call), definition.value
     elif isinstance(definition, ir.Global | ir.FreeVar):
         function = _checked_builtin(func_ir, definition.value, statement)
     if function is not None:
-        call.func, call.args = _assigned(func_ir, block, statement, function), [*owner, *call.args]
+        _call_instead(func_ir, block, statement, function, owner)
+
+
+def _call_instead(func_ir: Any, block: Any, statement: Any, function: Any, owner: Any) -> None:
+    """Calls another function in a statement; that of a method gets the owner first."""
+    call = statement.value
+    owners = [] if owner is None else [owner]
+    call.func, call.args = _assigned(func_ir, block, statement, function), [*owners, *call.args]
 
 
 def _checked_method(func_ir: Any, method: Any, call: Any) -> Any:
