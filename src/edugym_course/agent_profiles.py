@@ -9,9 +9,10 @@ import hashlib
 import inspect
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache, partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import edugym
@@ -39,6 +40,8 @@ WRIST = (1, 1, 9, 9, 1, 1, 2)
 SETTINGS: dict[str, Any] = {"GaussianActorCritic": WRIST}
 """What is not at its default, by agent."""
 
+NOTHING: Mapping[str, Any] = MappingProxyType({})
+
 Parts = dict[str, list[Ladder]]
 """For each agent, ladders."""
 
@@ -54,9 +57,27 @@ def on_tiles(environment: Any) -> GaussianActorCritic:
     return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))
 
 
-def abouts() -> dict[str, str]:
-    """What each agent of the package is, in a line, by name."""
-    return {name: (inspect.getdoc(getattr(edugym, name)) or "").partition("\n")[0] for name in agents()}
+def abouts(given: Mapping[str, Any] = NOTHING) -> dict[str, str]:
+    """What agents are, in a line, by name: those of the package and of libraries, and those that were given.
+
+    Args:
+        given: functions that make agents, by label; a pair of one and a wrapper counts as the agent.
+    """
+    found = {name: _first_line(getattr(edugym, name)) for name in agents()}
+    found |= {name: f"{algorithm} of {_library_of(algorithm)}" for name, algorithm in LIBRARY_AGENTS.items()}
+    makers = {label: agent[0] if type(agent) is tuple else agent for label, agent in given.items()}
+    return {label: _first_line(make) or "yours" for label, make in makers.items()} | found
+
+
+def _first_line(agent: Any) -> str:
+    """The first line of the docstring of a class, or of the class whose method this is; "" where it has none."""
+    kind = getattr(agent, "__self__", agent)
+    text = (inspect.getdoc(kind) or "").partition("\n")[0]
+    return "" if text.startswith(f"{getattr(kind, '__name__', '')}(") else text  # a NamedTuple lists its fields there
+
+
+def _library_of(algorithm: str) -> str:
+    return "sb3-contrib" if algorithm in ("QRDQN", "RecurrentPPO") else "Stable-Baselines3"
 
 
 def library_agents() -> dict[str, Any]:

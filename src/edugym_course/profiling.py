@@ -51,17 +51,17 @@ def profile_and_report(
     check_writable(output / report.NAME)
     how = {**how, "progress": sys.stderr.isatty(), "checkpoints": output / UNFINISHED}
     stale: dict[str, Any] = {}
+    given: dict[str, Any] = {}
     with SignalGuard(), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        if one_table:
-            found, beside = _by_the_rules(arguments.agents(agents), how), agent_profiles.load()
-        elif agents:
-            found, beside = _profiles(arguments.agents(agents), tuned, how), agent_profiles.load()
+        if agents:
+            given, beside = arguments.agents(agents), agent_profiles.load()
+            found = _by_the_rules(given, how) if one_table else _profiles(given, tuned, how)
         else:
             stale = agent_profiles.stale_of_libraries() if libraries else agent_profiles.stale()
             found, beside = agent_profiles.make_again(stale, **how), None
         everybody = pooled(found, beside) if beside else None
-        path = call_interruptibly(report.write, found, output, everybody, agent_profiles.abouts())
+        path = call_interruptibly(report.write, found, output, everybody, agent_profiles.abouts(given))
     shutil.rmtree(output / UNFINISHED, ignore_errors=True)
     _print_table(*tables.score_table(found, everybody))
     said = [f"{name}. {verdicts.said(found, name, everybody).sentence}" for name in found.challenges]

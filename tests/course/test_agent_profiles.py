@@ -116,3 +116,21 @@ def test_the_code_of_an_agent_is_its_own_and_that_of_the_task() -> None:
     code = "class Task:\n    def step(self):\n        return {}\n    def info(self):\n        return {}\n"
     shown = [what_determines(code.format(step, info), shown=("info",)) for step, info in ((1, 1), (1, 2), (2, 1))]
     assert shown[0] == shown[1] != shown[2]
+
+
+def test_what_each_agent_is_in_a_line() -> None:
+    """Those of the package and of libraries, and given ones: the first line of a docstring, or that it is yours."""
+
+    class Told:
+        """It climbs."""
+
+        @classmethod
+        def create(cls, environment: Any) -> "Told":
+            return cls()
+
+    class Plain(NamedTuple):
+        Q: Any = 0
+
+    abouts = agent_profiles.abouts({"told": Told.create, "wrapped": (Told.create, id), "plain": Plain})
+    assert [abouts[label] for label in ("told", "wrapped", "plain")] == ["It climbs.", "It climbs.", "yours"]
+    assert all(abouts[name] for name in (*agent_profiles.agents(), *agent_profiles.LIBRARY_AGENTS))

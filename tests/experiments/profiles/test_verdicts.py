@@ -81,6 +81,8 @@ def test_a_better_agent_beside_is_named_with_how_far_it_gets() -> None:
     assert said(profiled({"B": MIDDLE}), "Boulder", beside).sentence.endswith(f"A, one of the other agents, {better}")
     assert "other" not in said(profiled({"B": FAR}), "Boulder", beside).sentence
     blank = {"D": {"Boulder": "no hands"}}
+    two = profiled({"F": FAR, "B": MIDDLE})
+    assert said(two, "Boulder", beside).sentence.startswith("Of those that you gave, F gets furthest")
     nobody = said(profiled({}, blank=blank), "Boulder", beside).sentence
     assert nobody == "D cannot enter. A, one of the other agents, masters even a wall of height 40."
     problem, far = "a reward that random play hardly ever finds", "masters even a wall of height 40"
@@ -95,6 +97,8 @@ def test_a_better_agent_beside_is_named_with_how_far_it_gets() -> None:
         "A, B, C and 2 more",
     ]
     assert tables.take_table(profiled({}, blank=blank))[1][0][2:] == ["nobody can enter", "–", "–"]
+    rows = tables.table_of_all(profiled(six | {"G": LOW}))[1]
+    assert [(agent, "*" in score) for agent, score in rows] == [*((agent, True) for agent in six), ("G", False)]
 
 
 def test_the_report_says_what_each_challenge_is() -> None:
@@ -134,7 +138,7 @@ def test_a_ladder_of_ones_own_needs_no_words() -> None:
 
 
 def test_which_differences_are_sure() -> None:
-    """Those of agents whose intervals lie apart; of each pair what one is better and worse in, in one sentence."""
+    """Those that are hardly chance; of each pair what one is better and worse in, in one sentence."""
     both = [
         profiled({"A": scores, "B": MIDDLE, "C": MIDDLE}, ladder) for ladder, scores in ((WALL, FAR), (FEW_STEPS, LOW))
     ]

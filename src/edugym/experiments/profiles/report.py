@@ -84,14 +84,16 @@ summary { cursor: pointer; margin: .5rem 0; }
 INTRODUCTION = (
     "Every challenge is a ladder of tasks, from easy to hopeless. On each rung an agent trains anew, and then plays"
     " without exploring: 0 stands for random play, 1 for the best play. The mean over the rungs is its score in the"
-    f" challenge. An agent breaks between the two rungs where it first falls below {HALF}. It masters a challenge if it"
-    f" never does, and still has {NEARLY} or more on the last rung. Who breaks later may have the lower score, since"
+    f" challenge. An agent fails if it is below {HALF} on the first rung already; it breaks between the two rungs where"
+    f" it first falls below {HALF}. It masters a challenge if it never does, and still has {NEARLY} or more on the last"
+    " rung. Who breaks later may have the lower score, since"
     " the rungs after the break count too."
 )
 TAKE = (
     "Find the line that is most like your problem. Highest is the agent with the highest score of all that were tried"
     " there; it is weakest in the challenge in which it lies furthest behind the best one. Not surely worse are those"
-    " whose lower score may be chance."
+    " whose lower score may be chance; where the table says only how many more, the scores of all agents below have a"
+    " star."
 )
 NO_LINE = (
     "Two problems have no line: a reward that drowns in noise, and what is lost while learning. Only the play after the"
@@ -105,8 +107,8 @@ MARKS = (
     "A number is a score with its 95 % interval; – says that an agent cannot enter a challenge, and ? that it was not"
     " measured there. A score a little above 1 is luck: the best play is known on average."
 )
-SURE = "A difference between two agents is called sure where their intervals do not overlap."
-ALL = "The score of every agent"
+SURE = "A difference between two agents is called sure where it can hardly be chance (see How it was measured)."
+ALL = "The score of every agent (* is the highest, or not surely worse)"
 EACH = "What each agent is"
 BANDS = "A coloured band is the 95 % interval on each rung."
 GREY_LINES = (

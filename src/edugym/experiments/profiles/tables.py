@@ -5,7 +5,7 @@ from itertools import combinations
 
 from edugym.experiments.profiles.ladders import EXACT, steps_of
 from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
-from edugym.experiments.profiles.verdicts import best_agents, listed, others_of, outcome
+from edugym.experiments.profiles.verdicts import best_agents, listed, others_of, outcome, surely_worse
 from edugym.experiments.profiles.words import rounded, written
 from edugym.experiments.results.statistics import Interval
 
@@ -16,6 +16,8 @@ NAMED_BESIDE = 3
 """Of the agents that are not surely worse than the best, the report names so many besides those that were given."""
 NO_MATTER = "none is good"
 """What stands in the place of those that are not surely worse than one that is not good itself."""
+BEST = "*"
+"""What marks the score of an agent that is best, or not surely worse."""
 MOST_COMPARED = 5
 """Among more agents than these, the report does not compare each with each."""
 
@@ -104,18 +106,19 @@ def score_table(profile: Profile, beside: Profile | None = None) -> Table:
 
 
 def table_of_all(profile: Profile) -> Table:
-    """The scores of all agents, without intervals."""
+    """The scores of all agents, without intervals; a star marks the best, as `best_agents` names them."""
     names = profile.challenges
-    rows = [
-        [
-            agent,
-            *(
-                rounded(score.estimate) if (score := profile.score(agent, name)).n else absent(profile, agent, name)
-                for name in names
-            ),
+    best = {name: best_agents(profile, name) for name in names}
+    rows = []
+    for agent in profile.agents:
+        scores = {name: profile.score(agent, name) for name in names}
+        texts = [
+            f"{rounded(score.estimate)}{BEST if agent in best[name] else ''}"
+            if score.n
+            else absent(profile, agent, name)
+            for name, score in scores.items()
         ]
-        for agent in profile.agents
-    ]
+        rows.append([agent, *texts])
     return ["agent", *names], rows
 
 
@@ -137,14 +140,14 @@ def rung_table(profile: Profile, challenge: str) -> Table:
 
 
 def sure_differences(profile: Profile) -> list[str]:
-    """Which agents are surely better than which others: their intervals do not overlap. Sentences."""
+    """Which agents are surely better than which others, as `surely_worse` says: sentences."""
     if not 2 <= len(profile.agents) <= MOST_COMPARED:
         return []
     sentences = []
     for one, other in combinations(profile.agents, 2):
-        pairs = {name: (profile.score(one, name), profile.score(other, name)) for name in profile.challenges}
-        better = [name for name, (ours, theirs) in pairs.items() if ours.low > theirs.high]
-        worse = [name for name, (ours, theirs) in pairs.items() if ours.high < theirs.low]
+        both = [name for name in profile.challenges if profile.score(one, name).n and profile.score(other, name).n]
+        better = [name for name in both if surely_worse(profile, name, other, one)]
+        worse = [name for name in both if surely_worse(profile, name, one, other)]
         found = [f"better than {other} in {listed(better)}"] if better else []
         if worse:
             found.append(f"worse {'' if better else f'than {other} '}in {listed(worse)}")
@@ -200,9 +203,9 @@ def method(profile: Profile) -> list[str]:
         " layout, and was then evaluated without exploring.",
         *fewer_said,
         "On a rung, 0 is the mean return of random play, 1 that of the best play; below 0 is worse than random play.",
-        "The intervals are 95 % intervals over the repetitions. An agent is surely worse than the highest if the"
-        " interval of the difference, in pairs of runs with the same seeds and layouts, lies above 0; where one has"
-        " fewer runs, if the intervals of their scores do not overlap.",
+        "The intervals are 95 % intervals over the repetitions. An agent is surely better than another if the interval"
+        " of the difference, in pairs of runs with the same seeds and layouts, lies above 0; where one has fewer runs,"
+        " if the intervals of their scores do not overlap.",
         profile.settings,
         " ".join([*([f"Training steps on each rung: {named}."] if named else []), *few]),
         f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),

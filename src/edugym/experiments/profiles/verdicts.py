@@ -90,11 +90,13 @@ def outcome(profile: Profile, agent: str, challenge: str) -> Outcome:
 
 def said(profile: Profile, challenge: str, beside: Profile | None = None) -> Said:
     """What the report says about a challenge; an agent of another profile is named where it is surely better."""
-    sentences = [f"{text}." for text in (*_standing(profile, challenge), _better(profile, challenge, beside)) if text]
+    sentences = [
+        f"{text}." for text in (*_standing(profile, challenge, beside), _better(profile, challenge, beside)) if text
+    ]
     return Said(challenge, profile.ladder(challenge).challenge, " ".join(sentences))
 
 
-def _standing(profile: Profile, challenge: str) -> list[str]:
+def _standing(profile: Profile, challenge: str, beside: Profile | None) -> list[str]:
     """How far each agent gets, the one with the highest score first: sentences without their full stops."""
     scores = scores_of(profile, challenge)
     agents = sorted(profile.agents, key=lambda agent: -scores.get(agent, -math.inf))
@@ -106,7 +108,8 @@ def _standing(profile: Profile, challenge: str) -> list[str]:
     sentences = []
     ahead = first.reached == max(how.reached for how in found)  # who breaks later may have the lower score
     if leaders == best_agents(profile, challenge) and len(leaders) == 1 and len(scores) > 1 and ahead:
-        sentences.append(f"{leaders[0]} gets furthest: it {first.of_one}")
+        among = "Of those that you gave, " if others_of(profile, beside, challenge) else ""
+        sentences.append(f"{among}{leaders[0]} gets furthest: it {first.of_one}")
         del found[first]
     for breaks, groups in groupby(found.items(), key=lambda pair: bool(pair[0].in_short)):
         texts: list[str] = []
