@@ -7,6 +7,8 @@ the usual mistakes: one that makes the actions much more probable than the right
 """
 
 import math
+import operator
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -26,12 +28,14 @@ from edugym_course.grading.programs import (
     APART,
     NAME,
     Environment,
+    Run,
     Step,
     learn_from,
     require_reproducible,
     run_program,
     shape_of,
 )
+from edugym_course.grading.student_code import student_code
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -43,9 +47,12 @@ UNEXPLAINED = 0.25
 """The share of the surprises above those by ε that a mistake may leave; one that leaves more is another mistake."""
 SIGMAS, CLEARLY = 4.0, 2.0
 """How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
+ASKED, SELDOM = 200, 0.02
+"""How many observations a policy is asked about, and in what share of them ours may see no tie where it sees one."""
 AT_ONCE = 100
 """How many steps a mistake goes on, before another one that is more probable may."""
 LAYERS, WIDTH, ACTIONS = 6, 2, 4
+SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
 
 
@@ -111,11 +118,13 @@ class Learner(NamedTuple):
             `values(state)`.
         alter: what it takes a step for, after what it took the step before for (None at the first).
         skips: from which steps it does not learn.
+        swaps: whether it takes a random action with probability 1 − ε.
     """
 
     make: Maker
     alter: Callable[[Step, Step | None], Step] = lambda step, before: step
     skips: Callable[[Step], bool] = lambda step: False
+    swaps: bool = False
 
 
 def _goes_on(step: Step, before: Step | None) -> Step:
@@ -200,10 +209,9 @@ class Surprises(NamedTuple):
         """The standard deviation of their number."""
         return math.sqrt(float((self.chances * (1 - self.chances)).sum()))
 
-    @property
-    def is_usual(self) -> bool:
-        """Whether there are about as many as are to be expected."""
-        return abs(self.too_many) <= SIGMAS * self.deviation + SLACK * self.expected
+    def is_usual(self, slack: float = SLACK) -> bool:
+        """Whether there are as many as are to be expected, or more or fewer by chance and a share of them."""
+        return abs(self.too_many) <= SIGMAS * self.deviation + slack * self.expected
 
     def explains_better_than(self, other: "Surprises") -> bool:
         """Whether it makes the actions more probable, by more than chance.
@@ -220,27 +228,38 @@ class Surprises(NamedTuple):
 
 def replay(runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int], epsilon: float) -> Iterator[Row]:
     """Let new agents learn from the steps of a program, one from each run, and yield what each step was to them."""
+    epsilon = 1 - epsilon if learner.swaps else epsilon
     for steps in runs:
-        agent = learner.make(shape)
-        names = learns_from(agent)
-        waiting: Step | None = None
-        before: Step | None = None
-        for real in steps:
-            step = before = learner.alter(real, before)
-            values = (agent.values(step.state) if hasattr(agent, "values") else agent.Q[step.state]).tolist()
-            highest = max(values)
-            best = [tied(value, highest) for value in values]
+        for agent, step in _learning(steps, learner, shape):
+            best = _best(agent, step.state)
             share = (1 - epsilon) * best[step.action] / sum(best)
             yield not best[step.action], epsilon * (1 - sum(best) / len(best)), math.log(epsilon / len(best) + share)
-            if waiting is not None:
-                learn_from(agent, names, waiting, step.action)
-            waiting = None
-            if learner.skips(real):
-                getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
-            elif "next_action" in names and not real.terminated:
-                waiting = step
-            else:
-                learn_from(agent, names, step, step.action)
+
+
+def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -> Iterator[tuple[Any, Step]]:
+    """Let a new agent learn from the steps of a run; yield it before each, with the step as it takes it."""
+    agent = learner.make(shape)
+    names = learns_from(agent)
+    waiting: Step | None = None
+    before: Step | None = None
+    for real in steps:
+        step = before = learner.alter(real, before)
+        yield agent, step
+        if waiting is not None:
+            learn_from(agent, names, waiting, step.action)
+        waiting = None
+        if learner.skips(real):
+            getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
+        elif "next_action" in names and not real.terminated:
+            waiting = step
+        else:
+            learn_from(agent, names, step, step.action)
+
+
+def _best(agent: Any, state: Any) -> list[bool]:
+    """Which actions look best to an agent."""
+    values = (agent.values(state) if hasattr(agent, "values") else agent.Q[state]).tolist()
+    return [tied(value, max(values)) for value in values]
 
 
 def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) -> tuple[int, list[Row]]:
@@ -282,6 +301,7 @@ class Rule:
         worlds: in how many small worlds a program is tried.
         n_steps: how many steps it takes in each.
         world: makes one, with the arguments of `SmallWorld`.
+        asks: whether the policy that is returned chooses by one observation, and can be asked about each.
     """
 
     right: Learner
@@ -294,6 +314,7 @@ class Rule:
     worlds: int = 2
     n_steps: int = 2000
     world: Callable[[int, bool, bool], Environment] = SmallWorld
+    asks: bool = True
 
     def check(self, program: Any, seed: int) -> None:
         """Check that the actions of a program follow from its steps by the equation.
@@ -308,10 +329,10 @@ class Rule:
         seeds = range(self.worlds * seed, self.worlds * (seed + 1))
         worlds = [partial(self.world, number, self.truncates, self.noisy) for number in seeds]
         require_reproducible(program, worlds[0], TRIAL, seed)
-        runs = [
-            run_program(program, world(), self.n_steps, number).steps
-            for number, world in zip(seeds, worlds, strict=True)
+        done = [
+            run_program(program, world(), self.n_steps, number) for number, world in zip(seeds, worlds, strict=True)
         ]
+        runs = [run.steps for run in done]
         shape = shape_of(worlds[0]())
         right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
         number, rows = likeliest(
@@ -321,15 +342,44 @@ class Rule:
         )
         likely, sentence = Surprises.of(rows), [*self.mistakes][number]
         is_better = likely.explains_better_than(right)
-        if right.is_usual and not is_better:
+        if right.is_usual() and not is_better:
+            if self.asks:
+                self._require_best_actions(done[0], shape)
             return
-        explains_all = is_better and likely.explains_those_of(right)
-        cause = f"They fit a usual mistake: {sentence}" if explains_all else self._cause(right)
+        swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
+        if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
+            cause = SWAPPED
+        elif is_better and likely.explains_those_of(right):
+            cause = f"They fit a usual mistake: {sentence}"
+        else:
+            cause = self._cause(right)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
             " that its own steps make look best by the equation of this lesson, and with ε ="
             f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
         )
+
+    def _require_best_actions(self, run: Run, shape: tuple[int, int]) -> None:
+        """Refuse a policy that draws its actions, or whose actions are not those that look best after all steps."""
+        ((agent, _),) = deque(_learning(run.steps, self.right, shape), maxlen=1)
+        clear, other, drawn = 0, 0, 0
+        for state in (step.state for step in run.steps[-ASKED:]):
+            best = _best(agent, state)
+            if sum(best) == 1:
+                with student_code(f"the policy that {NAME} returns"):
+                    one, again = (operator.index(run.policy(state)) for _ in range(2))
+                clear, other, drawn = clear + 1, other + (one != best.index(True)), drawn + (one != again)
+        if drawn > SELDOM * clear:
+            raise WrongAnswer(
+                f"the policy that {NAME} returns draws its actions: asked twice about one observation, it gives two of"
+                f" them in {drawn} of {clear} cases. It should take the *best* action, and never a random one"
+            )
+        if other > UNEXPLAINED * clear:
+            raise WrongAnswer(
+                f"in {other} of {clear} observations the policy that {NAME} returns takes another action than the one"
+                " that the steps of the program make look best: does this policy look up the state that it is given,"
+                " and take the *best* action?"
+            )
 
     def _cause(self, right: Surprises) -> str:
         """Return the likely cause of surprises that no usual mistake explains."""

@@ -28,6 +28,7 @@ HINTS = (
         FIELD,
     ),
     (r"name '(alpha|beta|gamma|alfa|lr)' is not defined", "the exercise has another name for it"),
+    (r"name '(math|np|numpy|random)' is not defined", "`import` it first"),
     (r"name 'inf(inity)?' is not defined", "infinity is math.inf"),
     ("cannot access local variable", "it gets a value on some paths only"),
     ("'NoneType'", "something is None there: is a `return` missing, or does what is called return nothing?"),
@@ -38,7 +39,11 @@ HINTS = (
         "an array stands where one number is needed: take an entry of it, or calculate with + - * / **, which arrays"
         " have as well",
     ),
-    ("could not be broadcast", "two arrays of different sizes meet there"),
+    (
+        "could not be broadcast|boolean index did not match",
+        "two arrays of different sizes meet there: are rows and columns in order?",
+    ),
+    ("scale < 0", "a standard deviation is below 0: is it ln σ that is learned, and σ = e^(ln σ)?"),
     ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
     (
         r"(float|int)\d*' object is not (iterable|reversible|subscriptable)|index to scalar",

@@ -10,7 +10,7 @@ import pytest
 from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.programs import Program, Step, learn_from, shape_of
-from edugym_course.grading.replay import Learner, Rule, SmallWorld
+from edugym_course.grading.replay import SWAPPED, Learner, Rule, SmallWorld
 
 RULES: dict[str, Rule] = {
     lesson: project.RULE
@@ -27,7 +27,7 @@ CASES = [
 """The quick tests of the other lessons are their answers `project_wrong.py`."""
 
 
-def program_with(learner: Learner) -> Program:
+def program_with(learner: Learner, epsilon: float) -> Program:
     """A program that makes a mistake in its loop."""
 
     def program(environment: Any, n_steps: int, seed: int) -> Any:
@@ -38,6 +38,8 @@ def program_with(learner: Learner) -> Program:
         for _ in range(n_steps):
             thought = learner.alter(Step(state, 0, 0.0, state, False, False), before).state
             action = agent.act(thought, rng)
+            if learner.swaps and rng.random() < 1 - epsilon / (1 - epsilon):  # so ε is left for the best one
+                action = int(rng.integers(environment.action_space.n))
             if waiting is not None:
                 learn_from(agent, names, waiting, action)
             next_state, reward, terminated, truncated, _ = environment.step(action)
@@ -61,7 +63,7 @@ def program_with(learner: Learner) -> Program:
 def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
     """No two of a lesson are taken for each other."""
     with pytest.raises(WrongAnswer) as refused:
-        RULES[lesson].check(program_with(RULES[lesson].mistakes[sentence]), seed)
+        RULES[lesson].check(program_with(RULES[lesson].mistakes[sentence], RULES[lesson].epsilon), seed)
     said = str(refused.value)
     assert said.endswith(f"They fit a usual mistake: {sentence}")
     for words in ("in small worlds with ", "it should be some ", " make look best by the equation of this"):
@@ -69,10 +71,18 @@ def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
 
 
 @pytest.mark.parametrize("lesson", RULES)
+def test_a_random_action_too_often(lesson: str) -> None:
+    """A comparison with ε that is the wrong way round is no other mistake."""
+    rule = RULES[lesson]
+    with pytest.raises(WrongAnswer, match=f"{SWAPPED}$"):
+        rule.check(program_with(rule.right._replace(swaps=True), rule.epsilon), 0)
+
+
+@pytest.mark.parametrize("lesson", RULES)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_right_program_has_no_surprises(lesson: str, seed: int) -> None:
     """Whatever the seed is."""
-    RULES[lesson].check(program_with(RULES[lesson].right), seed)
+    RULES[lesson].check(program_with(RULES[lesson].right, RULES[lesson].epsilon), seed)
 
 
 @pytest.mark.parametrize("truncates", [False, True])

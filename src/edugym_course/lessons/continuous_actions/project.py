@@ -5,18 +5,17 @@ lesson, from which Gaussians it should have drawn them. A program whose actions 
 """
 
 import math
+from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-import gymnasium
 import numpy as np
 from gymnasium import spaces
 
 from edugym_course.grading.curves import Race, compare_with_ours
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import (
-    APART,
     NAME,
     Environment,
     Policy,
@@ -26,147 +25,21 @@ from edugym_course.grading.programs import (
 )
 from edugym_course.grading.replay import NATS, SIGMAS, TRIAL
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.continuous_actions.release import reward
+from edugym_course.lessons.continuous_actions.exercises.boxes import (
+    BOXES,
+    LARGEST,
+    POLICY_RATE,
+    SMALLEST,
+    WIDTH,
+    Boxes,
+    Gaussians,
+    returns_from,
+    returns_until,
+    score_of_log,
+    score_of_mean,
+)
 
-POLICY_RATE, VALUE_RATE, DISCOUNT = 0.005, 0.1, 0.8
-SMALLEST, LARGEST = 0.2, 2.0
-"""σ never leaves these bounds."""
-BOXES, WIDTH, FARTHEST = 3, 2, 1.0
 N_STEPS, WORLDS = 6_000, 2
-
-
-class Boxes(gymnasium.Env[Any, Any]):
-    """An arm lets go of three boxes, one after another, over containers whose middles it does not know.
-
-    A state is the container below the arm. The reward is that of the lesson. After a good place another container
-    comes than after a bad one. No state comes twice in an episode.
-
-    Args:
-        seed: the number from which the middles and the numbers of the states are drawn.
-    """
-
-    def __init__(self, seed: int) -> None:
-        """Draw the containers."""
-        n, rng = BOXES * WIDTH, np.random.default_rng(APART + seed)
-        self.observation_space = spaces.Discrete(n)
-        self.action_space = spaces.Box(-math.inf, math.inf, (), np.float64)
-        self._middles, self._states = rng.uniform(-FARTHEST, FARTHEST, n), rng.permutation(n)
-        self._place = 0
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin with one of the first containers."""
-        super().reset(seed=seed)
-        self._place = int(self.np_random.integers(WIDTH))
-        return int(self._states[self._place]), {}
-
-    def step(self, action: float) -> tuple[int, float, bool, bool, dict[str, Any]]:
-        """Let go of a box."""
-        pays = float(reward(np.array(action - self._middles[self._place])))
-        layer = self._place // WIDTH + 1
-        self._place = layer % BOXES * WIDTH + (pays < 2.0)
-        return int(self._states[self._place]), pays, layer == BOXES, False, {}
-
-
-Returns = Sequence[float]
-Score = Callable[[float, float], float]
-
-
-def returns_from(rewards: Returns, discount: float) -> Returns:
-    """The return from each step on, G_t."""
-    returns = [0.0]
-    for one in reversed(rewards):
-        returns.append(one + discount * returns[-1])
-    return returns[:0:-1]
-
-
-def returns_until(rewards: Returns, discount: float) -> Returns:
-    """What a program gets that sums up from the wrong end."""
-    return returns_from(rewards[::-1], discount)[::-1]
-
-
-def score_of_mean(off: float, spread: float) -> float:
-    """The derivative of ln π with respect to μ, `off` = a − μ from it."""
-    return off / spread**2
-
-
-def score_of_log(off: float, spread: float) -> float:
-    """The derivative of ln π with respect to ln σ."""
-    return off / spread * (off / spread) - 1
-
-
-class Gaussians:
-    """REINFORCE with a Gaussian policy that has μ and ln σ of its own in each state; the values are its baseline.
-
-    Args:
-        n_states: the number of states.
-        returns: gives the returns of the rewards of an episode, and γ.
-        of_mean: the score of μ, of a − μ and σ.
-        of_log: the score of ln σ.
-        policy_rate: α^θ.
-        value_rate: α^w.
-        fades: whether later steps count less, by γ^t.
-        bounds: of σ.
-        own: whether each state has a Gaussian of its own.
-        power: the standard deviation of an action is this power of σ.
-        fresh: whether the policy learns from G less the V that has just moved.
-        moves: what changes before the score of the other is computed, "μ" or "σ"; with "", nothing.
-        all_steps: whether it learns from the last step of an episode, too.
-        keeps: whether its list of steps is never emptied.
-        backwards: whether it learns from the last step first.
-    """
-
-    def __init__(
-        self,
-        n_states: int,
-        returns: Callable[[Returns, float], Returns] = returns_from,
-        of_mean: Score = score_of_mean,
-        of_log: Score = score_of_log,
-        policy_rate: float = POLICY_RATE,
-        value_rate: float = VALUE_RATE,
-        fades: bool = True,
-        bounds: tuple[float, float] = (SMALLEST, LARGEST),
-        own: bool = True,
-        power: float = 1.0,
-        fresh: bool = False,
-        moves: str = "",
-        all_steps: bool = True,
-        keeps: bool = False,
-        backwards: bool = False,
-    ) -> None:
-        """Begin with μ = 0, σ = 1 and V = 0."""
-        # Lists: Python reads one entry of them sooner than one of an array.
-        self.mean, self._log, self._V = [0.0] * n_states, [0.0] * n_states, [0.0] * n_states
-        self._returns, self._of_mean, self._of_log = returns, of_mean, of_log
-        self._policy_rate, self._value_rate = policy_rate, value_rate
-        self._fades, self._own, self._power, self._fresh, self._moves = fades, own, power, fresh, moves
-        self._all_steps, self.keeps, self._backwards = all_steps, keeps, backwards
-        self._least, self._most = map(math.log, bounds)
-
-    def gaussian(self, state: int) -> tuple[float, float]:
-        """The mean and the standard deviation of the action."""
-        state *= self._own
-        return self.mean[state], math.exp(self._log[state] * self._power)
-
-    def learn(self, episode: Sequence[Step]) -> None:
-        """Learn from an episode."""
-        returns = self._returns([step.reward for step in episode], DISCOUNT)
-        times = range(len(episode) if self._all_steps else len(episode) - 1)
-        for t in reversed(times) if self._backwards else times:
-            step, G = episode[t], returns[t]
-            delta = G - self._V[step.state]
-            self._V[step.state] += self._value_rate * delta
-            delta = G - self._V[step.state] if self._fresh else delta
-            state = step.state * self._own
-            off, spread = step.action - self.mean[state], math.exp(self._log[state])
-            rate = self._policy_rate * (DISCOUNT**t if self._fades else 1.0)
-            if self._moves == "μ":
-                self.mean[state] += rate * delta * self._of_mean(off, spread)
-                off = step.action - self.mean[state]
-            log = self._log[state] + rate * delta * self._of_log(off, spread)
-            self._log[state] = min(max(log, self._least), self._most)  # NaN stays NaN
-            if self._moves != "μ":
-                spread = math.exp(self._log[state]) if self._moves == "σ" else spread
-                self.mean[state] += rate * delta * self._of_mean(off, spread)
 
 
 Maker = Callable[[int], Gaussians]
@@ -205,7 +78,29 @@ MISTAKES: dict[str, Maker] = {
     ),
     "nothing is learned from the last step of an episode: its G is its reward": partial(Gaussians, all_steps=False),
     "σ is not kept between 0.2 and 2": partial(Gaussians, bounds=(1e-9, 1e9)),
-    "all states have the same μ and σ, and each should have its own": partial(Gaussians, own=False),
+    "ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2": partial(
+        Gaussians, bounds=(math.exp(SMALLEST), math.exp(LARGEST))
+    ),
+    "all states have the same μ and σ, and each should have its own": partial(Gaussians, shared="μσ"),
+    "all states have the same μ: is the index of the state missing where μ changes?": partial(Gaussians, shared="μ"),
+    "σ is 0.5 at first, and it should be 1": partial(Gaussians, first=0.5),
+    "ln σ is 1 at first, and it should be 0: then σ is 1": partial(Gaussians, first=math.e),
+    "V hardly learns: α^w is 0.1 in the text, and not α^θ": partial(Gaussians, value_rate=POLICY_RATE),
+    "every step gets the return of the whole episode, and it should be the one from this step on": partial(
+        Gaussians, returns=lambda rewards, discount: [returns_from(rewards, discount)[0]] * len(rewards)
+    ),
+    "δ is the TD error R + γ V(S') − V(S), as in the actor-critic; here it is G − V(S)": partial(
+        Gaussians, bootstraps=True
+    ),
+    "the sign of the score of μ is wrong: it is A − μ above the line": partial(
+        Gaussians, of_mean=lambda off, spread: -score_of_mean(off, spread)
+    ),
+    "the sign of the score of ln σ is wrong: σ should grow where δ and the distance from μ are large": partial(
+        Gaussians, of_log=lambda off, spread: -score_of_log(off, spread)
+    ),
+    "it learns from an action that is cut off at −1 and 1, and not from the one that it drew": partial(
+        Gaussians, cut=1.0
+    ),
     "the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself": partial(
         Gaussians, power=2.0
     ),
@@ -225,6 +120,8 @@ MISTAKES: dict[str, Maker] = {
 """The usual mistakes, by their sentences."""
 KEPT = [partial(Gaussians, keeps=True, backwards=backwards) for backwards in (False, True)]
 """They learn from all episodes so far again and again. The order matters, since states come twice in such a list."""
+REPEATED = 0.01
+"""The share of the steps in which one and the same action is no chance."""
 EARLY = 300
 """After so many steps a list that is never emptied is found; a program that has one soon needs minutes."""
 
@@ -260,7 +157,7 @@ def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
             z.append((step.action - mean) / spread)
             log -= 0.5 * z[-1] * z[-1] + math.log(spread)
             episode.append(step)
-            if step.terminated:
+            if step.terminated or step.truncated:
                 learner.learn(episode)
                 episode = episode if learner.keeps else []
     n, below = len(z), [0.5 + 0.5 * math.erf(one / math.sqrt(2)) for one in sorted(z)]
@@ -277,16 +174,22 @@ def check_equations(program: Any, seed: int) -> None:
         WrongAnswer: it does not; or the program breaks the contract.
     """
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
-    require_reproducible(program, partial(Boxes, seeds[0]), TRIAL, seed)
-    early = [run_program(program, Boxes(number), EARLY, number).steps for number in seeds]
+    require_reproducible(program, partial(Boxes, seeds[0], truncates=True), TRIAL, seed)
+    early = [run_program(program, Boxes(number, truncates=True), EARLY, number).steps for number in seeds]
     others = max(fit(early, make).log for make in (Gaussians, *MISTAKES.values()))
     if max(fit(early, make).log for make in KEPT) > others + NATS:
         raise WrongAnswer(
             f"the actions of {NAME} are those of a program that learns from all earlier episodes again at the end of"
             " each: empty the lists of the episode when it has learned from them"
         )
-    done = [run_program(program, Boxes(number), N_STEPS, number) for number in seeds]
+    done = [run_program(program, Boxes(number, truncates=True), N_STEPS, number) for number in seeds]
     _require_means(done[0].policy)
+    often, times = Counter(step.action for step in done[0].steps).most_common(1)[0]
+    if times > REPEATED * N_STEPS:
+        raise WrongAnswer(
+            f"in {times} of {N_STEPS} steps the action of {NAME} is exactly {often:g}: give the environment what is"
+            " drawn, and do not cut it off"
+        )
     runs = [run.steps for run in done]
     right, fits = fit(runs, Gaussians), {sentence: fit(runs, make) for sentence, make in MISTAKES.items()}
     likely = max(fits, key=lambda sentence: fits[sentence].log)

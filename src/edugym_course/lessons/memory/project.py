@@ -130,6 +130,7 @@ RULE = Rule(
     otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one",
     worlds=4,
     world=VeiledWorld,
+    asks=False,
 )
 CORRIDOR = Race(
     partial(gymnasium.make, "edugym/MemoryCorridor-v0"),

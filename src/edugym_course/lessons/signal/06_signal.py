@@ -389,8 +389,8 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
-# table cannot find it. (That is what features and networks are for. In the project you write an agent that is told how
-# often each word occurs.)
+# table cannot find it. (That is what features and networks are for. At the end, in "From a blank file", you write an
+# agent that is told how often each word occurs.)
 
 # %% [markdown]
 # ## Predict, then check

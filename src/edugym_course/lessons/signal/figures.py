@@ -86,6 +86,7 @@ class Points(NamedTuple):
             low, high = [one.low for one in intervals], [one.high for one in intervals]
             ax.fill_between(x, low, high, color=look.color, alpha=0.16, linewidth=0)
         if self.marked:
+            ax.margins(y=0.12)  # room for the name of the lowest point
             x, rows = self.measured[self.marked]
             for at, row, text in zip(x, rows, self.marks, strict=True):
                 ax.annotate(text, (at, row.mean()), self.shift, textcoords="offset points", fontsize=7, color=INK)

@@ -103,6 +103,7 @@ class Listener:
         one: whether the weights of the action that was taken change, or those of all.
         moved: whether the weights of the message "before" the action move, or of the one "after" it.
         valued: whether the value in the difference is that "before" the action, or "after" it.
+        discount: γ, of the largest value after the next message.
     """
 
     def __init__(
@@ -114,23 +115,25 @@ class Listener:
         one: bool = True,
         moved: str = "before",
         valued: str = "before",
+        discount: float = 0.0,
     ) -> None:
         """Know no word."""
         self._n_actions = shape[1]
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.zeros(shape[1]))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
-        self._moved, self._valued = moved, valued
+        self._moved, self._valued, self._discount = moved, valued, discount
 
     def values(self, state: Message) -> Reals:
         """The value of each action after an observation."""
         terms = (weight * self._theta[word] for word, weight in self._take(state[1:]))
         return sum(terms, np.zeros(self._n_actions))
 
-    def learn(self, state: Message, action: int, reward: float, next_state: Message) -> None:
+    def learn(self, state: Message, action: int, reward: float, next_state: Message, terminated: bool) -> None:
         """Move the weights of what was heard."""
         messages = {"before": state, "after": next_state}
         actions = action if self._one else slice(None)
-        delta = reward - self.values(messages[self._valued])[actions] * self._surprised
+        future = self._discount * self.values(next_state).max() if self._discount and not terminated else 0.0
+        delta = reward + future - self.values(messages[self._valued])[actions] * self._surprised
         for word, weight in self._take(messages[self._moved][1:]):
             self._theta[word][actions] += self._learning_rate * weight * delta
 
@@ -177,7 +180,17 @@ RULE = Rule(
         "the value in R − q(O, A) is that of the *next* message: O is the one before the action": mistake(
             valued="after"
         ),
-        "the learning rate is much too large: it is 0.01 in the text": mistake(learning_rate=0.5),
+        **{
+            f"the learning rate is much too {size}: it is 0.01 in the text": mistake(learning_rate=rate)
+            for size, rate in (("large", 0.5), ("small", 0.001))
+        },
+        "the learning rate is too large, as 0.1: it is 0.01 in the text": mistake(learning_rate=0.1),
+        "γ is 0.5, and it should be 0: the reward stands alone, without the value of the next message": mistake(
+            discount=0.5
+        ),
+        "γ is near 1, and it should be 0: the reward stands alone, without the value of the next message": mistake(
+            discount=0.95
+        ),
     },
     EPSILON,
     otherwise="; the first entry of an observation is no word, it is the hit points",

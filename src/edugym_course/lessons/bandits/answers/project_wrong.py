@@ -154,7 +154,8 @@
 # + arm = int(rng.integers(n - 1)) if rng.random() < 0.1 else best()
 
 # %% a random policy
-# says: so look at the policy that it returns: does it take the *best* action, and never a random one?
+# says: the policy that my_program returns draws its actions: asked twice about one observation, it gives two of them in
+# says:  cases. It should take the *best* action, and never a random one
 # in: with lists
 # - return lambda state: int(np.argmax(means))
 # + return lambda state: int(np.argmax(means)) if rng.random() > 0.1 else int(rng.integers(n))

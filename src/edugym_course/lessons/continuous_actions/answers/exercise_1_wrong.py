@@ -185,3 +185,9 @@ def preferences(joints, bins, cells):
 # says: that is none of the usual mistakes, so work it out by hand for a small case
 def preferences(joints, bins, cells):
     return (cells**joints + 1) * bins**joints
+
+
+# %% NumPy without its import
+# says: (`import` it first)
+def preferences(joints, bins, cells):
+    return 2 * int(random.prod([cells * bins] * joints))

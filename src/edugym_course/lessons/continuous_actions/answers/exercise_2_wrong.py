@@ -114,7 +114,7 @@ def my_scores(a, mu, sigma):
 
 
 # %% for single numbers only
-# says: my_scores with three actions at once should give three numbers for each score: use + - * / **
+# says: my_scores with three actions at once should give three numbers for each score: use + - * / **, and no sum or mean
 def my_scores(a, mu, sigma):
     if np.size(a) > 1:
         a = a[0]
@@ -264,3 +264,21 @@ def my_scores(a, mu, sigma):
 # says: the exponent −2 of σ and the 2 in 2σ² cancel; here the 2 is too many
 def my_scores(a, mu, sigma):
     return (a - mu) / sigma**2, 2 * (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% one star
+# says: σ * 2 is twice σ; its square is σ**2
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma * 2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% one star in the second
+# says: σ * 2 is twice σ, and (a − μ) * 2 twice a − μ; squares are written **2
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma * 2 - 1
+
+
+# %% one star above the line
+# says: (a − μ) * 2 is twice a − μ; its square is (a − μ)**2
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) * 2 / sigma**2 - 1

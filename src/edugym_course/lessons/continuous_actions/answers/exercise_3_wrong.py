@@ -628,3 +628,64 @@ def update(self, n):
         for a in range(len(self.probabilities)):
             score = (a == self.actions[t]) - self.probabilities[a]
             self.preferences[s, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the mean of the returns
+# says: the baseline is V(S_t), not the mean of the returns
+# in: returns first, then the steps in order
+# - delta = self.rewards[t] - self.V[state]
+# + delta = self.rewards[t] - np.mean(self.rewards[:n])
+
+
+# %% the largest value
+# says: the baseline is V(S_t), not the largest of all values
+# in: returns first, then the steps in order
+# - delta = self.rewards[t] - self.V[state]
+# + delta = self.rewards[t] - np.max(self.V)
+
+
+# %% V of the number of the step
+# says: V[t] is the value of state t; that of the state of step t is V[self.states[t]]
+# in: returns first, then the steps in order
+# - delta = self.rewards[t] - self.V[state]
+# - self.V[state] += self.value_learning_rate * delta
+# + delta = self.rewards[t] - self.V[t]
+# + self.V[t] += self.value_learning_rate * delta
+
+
+# %% the row of the number of the step
+# says: preferences[t] is the row of state t; that of step t is preferences[self.states[t]]
+# in: returns first, then the steps in order
+# - self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+# + self.preferences[t, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% noted too early
+# says: that is G_{t+1}, the return from the next step: is it noted before the reward of step t is added?
+# in: returns first, then the steps in order
+# - G = self.rewards[t] + self.discount * G
+# - self.rewards[t] = G
+# + self.rewards[t], G = G, self.rewards[t] + self.discount * G
+
+
+# %% looked at once
+# says: the probabilities are those of the first state for all steps: call self.look(state) for every step
+# in: returns first, then the steps in order
+# - for t in range(n):
+# + self.look(self.states[0])
+# + for t in range(n):
+# - self.look(state)
+
+
+# %% all as the one that was taken
+# says: all actions get 1 − π; only the one that was taken should, and the others −π
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = 1.0 - self.probabilities[a]
+
+
+# %% all places
+# says: it learns from all places of the arrays; the episode has only its first n steps: range(n)
+# in: returns first, then the steps in order
+# - for t in range(n):
+# + for t in range(len(self.states)):

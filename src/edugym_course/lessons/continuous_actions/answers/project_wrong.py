@@ -83,7 +83,7 @@
 # + step = 0.001 * 0.8**k * delta
 
 # %% values that hardly learn
-# says: there is no baseline: δ = G − V(S), and V is learned too
+# says: V hardly learns: α^w is 0.1 in the text, and not α^θ
 # in: lists of an episode
 # - V[S[k]] += 0.1 * delta
 # + V[S[k]] += 0.01 * delta
@@ -184,3 +184,76 @@
 # - V[S[k]] += 0.1 * delta
 # + V[S[k]] += 0.1 * delta
 # + delta = G - V[S[k]]
+
+# %% bounds of ln σ
+# says: ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2
+# in: lists of an episode
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + ls[S[k]] = min(max(ls[S[k]], 0.2), 2)
+
+# %% one μ
+# says: all states have the same μ: is the index of the state missing where μ changes?
+# in: lists of an episode
+# - mu[S[k]] += step * z / sigma**2
+# + mu += step * z / sigma**2
+
+# %% σ of 0.5 at first
+# says: σ is 0.5 at first, and it should be 1
+# in: lists of an episode
+# - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
+# + mu, ls, V = np.zeros(n), np.log(0.5) * np.ones(n), np.zeros(n)
+
+# %% ln σ of 1 at first
+# says: ln σ is 1 at first, and it should be 0: then σ is 1
+# in: lists of an episode
+# - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
+# + mu, ls, V = np.zeros(n), np.ones(n), np.zeros(n)
+
+# %% one rate for both
+# says: V hardly learns: α^w is 0.1 in the text, and not α^θ
+# in: lists of an episode
+# - V[S[k]] += 0.1 * delta
+# + V[S[k]] += 0.005 * delta
+
+# %% the return of the whole episode
+# says: every step gets the return of the whole episode, and it should be the one from this step on
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(0.8**i * r for i, r in enumerate(R))
+
+# %% the TD error
+# says: δ is the TD error R + γ V(S') − V(S), as in the actor-critic; here it is G − V(S)
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = R[k] + (0.8 * V[S[k + 1]] if k + 1 < len(S) else 0.0)
+
+# %% μ away
+# says: the sign of the score of μ is wrong: it is A − μ above the line
+# in: lists of an episode
+# - mu[S[k]] += step * z / sigma**2
+# + mu[S[k]] += step * (mu[S[k]] - A[k]) / sigma**2
+
+# %% σ the other way
+# says: the sign of the score of ln σ is wrong: σ should grow where δ and the distance from μ are large
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] += step * (1 - z**2 / sigma**2)
+
+# %% learned from a cut-off action
+# says: it learns from an action that is cut off at −1 and 1, and not from the one that it drew
+# in: lists of an episode
+# - A.append(a)
+# + A.append(min(max(a, -1), 1))
+
+# %% an action that is cut off
+# says:  steps the action of
+# says: : give the environment what is drawn, and do not cut it off
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = np.clip(rng.normal(mu[s], np.exp(ls[s])), -1, 1)
+
+# %% nothing after a truncation
+# says: my_program takes a step after the end of an episode
+# in: lists of an episode
+# - t, over = t + 1, terminated or truncated
+# + t, over = t + 1, terminated

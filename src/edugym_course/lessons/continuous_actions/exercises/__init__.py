@@ -151,7 +151,8 @@ def _check_arrays(answer: Any, scale: float) -> None:
         expected = factor * formulas[""](*several.values())
         if np.shape(part) != (3,) or not np.allclose(np.asarray(part, float), expected):
             raise WrongAnswer(
-                "my_scores with three actions at once should give three numbers for each score: use + - * / **"
+                "my_scores with three actions at once should give three numbers for each score: use + - * / **,"
+                " and no sum or mean"
             )
 
 
@@ -175,6 +176,7 @@ OF_MEAN: Mapping[str, Any] = MappingProxyType(
         ),
         "set brackets: a − μ is divided as a whole": lambda a, m, s: a - m / s**2,
         "the sign of a − μ counts, so take no absolute value": lambda a, m, s: abs(a - m) / s**2,
+        "σ * 2 is twice σ; its square is σ**2": lambda a, m, s: (a - m) / s * 2,
         "`//` cuts off what is behind the decimal point; divide by `/`": lambda a, m, s: (a - m) // s**2,
     }
 )
@@ -217,6 +219,10 @@ OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
         "σ² in the numerator should be σ² below": lambda a, m, s: (a - m) ** 2 * s**2 - 1,
         "that is the score of μ; the score of ln σ comes second": lambda a, m, s: (a - m) / s**2,
         "it is (a − μ)² − σ² that is divided by σ²: set brackets": lambda a, m, s: (a - m) ** 2 - 1,
+        "σ * 2 is twice σ, and (a − μ) * 2 twice a − μ; squares are written **2": lambda a, m, s: (
+            (a - m) ** 2 / s * 2 - 1
+        ),
+        "(a − μ) * 2 is twice a − μ; its square is (a − μ)**2": lambda a, m, s: (a - m) * 2 / s**2 - 1,
         "divided by σ³ it is the derivative with respect to σ; and there −1/σ belongs to it": lambda a, m, s: (
             (a - m) ** 2 / s**3 - 1
         ),

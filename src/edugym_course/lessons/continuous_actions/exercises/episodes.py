@@ -14,6 +14,7 @@ from edugym_course.grading.challenge import Sizes
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing
+from edugym_course.lessons.continuous_actions.exercises.slips import MISTAKES
 
 SHAPE = (7, 3)
 """The size of the tables."""
@@ -23,6 +24,8 @@ OLD = 7.0
 """The reward that an earlier, longer episode has left in every place of `rewards`."""
 UNWRITTEN = 0
 """What stands in `states` behind the last step: what `create` has put there."""
+BUFFER = 200
+"""The steps for which `create` has room."""
 SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.3, "value_learning_rate": 0.25, "discount": 0.8})
 
 EPISODES = (
@@ -90,42 +93,56 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
     if change.get("rates") == "policy":
         value_rate = rate
     returns = _returns(case.rewards, discount, change.get("return", "G"))
-    following = [*case.states[1:], UNWRITTEN]
+    states, actions, rewards = case.states, case.actions, case.rewards
+    if change.get("steps") == "buffer":
+        behind, n = BUFFER - n, BUFFER
+        states, actions = [*states, *behind * [UNWRITTEN]], [*actions, *behind * [0]]
+        returns, rewards = [*returns, *behind * [OLD]], [*rewards, *behind * [OLD]]
+    following = [*states[1:], UNWRITTEN]
     seen = set()
-    for t in list(change.get("steps", range)(n))[:: -1 if backwards else 1]:
-        state, action = following[t] if change.get("state") == "next" else case.states[t], case.actions[t]
+    chosen = change.get("steps", range)
+    for t in (range(n) if chosen == "buffer" else [*chosen(n)])[:: -1 if backwards else 1]:
+        state, action = following[t] if change.get("state") == "next" else states[t], actions[t]
         if change.get("visits") == "one" and state in seen:
             continue
         seen.add(state)
+        number = min(t, SHAPE[0] - 1)  # of the step, where a state should stand
         if change.get("state") == "t":
-            state = t
-        wrong_state = case.states[-1] if change.get("state") == "last" else state
+            state = number
+        place = number if change.get("V") == "t" else state
+        row = {"last": case.states[-1], "t": number}.get(change.get("row", ""), state)
         known = case.V if change.get("values") == "old" else V
-        baseline = {"V": known[state], "none": 0.0, "mean": np.mean(case.rewards)}[change.get("baseline", "V")]
+        baseline = {
+            "V": known[place],
+            "none": 0.0,
+            "mean": np.mean(case.rewards),
+            "mean return": np.mean(returns),
+            "largest": known.max(),
+        }[change.get("baseline", "V")]
         delta = returns[t] - baseline
         if change.get("delta") in ("TD", "TD, unwritten"):
             ends = t == n - 1 and change["delta"] == "TD"
-            delta = case.rewards[t] + (0.0 if ends else discount * V[following[t]]) - V[state]
+            delta = rewards[t] + (0.0 if ends else discount * V[following[t]]) - V[place]
         if change.get("value", "moved") == "moved":
-            V[state] += value_rate * delta
+            V[place] += value_rate * delta
         elif change.get("value") == "discounted":
-            V[state] += value_rate * discount**t * delta
+            V[place] += value_rate * discount**t * delta
         elif change.get("value") == "set":
-            V[state] = value_rate * delta
+            V[place] = value_rate * delta
         elif change.get("value") == "whole":
-            V[state] += delta
+            V[place] += delta
         elif change.get("value") == "away":
-            V[state] -= value_rate * delta
+            V[place] -= value_rate * delta
         elif change.get("value") == "return":
-            V[state] += value_rate * returns[t]
+            V[place] += value_rate * returns[t]
         if change.get("late"):
-            delta = returns[t] - V[state]
+            delta = returns[t] - V[place]
         if change.get("delta") == "return":
             delta = returns[t]
         elif change.get("delta") == "missing":
             delta = 1.0
         power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}
-        power |= {"once": discount, "end, one more": discount ** (n - t), "product": discount * t}
+        power |= {"once": discount, "end+1": discount ** (n - t), "product": discount * t}
         size, kind = rate * power[change.get("power", "t")] * delta, change.get("score", "full")
         if kind == "θ":
             theta[state] += size * (np.eye(SHAPE[1])[action] - theta[state])
@@ -134,15 +151,15 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
             for a in range(SHAPE[1]):
                 theta[state, a] += size * _score(_softmax(theta[state]), action, kind)[a]
             continue
-        looked_at = case.preferences if change.get("look") == "old" else theta
-        seen_from = t if change.get("look") == "t" else state
+        looked_at = case.preferences if change.get("look") in ("old", "first") else theta
+        seen_from = {"t": number, "first": case.states[0]}.get(change.get("look", ""), state)
         pi = np.array(STALE) if change.get("look") == "never" else _softmax(looked_at[seen_from])
         step = size * np.eye(SHAPE[1])[action] - pi if kind == "no brackets" else size * _score(pi, action, kind)
         if change.get("preferences") == "rows":
             for a in range(SHAPE[1]):
                 theta[a] += step[a]
             continue
-        theta[wrong_state] = step if change.get("preferences") == "set" else theta[wrong_state] + step
+        theta[row] = step if change.get("preferences") == "set" else theta[row] + step
     return theta, V
 
 
@@ -164,6 +181,7 @@ def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
         "not the first": [rewards[0], *G[1:]],
         "first zero": [0.0, *G[1:]],
         "next": [*(discount * g for g in G[1:]), 0.0],
+        "of the next step": [*G[1:], 0.0],
         "past": [sum(discount ** (t - k) * rewards[k] for k in range(t + 1)) for t in range(n)],
         "discounted reward": [discount * g for g in G],
         "absolute": [sum(discount**k * rewards[k] for k in range(t, n)) for t in range(n)],
@@ -185,96 +203,10 @@ def _score(pi: Any, action: int, kind: str) -> Any:
         "pi": one * pi,
         "inverse": one / pi[action],
         "others": -pi,
+        "all as taken": 1.0 - pi,
         "plus": one + pi,
         "others plus": one * (1.0 - pi) + (1.0 - one) * pi,
     }[kind]
-
-
-MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
-    {
-        "the factor γ^t is missing in the step of the preferences": {"power": "none"},
-        "the power of γ counts the steps from the *end*; t counts from the start": {"power": "end"},
-        "the power of γ is one too high: the first step has γ^0 = 1": {"power": "next"},
-        "V(S_t) is not subtracted: δ is the return less the baseline": {"baseline": "none"},
-        "the baseline is V(S_t), not the mean of the rewards": {"baseline": "mean"},
-        "V moves, but the preferences move by G instead of δ": {"delta": "return"},
-        "the baseline V does not change": {"value": "none"},
-        "V is set to α^w δ; write `+=`": {"value": "set"},
-        "V moves by the whole δ; multiply it by α^w": {"value": "whole"},
-        "V moves away from the return: the sign is wrong": {"value": "away"},
-        "V moves by α^w G instead of α^w δ": {"value": "return"},
-        "δ is computed again after V has changed; use the one from before": {"late": True},
-        "the two learning rates have changed places": {"rates": "swapped"},
-        "V has a learning rate of its own, value_learning_rate": {"rates": "policy"},
-        "that is the reward R_{t+1}, not the return G_t": {"return": "reward"},
-        "the return is not discounted: G_t = R_{t+1} + γ G_{t+1}": {"return": "undiscounted"},
-        "every step gets the return of the whole episode; it should be the one from step t on": {"return": "first"},
-        "the return G_t begins with the reward R_{t+1} = rewards[t], which is missing": {"return": "next"},
-        "it adds the rewards from the start up to step t; the return adds those from step t on": {"return": "past"},
-        "the reward R_{t+1} itself is discounted; only what follows it should be": {"return": "discounted reward"},
-        "G_t is discounted from step t on, and not from the start of the episode": {"return": "absolute"},
-        "every step gets the last reward alone": {"return": "last"},
-        "it goes through the whole of `rewards`; this episode has only its first n steps": {"return": "buffer"},
-        "the return begins with rewards[n], which an earlier episode has left there: the last reward of n steps is"
-        " rewards[n - 1]": {"return": "one more"},
-        "π is missing in the score: it is 1{a = A} − π(a|S)": {"score": "one"},
-        "only the preference of the action that was taken changes; all others change by −π": {"score": "own"},
-        "the sign of the score is wrong: it is 1{a = A} − π(a|S)": {"score": "minus"},
-        "the score is that of ln π; here the derivative of the preference is multiplied by π": {"score": "pi"},
-        "that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)": {"score": "inverse"},
-        "1{a = A} is missing: the action that was taken gets 1 − π, the others −π": {"score": "others"},
-        "π should be subtracted in the score, not added": {"score": "plus"},
-        "the probabilities are those of another state: call self.look(state) first": {"look": "never"},
-        "the probabilities change between the actions of one step: call self.look(state) once, before that loop": {
-            "look": "often"
-        },
-        "the probabilities are those from before the episode; they should be those of the preferences as the updates"
-        " so far have left them": {"look": "old"},
-        "δ is computed with V from before the episode; it should be V as the updates so far have left it": {
-            "values": "old"
-        },
-        "a state that comes twice is updated twice, once for each step": {"visits": "one"},
-        "that is the TD error of the actor-critic; here δ is the return less V(S_t)": {"delta": "TD"},
-        "that is the TD error of the actor-critic, and at the last step it looks up states[n], which is not of this"
-        " episode; here δ is the return less V(S_t)": {"delta": "TD, unwritten"},
-        "that is the state after the step, states[t + 1], not S_t": {"state": "next"},
-        "the return of the first step is missing, rewards[0] is still the reward: range(n - 1, -1, -1) goes down to"
-        " 0": {"return": "not the first"},
-        "the return of the first step is missing, it is still 0: range(n - 1, -1, -1) goes down to 0": {
-            "return": "first zero"
-        },
-        "the preferences of the last state change in every step, not those of S_t": {"state": "last"},
-        "an episode that is cut off is over as well: call `update` also when `truncated`": {"cut off": "forgotten"},
-        "the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0": {
-            "steps": lambda n: range(1, n)
-        },
-        "the last step of the episode is left out: its number is n − 1": {"steps": lambda n: range(n - 1)},
-        "only the first step learns: is `return` inside the loop?": {"steps": lambda n: range(1)},
-        "the factor is γ^t, discount**t, and not γ": {"power": "once"},
-        "δ is missing in the step of the preferences": {"delta": "missing"},
-        "the power of γ counts the steps to the *end*; t counts from the start": {"power": "end, one more"},
-        "the factor is γ^t, discount**t, and not γ t": {"power": "product"},
-        "γ^t belongs to the preferences alone; V moves by α^w δ": {"value": "discounted"},
-        "the others get −π, not +π: it is 1{a = A} − π(a|S)": {"score": "others plus"},
-        "the score takes the probabilities π, not the preferences: 1{a = A} − π(a|S)": {"score": "θ"},
-        "preferences has two indices, the state and the action: self.preferences[a] is the whole row of state a": {
-            "preferences": "rows"
-        },
-        "that is the number of the step; its state is self.states[t]": {"state": "t"},
-        "the preferences are set to their step; write `+=`": {"preferences": "set"},
-        "self.look takes the *state* of step t, self.states[t], and not t": {"look": "t"},
-        "set brackets around the score: the step is multiplied by (1{a = A} − π(a|S))": {"score": "no brackets"},
-        "the learning rate of the preferences is missing": {"learning_rate": 1.0},
-        "use `self.learning_rate` in place of 0.4: the check takes another one": {"learning_rate": 0.4},
-        "use `self.value_learning_rate` in place of 0.4: the check takes another one": {"value_learning_rate": 0.4},
-        "use `self.discount` in place of 0.99: the check takes another one": {"discount": 0.99},
-        "use `self.learning_rate` and `self.value_learning_rate` in place of 0.4: the check takes others": {
-            "learning_rate": 0.4,
-            "value_learning_rate": 0.4,
-        },
-    }
-)
-"""By the sentence that tells of it, what each mistake changes in `after`."""
 
 
 def check_update(kind: Any, seed: int, cost: float) -> None:

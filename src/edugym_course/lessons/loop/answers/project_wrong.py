@@ -103,8 +103,7 @@ my_program = ...
 # + if rng.random() > 0.0:
 
 # %% the policy of the lowest value
-# says: and the policy that it returns brings
-# says: does this policy look up the state that it is given, and take the *best* action?
+# says: observations the policy that my_program returns takes another action than the one that the steps of the program make look best: does this policy look up the state that it is given, and take the *best* action?
 # in: ε-greedy written out
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state].argmin())

@@ -359,3 +359,41 @@ def bits_in(joint):
     entropy = -sum(p * math.log2(p) for p in needs)
     pairs = [(x, y) for x in range(len(needs)) for y in range(len(messages)) if joint[x, y] > 0]
     return sum(joint[x, y] * math.log2(joint[x, y] / (needs[x] * messages[y])) for x, y in pairs) / entropy
+
+
+# %% a zero ends the row
+# says: the first 0 of a row ends the row: `break` leaves the loop, and `continue` goes on with the next pair
+def bits_in(joint):
+    total = 0.0
+    for x in range(len(joint)):
+        for y in range(len(joint[x])):
+            if joint[x, y] == 0:
+                break
+            total += joint[x, y] * np.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% a zero ends all
+# says: the first 0 ends the sum: only that pair adds nothing, and all others count
+def bits_in(joint):
+    total = 0.0
+    for (x, y), p in np.ndenumerate(joint):
+        if p == 0:
+            return total
+        total += p * np.log2(p / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% a small number against zeros
+# says: that is close, for all tables: a small number that is added so that no entry is 0 changes the sum; leave out the pairs that never occur
+def bits_in(joint):
+    p = joint + 1e-4
+    return np.sum(p * np.log2(p / np.outer(p.sum(1), p.sum(0))))
+
+
+# %% the sums in each other's place
+# says: raises IndexError: boolean index did not match
+# says: two arrays of different sizes meet there: are rows and columns in order?
+def bits_in(joint):
+    seen = joint > 0
+    return np.sum(joint[seen] * np.log2(joint[seen] / np.outer(joint.sum(0), joint.sum(1))[seen]))

@@ -421,3 +421,22 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
+
+# %% words without their need
+# says: ; word k names need k % 4, and there are more than four words
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for word in observation[1:]:
+        votes[word] += 1
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -100
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% picked for the memory, and for the answer
+# says: : is `pick` called twice? Note the action that you return
+# in: the solution of act
+# - return action
+# + return pick(votes, rng)

@@ -124,18 +124,6 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 
-# %% a value of the next message too, which is not R alone
-# says: the update with its equation, term by term; the first entry of an observation is no word, it is the hit points
-# in: weights in an array
-# - delta = r - q[a]
-# + delta = r + 0.9 * (shares(o2) @ theta).max() * (not terminated) - q[a]
-
-# %% ten times too fast
-# says: If ε is right, compare α, γ and the first values with those of the text
-# in: weights in an array
-# - theta[:, a] += 0.01 * delta * x
-# + theta[:, a] += 0.1 * delta * x
-
 # %% divided by L + 1
 # says: the counts are divided by more than L, as by the length L + 1 of the observation: its first entry is no word
 # in: weights in an array
@@ -153,3 +141,39 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - for k in range(1, L + 1):
 # + for k in range(1, L):
+
+# %% ε the wrong way round
+# says: ε and 1 − ε have changed places: an action is drawn at random with probability ε
+# in: weights in an array
+# - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
+# + a = int(rng.integers(N)) if rng.random() > 0.1 else int(q.argmax())
+
+# %% words with a fixed meaning
+# says: observations the policy that my_program returns takes another action than the one that the steps of the program make look best
+# in: weights in an array
+# - return lambda o: int((shares(o) @ theta).argmax())
+# + return lambda o: int(np.bincount(o[1:] % 4, minlength=4).argmax())
+
+# %% a rate of 0.1
+# says: the learning rate is too large, as 0.1: it is 0.01 in the text
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.1 * delta * x
+
+# %% a rate of 0.001
+# says: the learning rate is much too small: it is 0.01 in the text
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.001 * delta * x
+
+# %% one step of Q-learning
+# says: γ is 0.5, and it should be 0: the reward stands alone, without the value of the next message
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r + (0.0 if terminated else 0.5 * (shares(o2) @ theta).max()) - q[a]
+
+# %% Q-learning that looks far ahead
+# says: γ is near 1, and it should be 0: the reward stands alone, without the value of the next message
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r + (0.0 if terminated else 0.9 * (shares(o2) @ theta).max()) - q[a]

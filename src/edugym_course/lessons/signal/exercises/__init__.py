@@ -14,7 +14,7 @@ from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare, number, same
+from edugym_course.grading.values import UNUSUAL_NUMBER, compare, number, same
 from edugym_course.lessons.signal.exercises.listener import (
     HEARD,
     check_actions,
@@ -172,6 +172,7 @@ def exercise_2(answer: Any, seed: int, base: Base = 2) -> str:
                 if abs(wrong - expected) > 1e-6 and why in everywhere
             },
             tolerance=1e-6,
+            otherwise=NEARLY if _are_near(tables, given_back, base) else UNUSUAL_NUMBER,
         )
     return "Right: these are the bits of the figures."
 
@@ -197,6 +198,20 @@ def _mistakes_that_fit(tables: list[Reals], found: list[Any], base: int) -> set[
         return set()
     wrong = [bits_mistakes(joint, base) for joint in tables]
     return {why for why in wrong[0] if np.allclose([one[why] for one in wrong], found, rtol=1e-3, atol=1e-6)}
+
+
+def _are_near(tables: list[Reals], found: list[Any], base: int) -> bool:
+    """Whether the student's function is a little off for all tables, as with a small number added to each entry."""
+    return all(
+        is_finite_number(value) and abs(value - bits(joint) / math.log2(base)) < 0.1
+        for joint, value in zip(tables, found, strict=True)
+    )
+
+
+NEARLY = (
+    "that is close, for all tables: a small number that is added so that no entry is 0 changes the sum; leave out the"
+    " pairs that never occur"
+)
 
 
 def _tables(rng: np.random.Generator) -> list[Reals]:
@@ -271,6 +286,12 @@ def _mistakes_in_bits(joint: Reals) -> dict[str, float]:
         "brackets are missing: / p(x) * p(y) divides by p(x) and *multiplies* by p(y)": float(
             np.sum(p * np.log2((joint / p_x[:, None] * p_y)[possible]))
         ),
+        "the first 0 of a row ends the row: `break` leaves the loop, and `continue` goes on with the next pair": _part(
+            joint, np.logical_and.accumulate(possible, axis=1)
+        ),
+        "the first 0 ends the sum: only that pair adds nothing, and all others count": _part(
+            joint, np.logical_and.accumulate(possible.ravel()).reshape(joint.shape)
+        ),
         "very small entries are left out too; leave out only those that are 0": _sum(joint, joint > 0.01),
         "small entries are left out too; leave out only those that are 0": _sum(joint, joint > 0.05),
         NO_LOGARITHM: float(np.sum(p * p / outer)),
@@ -299,10 +320,10 @@ def _terms(joint: Reals) -> Reals:
     return np.array(joint * np.log2(np.where(joint > 0, joint / outer, 1.0)))
 
 
-def _part(joint: Reals, rows: slice) -> float:
-    """Return the sum over some of the rows."""
+def _part(joint: Reals, part: Any) -> float:
+    """Return the sum over some of the rows, or of the pairs."""
     chosen = np.zeros(joint.shape, bool)
-    chosen[rows] = True
+    chosen[part] = True
     return _sum(joint, chosen & (joint > 0))
 
 

@@ -187,6 +187,16 @@ def _chooser(made: Any, case: Heard) -> Callable[[np.random.Generator], Any]:
     return choose
 
 
+def _fails(made: Any, case: Heard) -> bool:
+    """Whether a student's player raises an error in a case."""
+    try:
+        with student_code(case.call):
+            _chooser(made, case)(np.random.default_rng(0))
+    except WrongAnswer:
+        return True
+    return False
+
+
 def check_actions(made: Any, cases: Sequence[Heard], loud: float) -> None:
     """Check what a student's player chooses."""
     asked = []
@@ -200,6 +210,8 @@ def check_actions(made: Any, cases: Sequence[Heard], loud: float) -> None:
     try:
         check_all_choices(CALL, asked)
     except WrongAnswer as wrong:
+        if all(_fails(made, case) == (max(case.observation[1:]) >= FOUR_NEEDS) for case in cases):
+            raise WrongAnswer(f"{wrong}; word k names need k % 4, and there are more than four words") from None
         if LOOKS_LIKE in str(wrong) or not str(wrong).endswith((*LISTENER_MISTAKES,)):
             _check_left_out(made, cases)
         raise
@@ -222,7 +234,10 @@ def check_memory(made: Any, cases: list[Heard]) -> None:
             wrong.append((case, action, int(made.last[0])))
     for case, action, last in wrong:
         if last != case.last:
-            raise WrongAnswer(f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}")
+            raise WrongAnswer(
+                f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}: is `pick`"
+                " called twice? Note the action that you return"
+            )
     for case, action, _ in wrong:
         raise WrongAnswer(
             f"{case.call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before"

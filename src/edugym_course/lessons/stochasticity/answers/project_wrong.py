@@ -39,7 +39,7 @@
 # says:  runs only; does it take the best action?
 # in: the weight in one line
 # - return lambda s: int(Q[s].argmax())
-# + return lambda s: int(Q[s].argmin())
+# + return lambda s: int(Q[s].argmax() if len(Q) > 4 else Q[s].argmin())
 
 # %% no brackets
 # says: They fit a usual mistake:
