@@ -133,8 +133,8 @@ def _shares(draws: Sequence[int], case: ChoiceCase) -> Any:
     return np.bincount(draws, minlength=len(case.expected)) / DRAWS
 
 
-def action_of(call: str, value: Any, n_actions: int, noun: str = "action") -> int:
-    """Return an action, or what else is numbered, as an int.
+def action_of(call: str, value: Any, n_actions: int, noun: str = "action", where: str = "") -> int:
+    """Return an action, or what else is numbered, as an int; `where` is told with one that there is not.
 
     Raises:
         WrongAnswer: it is not one of 0, 1, ..., n_actions - 1.
@@ -146,7 +146,7 @@ def action_of(call: str, value: Any, n_actions: int, noun: str = "action") -> in
         hint = _hint(call, value, noun)
         raise WrongAnswer(f"{call} should give the number of {a_noun}, a whole number, but gives {kind}{hint}")
     if not 0 <= value < n_actions:
-        raise WrongAnswer(f"{call} should give {a_noun} from 0 to {n_actions - 1}, but gives {value}")
+        raise WrongAnswer(f"{call}{where} should give {a_noun} from 0 to {n_actions - 1}, but gives {value}")
     return int(value)
 
 
@@ -166,7 +166,8 @@ def _hint(call: str, value: Any, noun: str) -> str:
 
 def _draw(call: str, case: ChoiceCase, rng: np.random.Generator) -> list[int]:
     with student_code(call):
-        return [action_of(call, case.choose(rng), len(case.expected), case.noun) for _ in range(DRAWS)]
+        where = f", {case.where}," if case.where else ""
+        return [action_of(call, case.choose(rng), len(case.expected), case.noun, where) for _ in range(DRAWS)]
 
 
 def _fits(shares: Any, probabilities: Sequence[float]) -> bool:

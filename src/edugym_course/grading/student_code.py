@@ -31,6 +31,7 @@ HINTS = (
     (r"name '(math|np|numpy|random)' is not defined", "`import` it first"),
     (r"name 'inf(inity)?' is not defined", "infinity is math.inf"),
     ("cannot access local variable", "it gets a value on some paths only"),
+    (r"operand type\(s\) for \^", "`^` is no power in Python: write `**`"),
     ("'NoneType'", "something is None there: is a `return` missing, or does what is called return nothing?"),
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),

@@ -80,6 +80,7 @@ ERRORS = [
     ("return np.ones((2, 3))[np.ones((3, 2)) > 0]", "two arrays of different sizes meet there"),
     ("return np.random.default_rng(0).normal(0, -1)", "a standard deviation is below 0"),
     ("return random.random()", "`import` it first"),
+    ("x = 0.5 ^ 2", "`^` is no power in Python: write `**`"),
     ("x += 1; x = 2", "it gets a value on some paths only"),
     ("x = None; return x[0]", "something is None there"),
     ("return 1 / 0", "the number below the line can be 0"),

@@ -1,12 +1,17 @@
 """Rewards, returns and the discount in Supermarket: the claims hold with other seeds than those the lesson shows."""
 
+from typing import Any
+
+import build
 import gymnasium
 import numpy as np
 import pytest
 
 from edugym.exact.value_iteration import value_iteration
 from edugym_course.lessons.loop import exact, experiments, figures, methods, panels
+from edugym_course.notebook import frames
 from tests.course.lessons.made_up import made_up, measured
+from tests.course.lessons.shown import NOTEBOOKS, run_cell
 
 
 def test_returns() -> None:
@@ -50,6 +55,19 @@ def test_right_choices() -> None:
     Q = figures.agent_after(2_000).Q
     share, parts = exact.untried(Q), [exact.right_choices(Q, methods.DISCOUNT, tried) for tried in (False, True)]
     assert share * parts[0] + (1 - share) * parts[1] == pytest.approx(exact.right_choices(Q, methods.DISCOUNT))
+
+
+def test_first_film() -> None:
+    """As the lesson tells, the learner of 2 000 steps walks into the wall at the entrance; the red item is known."""
+    namespace: dict[str, Any] = {"display": lambda *_: None}
+    for cell in build.read_lesson(NOTEBOOKS["loop"]).cells:
+        if any(text in cell.source for text in ("from edugym import", "env = gym.make(", "range(2_000)")):
+            run_cell(cell.source, f"<loop, {cell.id}>", namespace)
+    env, agent = namespace["env"], namespace["agent"]
+    steps = [frame.line for frame in frames(env, agent, max_steps=40).frames][1:]
+    assert len(steps) == 40
+    assert all(": up, observation 8, reward -1" in step for step in steps)
+    assert agent.Q[8].max() < 0.0 < agent.Q[8 * 13].max()  # three steps further
 
 
 def test_arrows() -> None:

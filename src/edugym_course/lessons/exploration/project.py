@@ -17,11 +17,19 @@ LOW = 3
 """Places below this one are the foot of a wall."""
 OFTEN = 20
 """How often a wrong grip is tried again before it is told."""
+BY_CHANCE = 0.8
+"""From which share of the wrong grips of a random climber on it looks like one."""
 
 
-def wall(height: int, n_grips: int, layout_seed: int) -> Environment:
+def wall(height: int, n_grips: int, layout_seed: int, max_steps: int = 10 * HEIGHT) -> Environment:
     """Make a wall. Its grips must not be the random numbers of a program that has the same seed."""
-    return gymnasium.make("edugym/Boulder-v0", height=height, n_grips=n_grips, layout_seed=APART + layout_seed)
+    return gymnasium.make(
+        "edugym/Boulder-v0",
+        height=height,
+        n_grips=n_grips,
+        layout_seed=APART + layout_seed,
+        max_steps=max_steps,
+    )
 
 
 def project_1(answer: Any, seed: int) -> str:
@@ -33,34 +41,69 @@ def project_1(answer: Any, seed: int) -> str:
         name = f"on a wall of height {height} with {n_grips} grips"
         firsts = [t for t, step in enumerate(run.steps, start=1) if step.terminated]
         if not firsts:
-            raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {_why(run)}")
-        if returns_of(run.policy, wall(height, n_grips, number), 1, number).sum() < 1:
+            raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {_why(run, n_grips)}")
+        without_a_fall = wall(height, n_grips, number, max_steps=height)
+        if returns_of(run.policy, without_a_fall, 1, number).sum() < 1:
             raise WrongAnswer(
                 f"{name}, the program reached the top {len(firsts)} times while it learned, but the policy that it"
-                " returns does not: does it remember the way, and go it without trying anything?"
+                f" returns does not in {height} steps: does it remember the way, and go it without trying anything?"
             )
         found.append(firsts[0])
     told = ", ".join(map(str, found))
     return f"Right: it reached the tops for the first time after {told} steps; a random climber needs two billion."
 
 
-def _why(run: Run) -> str:
+def _why(run: Run, n_grips: int) -> str:
     """Return what the steps look like of a program that never reached the top, and the likely cause."""
     if nobody_asks_why():
         return ""
-    highest = max(step.next_state for step in run.steps)
+    seen = f"the highest place is {max(step.next_state for step in run.steps)}"
     (place, grip), times = _wrong_grips(run.steps).most_common(1)[0]
     low = sum(step.state < LOW for step in run.steps) / len(run.steps)
-    seen = f"the highest place is {highest}"
     if place >= LOW and times > OFTEN:
         return (
             f"{seen}, and at place {place} grip {grip} was tried {times} times, though it sends the climber to the"
             " ground every time: remember what did not hold, and try something else there"
         )
+    untried = _never_taken(run.steps, n_grips)
+    if untried:
+        return f"{seen}, and {untried}"
+    if _wrong_where_known(run.steps) > BY_CHANCE * (1 - 1 / n_grips):
+        return (
+            f"{seen}, and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which"
+            " ones hold: below the top there is no reward to learn from, so remember what was tried and what held"
+        )
     return (
         f"{seen}, and {low:.0%} of the steps begin below place {LOW}: likely it also tries actions at random where it"
         " knows the way, and falls; go the known way without trying, and try at its end"
     )
+
+
+def _never_taken(steps: Sequence[Any], n_grips: int) -> str:
+    """Return a sentence on a grip that was never tried at a place from which nothing led up, "" if there is none."""
+    left = {step.state for step in steps if step.next_state > step.state}
+    visits = Counter(int(step.state) for step in steps if step.state not in left)
+    taken = {(int(step.state), int(step.action)) for step in steps}
+    for place, times in visits.items():
+        missing = [grip for grip in range(n_grips) if (place, grip) not in taken]
+        if missing and times > OFTEN * n_grips:
+            return (
+                f"at place {place}, in {times} visits, grip {missing[0]} was never tried, and no other one holds: is"
+                f" what was tried first preferred for ever, or are the {n_grips} grips not all counted?"
+            )
+    return ""
+
+
+def _wrong_where_known(steps: Sequence[Any]) -> float:
+    """Return the share of wrong grips at the foot of the wall, where a right one had been taken before."""
+    known: set[int] = set()
+    wrong: list[bool] = []
+    for step in steps:
+        if step.state in known:
+            wrong.append(step.next_state == 0)
+        elif step.state < LOW and step.next_state > step.state:
+            known.add(step.state)
+    return sum(wrong) / max(1, len(wrong))
 
 
 def _wrong_grips(steps: Sequence[Any]) -> Counter[tuple[int, int]]:

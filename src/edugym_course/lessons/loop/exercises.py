@@ -134,6 +134,7 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
         "the discount is added; multiply the return by it": total + n * discount,
         "the last reward counts twice: let `G` start at 0, or leave it out of the loop": weighted(powers)
         + discount**n * rewards[-1],
+        "it begins at 1: the return after the end is 0": weighted(powers) + discount**n,
         "the result is rounded; return the number as it is": float(round(weighted(powers))),
         "what is behind the decimal point is cut off; return the number as it is": float(int(weighted(powers))),
         "it stays 0: is `G` changed in the loop?": 0.0,
@@ -208,6 +209,11 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     largest = abs(values) == abs(values).max()
     but_last, but_first, among = actions < n - 1, actions > 0, actions < best.sum()
     mixed = {
+        **{
+            f"the search for the highest value starts from {low}, and all values may be lower: start from the first"
+            " one": (np.eye(n)[0] if values.max() < low else greedy, uniform)
+            for low in (0, -1)
+        },
         "ties should be broken at random, and it takes the first of equals": (first, uniform),
         "values that differ are no ties: compare with ==": (nearly / nearly.sum(), uniform),
         "ties should be broken at random, and it takes the last of equals": (last, uniform),

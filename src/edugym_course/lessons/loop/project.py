@@ -1,14 +1,17 @@
 """The project of lesson 0: Q-learning and its loop, from a blank file."""
 
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
 import gymnasium
+import numpy as np
 
 from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.mdp.protocol import Reals
+from edugym.agents.tables import epsilon_greedy_action, greedy_action
+from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
@@ -35,6 +38,49 @@ def agent_of_the_mean(shape: tuple[int, int]) -> ExpectedSARSA:
     return ExpectedSARSA.create(shape, **settings, exploration=_LearnsTheMean(EPSILON))
 
 
+@dataclass
+class _Slips:
+    """Updates like Q-learning, but for one thing.
+
+    Attributes:
+        Q: the table, of shape (n_states, n_actions).
+        adds_up: whether the old value is not subtracted from the target.
+        counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
+        same_action: whether the next state has the value of the action just taken, not the highest.
+    """
+
+    Q: Reals
+    adds_up: bool = False
+    counts: bool = False
+    same_action: bool = False
+    _updates: Integers = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Begin to count."""
+        self._updates = np.zeros(self.Q.shape, np.int64)
+
+    def act(self, state: int, rng: np.random.Generator) -> int:
+        """Choose an action by ε-greedy."""
+        return int(epsilon_greedy_action(self.Q, state, EPSILON, rng))
+
+    def greedy(self, state: int, rng: np.random.Generator) -> int:
+        """Choose the action with the highest value."""
+        return int(greedy_action(self.Q, state, rng))
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Update one value."""
+        row = self.Q[next_state]
+        target = reward + (0.0 if terminated else DISCOUNT * float(row[action] if self.same_action else row.max()))
+        self._updates[state, action] += 1
+        rate = 1 / self._updates[state, action] if self.counts else LEARNING_RATE
+        self.Q[state, action] += rate * (target - (0.0 if self.adds_up else self.Q[state, action]))
+
+
+def slips(shape: tuple[int, int], **how: bool) -> _Slips:
+    """Make an agent that makes a mistake in its update."""
+    return _Slips(np.zeros(shape), **how)
+
+
 RULE = Rule(
     Learner(agent),
     mistakes_of_loops(agent)
@@ -50,6 +96,13 @@ RULE = Rule(
         "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
         "the old value is lost, as with a learning rate of 1: it should move halfway to the target": Learner(
             partial(agent, learning_rate=1.0)
+        ),
+        "− Q(S, A) is missing in the brackets, so the values grow and grow": Learner(partial(slips, adds_up=True)),
+        "the learning rate falls with the number of updates, and it is 0.5 in the text": Learner(
+            partial(slips, counts=True)
+        ),
+        "Q(S', A), the value of the *same* action, stands where the maximum over all actions should": Learner(
+            partial(slips, same_action=True)
         ),
     },
     EPSILON,

@@ -90,12 +90,12 @@ epsilon = -2 * (1 - 0.5 ** (1 / 100))
 
 
 # %% without parentheses
-# says: `0.5 ** 1 / 100` is (0.5 ** 1) / 100: put 1 / 100 into parentheses
+# says: 1/2 is divided by 100, and its root is needed, `0.5 ** (1 / 100)`, with these parentheses
 epsilon = 2 * (1 - 0.5**1 / 100)
 
 
 # %% without parentheses and twice
-# says: `0.5 ** 1 / 100` is (0.5 ** 1) / 100: put 1 / 100 into parentheses; and ε is twice that
+# says: 1/2 is divided by 100, and its root is needed, `0.5 ** (1 / 100)`, with these parentheses; and ε is twice that
 epsilon = 1 - 0.5**1 / 100
 
 
@@ -133,3 +133,23 @@ epsilon = 0.013
 # %% no exploration
 # says: with ε = 0, 100.00% of the climbs reach the top: half should, so ε must be larger
 epsilon = 0
+
+
+# %% the power for the root
+# says: ε = 2 is no probability: `0.5 ** 100` is a power, and the root is needed, `0.5 ** (1 / 100)`
+epsilon = 2 * (1 - 0.5**100)
+
+
+# %% the logarithm's approximation of the half
+# says: that is ln 2/100, an approximation of ε/2; ε is twice that, and (1 − ε/2)^100 = 1/2 can be solved exactly
+epsilon = math.log(2) / 100
+
+
+# %% a random grip is always wrong, in half of the steps
+# says: that solves (1 − ε)^50 = 1/2: it is (1 − ε/2)^100 that should be 1/2
+epsilon = 1 - 0.5 ** (1 / 50)
+
+
+# %% the share of the climbs
+# says: that is the share of the climbs that reach the top with ε = 0.1, and ε is asked for
+epsilon = (1 - 0.1 / 2) ** 100

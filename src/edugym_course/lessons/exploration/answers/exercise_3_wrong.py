@@ -403,3 +403,41 @@ def act(self, state, rng):
         return int(rng.choice(new))
     q = self.Q[state]
     return int(rng.choice(np.flatnonzero(q == q.max())))
+
+
+# %% leaves the loop at once
+# says: the last grip is never tried: does the loop end before it (`range(n)` goes to n − 1 already), or return too early, as in an `else` inside of it?
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+        else:
+            return self.greedy(state, rng)
+
+
+# %% the loop begins at 1
+# says: grip 0 is never tried: a loop over `range(n)` begins with it
+def act(self, state, rng):
+    for action in range(1, self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% a grip that was tried
+# says: it takes a grip that *was* tried: is the test of `tries` the wrong way round?
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action]:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% the bonus beside the value
+# says: the bonus stands beside the value of the next state, so it is discounted, and lost at the end: it belongs to the reward
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    future = max(self.Q[next_state]) + self.bonus / np.sqrt(self.visits[next_state])
+    target = reward if terminated else reward + self.discount * future
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])

@@ -1,6 +1,6 @@
 # %% ε-greedy
 # says: 3000 steps do not reach the top: the highest place is
-# says: : likely it also tries actions at random where it knows the way, and falls; go the known way without trying, and try at its end
+# says: , and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which ones hold: below the top there is no reward to learn from, so remember what was tried and what held
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)
@@ -14,10 +14,10 @@ def my_program(environment, n_steps, seed):
 
 
 # %% slips on the known way
-# says: of the steps begin below place 3
+# says: of the steps begin below place 3: likely it also tries actions at random where it knows the way, and falls; go the known way without trying, and try at its end
 # in: a random grip where none is known
 # - a = known[s] if s in known else int(rng.integers(n_actions))
-# + a = known[s] if s in known and rng.random() > 0.8 else int(rng.integers(n_actions))
+# + a = known[s] if s in known and rng.random() > 0.3 else int(rng.integers(n_actions))
 
 
 # %% the wrong grip again
@@ -39,12 +39,24 @@ def my_program(environment, n_steps, seed):
 
 
 # %% the policy forgets the way
-# says: but the policy that it returns does not: does it remember the way, and go it without trying anything?
 # says: , the program reached the top
-# says:  times while it learned, but the policy that it returns does not: does it remember the way, and go it without trying anything?
+# says:  times while it learned, but the policy that it returns does not in
+# says: 30 steps: does it remember the way, and go it without trying anything?
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: 0
+
+# %% two grips for three
+# says: grip 2 was never tried, and no other one holds: is what was tried first preferred for ever, or are the 3 grips not all counted?
+# in: a random grip where none is known
+# - a = known[s] if s in known else int(rng.integers(n_actions))
+# + a = known[s] if s in known else int(rng.integers(2))
+
+# %% the policy seldom tries
+# says: but the policy that it returns does not in 30 steps
+# in: a random grip where none is known
+# - return lambda s: known.get(s, 0)
+# + return lambda s: known[s] if rng.random() > 0.1 else int(rng.integers(n_actions))
 
 # %% the policy tries
 # says: but the policy that it returns does not

@@ -76,6 +76,9 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
             f" {height}": _epsilon(steps)
             for steps in (height - 1, height + 1)
         },
+        f"that solves (1 − ε)^{height / 2:g} = 1/2: it is (1 − ε/2)^{height} that should be 1/2": 1
+        - 0.5 ** (2 / height),
+        "that is the share of the climbs that reach the top with ε = 0.1, and ε is asked for": 0.95**height,
         f"that is for a wall of height 30, and this one has {height}": _epsilon(30),
         "that is the probability of a *right* step": 0.5 ** (1 / height),
         "a step goes right with probability 1 − ε/2, not ε/2": 2 * 0.5 ** (1 / height),
@@ -85,9 +88,13 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
         "the sign is wrong: ε is a probability": -right,
         f"that is ln(1/2)/{height / 2:g}, a logarithm, which is negative: solve (1 − ε/2)^{height} = 1/2": math.log(0.5)
         / (height / 2),
-        f"`0.5 ** 1 / {height}` is (0.5 ** 1) / {height}: put 1 / {height} into parentheses": 2 * (1 - 0.5 / height),
-        f"`0.5 ** 1 / {height}` is (0.5 ** 1) / {height}: put 1 / {height} into parentheses; and ε is twice that": 1
-        - 0.5 / height,
+        f"1/2 is divided by {height}, and its root is needed, `0.5 ** (1 / {height})`, with these parentheses": 2
+        * (1 - 0.5 / height),
+        f"1/2 is divided by {height}, and its root is needed, `0.5 ** (1 / {height})`, with these parentheses; and ε is"
+        " twice that": 1 - 0.5 / height,
+        f"`0.5 ** {height}` is a power, and the root is needed, `0.5 ** (1 / {height})`": 2 * (1 - 0.5**height),
+        f"that is ln 2/{height}, an approximation of ε/2; ε is twice that, and (1 − ε/2)^{height} = 1/2 can be solved"
+        " exactly": math.log(2) / height,
         f"that is 1/2 to the power of {height}: it is (1 − ε/2)^{height} that should be 1/2": 0.5**height
         if found
         else 1.0,  # an ε of 0 is as near to it, and means something else

@@ -21,6 +21,12 @@ LEAST_TRIED = "once all grips were tried the *best* one counts, and it takes the
 FIRST_OF_EQUALS = "ties should be broken at random, and it takes the first of equals"
 LAST_OF_EQUALS = "ties should be broken at random, and it takes the last of equals"
 AT_RANDOM = "it acts at random"
+LAST_NEVER = (
+    "the last grip is never tried: does the loop end before it (`range(n)` goes to n − 1 already), or return too early,"
+    " as in an `else` inside of it?"
+)
+FIRST_NEVER = "grip 0 is never tried: a loop over `range(n)` begins with it"
+WAS_TRIED = "it takes a grip that *was* tried: is the test of `tries` the wrong way round?"
 UNTRIED = "a grip that was never tried comes first, whatever Q says of it"
 
 
@@ -55,6 +61,7 @@ def explorer_update(
         "√(β/n)": (bonus / np.float64(n)) ** power / bonus,
         "outside": 1 / np.float64(n) ** power / one_step["learning_rate"],
         "discounted": one_step["discount"] / np.float64(n) ** power,
+        "beside the value": 0.0 if now.terminated else one_step["discount"] / np.float64(n) ** power,
         "√n": np.sqrt(n),
         "1/√(n+1)": 1 / np.sqrt(n + 1),
         "constant": 1.0,
@@ -100,6 +107,8 @@ NOVELTY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "β stands under the root, √(β/n): only n does, β/√n": {"novelty": "√(β/n)"},
     "the bonus is added outside the brackets: it is part of the target, of which α is taken": {"novelty": "outside"},
     "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
+    "the bonus stands beside the value of the next state, so it is discounted, and lost at the end: it belongs to the"
+    " reward": {"novelty": "beside the value"},
     "the bonus is discounted; γ belongs to the value of the next state only": {"novelty": "discounted"},
     "the bonus grows with the count: it is β *divided* by √n": {"novelty": "√n"},
     "the bonus does not fade with the count: it is β/√n": {"novelty": "constant"},
@@ -135,13 +144,23 @@ def check_act(make: Callable[[], Any], n_grips: int) -> None:
     """Check what explorers do where some grips, all or none were tried."""
     others = n_grips - 1
     last = [0.0] * others + [1.0]
-    first = [1.0] + [0.0] * others
+    first, greedy = [1.0] + [0.0] * others, [1 / others] * others + [0.0]
     second = [0.0, 1.0, *[0.0] * (others - 1)]
     but_first = [0.0] + [1 / others] * others
     of_equals = {FIRST_OF_EQUALS: second, LAST_OF_EQUALS: last}
     cases: list[tuple[list[int], list[float], list[float], dict[str, list[float]]]] = [
-        ([*range(3, 3 + others), 0], [1.0] * others + [-1.0], last, {UNTRIED: [1 / others] * others + [0.0]}),
-        ([0, *range(1, n_grips)], [-1.0] + [1.0] * others, first, {UNTRIED: but_first}),
+        (
+            [*range(3, 3 + others), 0],
+            [1.0] * others + [-1.0],
+            last,
+            {UNTRIED: greedy, LAST_NEVER: greedy, WAS_TRIED: first},
+        ),
+        (
+            [0, *range(1, n_grips)],
+            [-1.0] + [1.0] * others,
+            first,
+            {UNTRIED: but_first, FIRST_NEVER: but_first, WAS_TRIED: second},
+        ),
         ([1, *range(5, 5 + others)], [2.0] + [1.0] * others, first, {WORST: but_first}),
         ([7, *range(2, 1 + n_grips)], [2.0] + [1.0] * others, first, {LEAST_TRIED: second, WORST: but_first}),
         (
@@ -166,7 +185,7 @@ def check_act(make: Callable[[], Any], n_grips: int) -> None:
             ChoiceCase(
                 partial(agent.act, state),
                 expected,
-                {**mistakes, AT_RANDOM: [1 / n_grips] * n_grips, **epsilon_greedy(expected)},
+                {WAS_TRIED: first, **mistakes, AT_RANDOM: [1 / n_grips] * n_grips, **epsilon_greedy(expected)},
                 {name: getattr(agent, name) for name in ("Q", "visits", "tries")},
                 f"where state = {state}, tries[{state}] = {tries} and Q[{state}] = {values}",
             )

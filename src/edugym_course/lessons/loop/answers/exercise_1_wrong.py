@@ -318,3 +318,12 @@ def discounted_return(rewards, discount):
 # says: is it rounded? Give the number as it is, without round(), int() or //
 def discounted_return(rewards, discount):
     return round(sum(discount**k * reward for k, reward in enumerate(rewards)), 2)
+
+
+# %% begins at 1
+# says: it begins at 1: the return after the end is 0
+def discounted_return(rewards, discount):
+    total = 1
+    for reward in reversed(rewards):
+        total = reward + discount * total
+    return total

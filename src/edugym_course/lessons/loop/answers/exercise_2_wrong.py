@@ -57,7 +57,7 @@ def choose(values, epsilon, rng):
 
 
 # %% four actions
-# says: should give an action from 0 to 2
+# says: and epsilon = 0.0, should give an action from 0 to 2
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(4)
@@ -122,6 +122,7 @@ choose = 1
 
 # %% the search begins at -1
 # says: values = [-400.0, -300.0, -500.0]
+# says: the search for the highest value starts from -1, and all values may be lower: start from the first one
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -231,3 +232,17 @@ def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
     return np.flatnonzero(values == values.max())
+
+
+# %% a search from 0, with its ties
+# says: the search for the highest value starts from 0, and all values may be lower: start from the first one
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    highest, ties = 0, [0]
+    for action, value in enumerate(values):
+        if value > highest:
+            highest, ties = value, []
+        if value == highest:
+            ties.append(action)
+    return rng.choice(ties)

@@ -119,3 +119,31 @@ my_program = ...
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.9 * Q[next_state].max()
+
+# %% the policy explores
+# says: the policy that my_program returns draws its actions: asked twice about one observation
+# in: ε-greedy written out
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: int(Q[state].argmax() if rng.random() > 0.1 else rng.integers(len(Q[state])))
+
+# %% the old value is not subtracted
+# says: − Q(S, A) is missing in the brackets, so the values grow and grow
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + Q[state, action] += 0.5 * target
+
+# %% a mean of the targets
+# says: the learning rate falls with the number of updates, and it is 0.5 in the text
+# in: ε-greedy written out
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + N = np.zeros_like(Q)
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + N[state, action] += 1
+# + Q[state, action] += (target - Q[state, action]) / N[state, action]
+
+# %% the same action again
+# says: Q(S', A), the value of the *same* action, stands where the maximum over all actions should
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if terminated else reward + 0.99 * Q[next_state, action]
