@@ -45,7 +45,10 @@ HINTS = (
         "two arrays of different sizes meet there: are rows and columns in order?",
     ),
     ("scale < 0", "a standard deviation is below 0: is it ln σ that is learned, and σ = e^(ln σ)?"),
-    ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
+    (
+        "(function|method)' (object is not subscriptable|and )|and '\\w*(function|method)'",
+        "a function is called, with parentheses",
+    ),
     (
         r"(float|int)\d*' object is not (iterable|reversible|subscriptable)|index to scalar",
         "that is a single number, and a row, a list or range(...) is needed there",

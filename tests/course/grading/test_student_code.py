@@ -74,6 +74,8 @@ ERRORS = [
     ("return tries[0]", "write `self.` before a field"),
     ("return preferences[0]", "write `self.` before a field"),
     ("return f[0]", "a function is called, with parentheses"),
+    ("return 1 + f", "a function is called, with parentheses"),
+    ("return np.random.default_rng(0).random < 1", "a function is called, with parentheses"),
     ("return float(np.zeros(2))", "an array stands where one number is needed"),
     ("table = np.zeros(3); table[0] = np.ones(2)", "an array stands where one number is needed"),
     ("return np.zeros(2) + np.zeros(3)", "two arrays of different sizes meet there"),

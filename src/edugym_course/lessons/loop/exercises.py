@@ -211,8 +211,9 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     mixed = {
         **{
             f"the search for the highest value starts from {low}, and all values may be lower: start from the first"
-            " one": (np.eye(n)[0] if values.max() < low else greedy, uniform)
+            f" one{and_ties}": (np.eye(n)[0] if values.max() < low else otherwise, uniform)
             for low in (0, -1)
+            for and_ties, otherwise in (("", greedy), ("; and ties should be broken at random", first))
         },
         "ties should be broken at random, and it takes the first of equals": (first, uniform),
         "values that differ are no ties: compare with ==": (nearly / nearly.sum(), uniform),

@@ -246,3 +246,14 @@ def choose(values, epsilon, rng):
         if value == highest:
             ties.append(action)
     return rng.choice(ties)
+
+
+# %% a search from -1 for the first of equals
+# says: the search for the highest value starts from -1, and all values may be lower: start from the first one; and ties should be broken at random
+# says: ; and ties should be broken at random
+def choose(values, epsilon, rng):
+    best, highest = 0, -1
+    for action, value in enumerate(values):
+        if value > highest:
+            best, highest = action, value
+    return rng.integers(len(values)) if rng.random() < epsilon else best
