@@ -298,10 +298,11 @@ worst.measured(min(late, key=late.get))
 # begins to rise for that reason. (The test: with $\alpha = 1$ a value is exactly −1 after one try, and then this player
 # is nearly as good as the one of −248.)
 #
-# The same lines of code with $\gamma = 0.99$ find the optimum in 28 of 30 runs, and in the other two a worse way, with 76
-# and 78 points. At first this learner is as bad as the other one. It has to meet the items and the exit first. Every step costs
-# a point, so an action that it has tried soon looks worse than one that it has not, and it tries them all. Then the value of
-# the items and the exit comes back along the way, one state after the other. </details>
+# The same lines of code with $\gamma = 0.99$ find the optimum in most runs, here in 28 of 30 and with three other seeds
+# in 21 to 27, and in the rest a worse way, mostly with two items. At first this learner is as bad as the other one. It has
+# to meet the items and the exit first. Every step costs a point, so an action that it has tried soon looks worse than one
+# that it has not, and it tries them all. Then the value of the items and the exit comes back along the way, one state after
+# the other. </details>
 
 # %% [markdown]
 # ## Your turn: the discount
