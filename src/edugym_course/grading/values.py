@@ -109,6 +109,10 @@ def compare(
     raise WrongAnswer(f"{told}: {why}")
 
 
+A_FEW = 1_000
+"""Who is off by so little has counted wrong; rounding a number with 18 digits takes more."""
+
+
 def exact(call: str, value: Any, expected: int) -> None:
     """Check a number that is too large for floats and for NumPy's whole numbers.
 
@@ -120,6 +124,9 @@ def exact(call: str, value: Any, expected: int) -> None:
     Raises:
         WrongAnswer: it is another number, or rounded.
     """
+    off = value - expected if isinstance(value, int) else 0
+    if 0 < abs(off) < A_FEW:
+        raise WrongAnswer(f"{call} should be a number that is {'smaller' if off > 0 else 'larger'} by {abs(off)}")
     if value != expected or isinstance(value, float | np.number):
         raise WrongAnswer(
             f"{call} should be a whole number with {len(str(expected))} digits, and floats and numbers of NumPy have"

@@ -113,10 +113,11 @@ print(f"image:     a number of rows with {len(str(image))} digits")
 figures.size_sheet()
 
 # %% [markdown]
-# The y axis counts the *digits* of these numbers, and it is logarithmic: at $10^2$ a number has a hundred digits. The
-# line of the network counts weights, all others rows. Only 195 boards can be seen while the ball falls, one for each
-# state that can occur. So a table could hold rows for those boards alone. A *hashed* table does: it gives a row to each
-# board when it is seen for the first time.
+# The y axis is the *power of ten*, about the number of digits, and it is logarithmic: at $10^2$ a number has a hundred
+# digits. The line of the network counts weights, all others rows. Only 195 boards can be seen while the ball falls, one
+# for each state that can occur (less than $5 \cdot 9 \cdot 5$, since the paddle starts in the middle). So a table could
+# hold rows for those boards alone. A *hashed* table does: it gives a row to each board when it is seen for the first
+# time.
 #
 # ### Features: rows that share
 # In a table each row is learned alone. To learn about many states at once, describe a state by some numbers, its
@@ -804,9 +805,9 @@ check(exercise_1, table_entries, seed=1, quiet=True)
 #   says whether the episode is over. Change the entries of `self.w` in place.
 #
 # Your agent is then trained with balls from columns 0, 2 and 4, and tested as in "Balls from columns that were never
-# seen". It trains for 6 000 steps; the table there had 40 000. Afterwards change the features, for instance to the
-# column of the ball alone, and see what it still knows. (The check makes up features of its own, in which several are
-# not 0, so use `self.features`.)
+# seen". It trains for 6 000 steps, the table beside it for 40 000, as there. Afterwards change the features, for
+# instance to the column of the ball alone, and see what it still knows. (The check makes up features of its own, in
+# which several are not 0, so use `self.features`. `tabular = False` says that a board is no number of a row.)
 #
 # <details><summary>Hint</summary>The value is <code>np.sum(x * self.w[:, action])</code>. In <code>learn</code>, first
 # compute the features of <code>state</code>, then the target, then change the weights of the action that was taken. A
@@ -884,8 +885,8 @@ display(races.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
 # - `target_of(row)` returns the target $y$ for the transition at the place `row` of the memory. `memory.rewards[row]`
 #   is its reward, `memory.next_states[row]` the next state as an array, and `memory.terminated[row]` is 1 if the
 #   episode ended there, else 0. `dqn.forward(weights, x, self.h, self.Q)` writes the action values of an array `x` into
-#   `self.Q`: `self.Q[0, a]` is that of action `a`. The weights are `self.weights` ($\theta$) or
-#   the old ones, `self.target` ($\theta^-$, not $y$).
+#   `self.Q`: `self.Q[0, a]` is that of action `a`. The weights are `self.weights` ($\theta$) or the old ones,
+#   `self.target` ($\theta^-$, not $y$). The discount is `self.discount`.
 # - `row_for(u)` returns the place (0, 1, ...) of a transition to learn from, for a random number `u` from 0 to 1
 #   (1 excluded). Every transition that is in the memory must be equally likely. `self.steps[0]` is the number of
 #   transitions so far. The memory has `len(self.memory.actions)` places, filled from place 0 on. When all are full, new

@@ -314,3 +314,40 @@ def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns * columns * 3
     return (2 if kind == "grid" else 256 * 3) ** (rows * columns) * 3
+
+
+# %% a kind that is spelt in another way
+# says: that is the formula for the image: is the word "vectorised" spelt as here?
+def table_entries(rows, columns, kind):
+    if kind == "vectorized":
+        return 3 * rows * columns**2
+    if kind == "grid":
+        return 3 * 2 ** (rows * columns)
+    return 3 * 256 ** (3 * rows * columns)
+
+
+# %% how many numbers are seen
+# says: the agent sees three numbers, and a table has a row for all values that these can take together
+def table_entries(rows, columns, kind):
+    return 3 * {"vectorised": 3, "grid": rows * columns, "rgb": 3 * rows * columns}[kind]
+
+
+# %% one image less
+# says:  should be a number that is
+# says:  by
+def table_entries(rows, columns, kind):
+    return {"vectorised": 3 * rows * columns**2, "grid": 3 * 2 ** (rows * columns)}.get(kind) or 3 * (
+        256 ** (3 * rows * columns) - 1
+    )
+
+
+# %% actions are added
+# says: multiply by the number of actions, do not add it
+def table_entries(rows, columns, kind):
+    return {"vectorised": rows * columns**2, "grid": 2 ** (rows * columns)}.get(kind, 256 ** (3 * rows * columns)) + 3
+
+
+# %% columns alone
+# says: the ball's row is missing: it falls, and so it is in another one at each step
+def table_entries(rows, columns, kind):
+    return 3 * {"vectorised": columns**2, "grid": 2 ** (rows * columns)}.get(kind, 256 ** (3 * rows * columns))

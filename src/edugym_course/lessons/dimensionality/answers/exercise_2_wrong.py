@@ -554,3 +554,32 @@ def learn(self, state, action, reward, next_state, terminated):
 # says: (an index is a whole number)
 def value(self, board, action):
     return self.w[self.features(board), action]
+
+
+# %% the last action of the loop
+# says: that is the next state's value of the last action alone; take the largest one of all three
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    for a in range(3):
+        best = self.value(next_state, a)
+    target = reward + (0.0 if terminated else self.discount * best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% features without their signs
+# says: a feature keeps its sign: multiply by the feature itself
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated else self.discount * best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * np.abs(x)
+
+
+# %% one weight alone
+# says: only the weight of the largest feature moves; all move whose feature is not 0
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated else self.discount * best)
+    i = np.argmax(x)
+    self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]

@@ -111,14 +111,16 @@ def target_of(self, row):
 
 
 # %% empty rows
-# says: count the places that are filled
 # says: transitions, in a memory of
+# says: you draw from
+# says:  places, and
+# says:  are filled. Their number is the smaller one of `self.steps[0]` and `len(self.memory.actions)`
 def row_for(self, u):
     return int(u * len(self.memory.actions))
 
 
 # %% beyond the memory
-# says: the memory has no more places
+# says: you draw from
 # says: , but the places 0 to
 def row_for(self, u):
     return int(u * self.steps[0])
@@ -131,15 +133,14 @@ def row_for(self, u):
 
 
 # %% the last row never
-# says: never comes up, and it should as often as the others
+# says: you draw from
 # says: , every filled place should be equally likely:
 def row_for(self, u):
     return int(u * max(min(self.steps[0], len(self.memory.actions)) - 1, 1))
 
 
 # %% rounded
-# says: some places come up more often than others: multiply `u` by the number of filled places, and cut off by
-#   int(...); neither round(...) nor a remainder by % is even
+# says: multiply `u` by the number of filled places, and cut off by int(...); neither round(...) nor a remainder by % is even
 def row_for(self, u):
     return round(u * (min(self.steps[0], len(self.memory.actions)) - 1))
 
@@ -370,3 +371,31 @@ def target_of(self, row):
 # says: `u` may be 0, and that belongs to place 0: cut off by int(...), without a rounding up
 def row_for(self, u):
     return int(np.ceil(u * min(self.steps[0], len(self.memory.actions)))) - 1
+
+
+# %% rounded, of all places
+# says: round(...) may round up, so that the last place is one too far; cut off by int(...)
+def row_for(self, u):
+    return round(u * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% cut off too early
+# says: it is always place
+# says: , whatever `u` is: multiply `u` by the number of filled places, and cut off after that, since int(u) is 0
+def row_for(self, u):
+    return int(u) * min(self.steps[0], len(self.memory.actions))
+
+
+# %% the places of a batch
+# says: you draw from
+def row_for(self, u):
+    return int(u * 32)
+
+
+# %% no sign of the reward
+# says: a reward may be negative: take it as it is
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    future = 0.0 if memory.terminated[row] else self.discount * np.max(self.Q[0])
+    return abs(memory.rewards[row]) + future

@@ -101,6 +101,13 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         ),
         "a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still"
         " counts": lambda s: _moved(s, s.reward if s.truncated else _target(s)),
+        "that is the next state's value of the last action alone; take the largest one of all three": lambda s: _moved(
+            s, _target(s, lambda q: float(q[-1]))
+        ),
+        "a feature keeps its sign: multiply by the feature itself": lambda s: _moved(s, _target(s), by=np.abs(s.x)),
+        "only the weight of the largest feature moves; all move whose feature is not 0": lambda s: _moved(
+            s, _target(s), by=np.where(np.arange(len(s.x)) == s.x.argmax(), s.x, 0.0)
+        ),
         "that is the next state's value of action 0 alone; take the largest one of all three": lambda s: _moved(
             s, _target(s, lambda q: float(q[0]))
         ),

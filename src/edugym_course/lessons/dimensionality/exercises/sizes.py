@@ -62,6 +62,8 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
     {
         "vectorised": {
             ALONE: lambda r, c, a: r * c * c,
+            "multiply by the number of actions, do not add it": lambda r, c, a: r * c * c + a,
+            "the ball's row is missing: it falls, and so it is in another one at each step": lambda r, c, a: c * c * a,
             "the paddle's column is missing: the agent sees it too": lambda r, c, a: r * c * a,
             "the paddle stays in its row, and so it has no row of its own in the observation": lambda r, c, a: (
                 r * r * c * c * a
@@ -70,6 +72,12 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "the numbers of values are multiplied, not added": lambda r, c, a: (r + 2 * c) * a,
             "each number has its own number of values, so multiply these: there is no power here": lambda r, c, a: (
                 a * 3 ** (r * c)
+            ),
+            'that is the formula for the image: is the word "vectorised" spelt as here?': lambda r, c, a: (
+                256 ** (3 * r * c) * a
+            ),
+            "the agent sees three numbers, and a table has a row for all values that these can take together": (
+                lambda r, c, a: 3 * a
             ),
             "that is the formula for the grid": lambda r, c, a: 2 ** (r * c) * a,
             "a row has an entry for each action, so multiply by their number; no power is taken": lambda r, c, a: (

@@ -18,6 +18,8 @@ from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 
 ROWS = (0, 1, 2, 3, 2, 1)
 """The rows of which the targets are checked; an episode ends in row 2."""
+NEARLY_1 = 1.0 - 2.0**-40
+"""Whoever cuts off n times this has n - 1."""
 STALE = (11.0, 17.0, 13.0)
 """What stands in `Q` before: the values of another state."""
 
@@ -57,6 +59,7 @@ def _right(case: Remembered) -> float:
     return _bootstrapped(case, float(case.old_next.max()))
 
 
+SIGN = "a reward may be negative: take it as it is"
 FROM_STARTS: Mapping[str, Callable[[Remembered], float]] = starts(
     lambda start: f"all values may be lower: the largest one is one of them, and not {start}",
     lambda start: lambda c: _bootstrapped(c, from_a_start(c.old_next, start)),
@@ -88,6 +91,7 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
         "the value should be that of the next state, by the old weights `self.target`": lambda c: _bootstrapped(
             c, c.new_here.max()
         ),
+        SIGN: lambda c: _bootstrapped(c._replace(reward=abs(c.reward)), c.old_next.max()),
         "the discount is missing": lambda c: _bootstrapped(c, c.old_next.max(), gamma=1.0),
         "take the largest value, not the mean": lambda c: _bootstrapped(c, c.old_next.mean()),
         "take the largest value, not the smallest": lambda c: _bootstrapped(c, c.old_next.min()),
@@ -211,7 +215,7 @@ def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
         memory.states[:] = rng.integers(0, 3, size=memory.states.shape)
         memory.next_states[:] = rng.integers(0, 3, size=memory.next_states.shape)
         memory.actions[:] = rng.integers(3, size=4)
-        memory.rewards[:] = rng.permutation([1.0, 2.0, 3.0, 4.0])
+        memory.rewards[:] = rng.permutation([-2.0, 1.0, 3.0, 4.0])
         memory.terminated[:] = np.roll([0, 0, 1, 0], int(rng.integers(4)))
         memory.terminated[row] = int(row == 2)
         values = [
@@ -231,7 +235,8 @@ def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
             new_here,
         )
         going_on = case._replace(terminated=False)
-        elsewhere = {why for why in TARGETS if "terminal" in why or "end of" in why} | {*FROM_STARTS, *OF_SOME_ACTIONS}
+        elsewhere = {why for why in TARGETS if "terminal" in why or "end of" in why}
+        elsewhere |= {SIGN, *FROM_STARTS, *OF_SOME_ACTIONS}
         wrong = [rule(going_on) for why, rule in TARGETS.items() if why not in elsewhere]
         if not any(same(value, _bootstrapped(going_on, old_next.max())) for value in wrong):
             return case
@@ -269,7 +274,6 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
     agent = _made(answer, size)
     agent.steps[0] = steps
     filled = min(steps, size)
-    counts = np.zeros(filled, np.int64)
     with student_code("row_for(0.5)"):
         again = {str(agent.row_for(0.5)) for _ in range(20)}
     if agent.steps[0] != steps:
@@ -279,33 +283,50 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
             "row_for(0.5) gives another place in every call: the random number is drawn already, it is `u`"
         )
     where = f"after {steps} transitions, in a memory of {size} places"
-    for u in (0.0, *(np.arange(120 * filled) + 0.5) / (120 * filled)):
-        with student_code(f"row_for({u:.3g})"):
-            found = agent.row_for(float(u))
-        row = number(f"row_for({u:.3g})", found)
-        if row != int(row) or isinstance(found, float | np.floating):
-            raise WrongAnswer(f"row_for({u:.3g}) should be a whole number, but is {found!r}: make it one by int(...)")
+    us = [0.0, *((np.arange(120 * filled) + 0.5) / (120 * filled)).tolist()]
+    rows = [_row(agent, u) for u in us]
+    for u, row in zip(us, rows, strict=True):
         if not 0 <= row < filled:
-            known = {
-                size: "count the places that are filled: the smaller one of `self.steps[0]` and all places",
-                steps: "the memory has no more places than it has: take the smaller one of two numbers",
-            }
-            past = {
-                filled: "places count from 0, so that the last one is their number less 1",
-                -1: "`u` may be 0, and that belongs to place 0: cut off by int(...), without a rounding up",
-            }.get(int(row), "")
-            wrong = next((why for n, why in known.items() if n != filled and int(u * n) == row), past)
             raise WrongAnswer(
-                f"{where}, row_for({u:.3g}) is {row:.0f}, but the places 0 to {filled - 1} are filled"
-                + (f": {wrong}" if wrong else "")
+                f"{where}, row_for({u:.3g}) is {row}, but the places 0 to {filled - 1} are filled:"
+                f" {_why_uneven(agent, us, rows, filled)}"
             )
-        counts[int(row)] += u > 0.0
-    if np.abs(counts - 120).max() > 1:
-        never = [int(row) for row in np.flatnonzero(counts == 0)]
-        why = (
-            f"place {never[0]} never comes up, and it should as often as the others"
-            if never
-            else "some places come up more often than others: multiply `u` by the number of filled places, and cut off"
-            " by int(...); neither round(...) nor a remainder by % is even"
-        )
+    if np.abs(np.bincount(rows[1:], minlength=filled) - 120).max() > 1:
+        why = _why_uneven(agent, us, rows, filled)
         raise WrongAnswer(f"{where}, every filled place should be equally likely: {why}")
+
+
+def _row(agent: Any, u: float) -> int:
+    """Return the place that a student's `row_for` gives, a whole number."""
+    call = f"row_for({u:.3g})"
+    with student_code(call):
+        found = agent.row_for(u)
+    row = number(call, found)
+    if row != int(row) or isinstance(found, float | np.floating):
+        raise WrongAnswer(f"{call} should be a whole number, but is {found!r}: make it one by int(...)")
+    return int(row)
+
+
+def _why_uneven(agent: Any, us: list[float], rows: list[int], filled: int) -> str:
+    """Return what is wrong with the places that belong to some random numbers."""
+    if len({*rows}) == 1:
+        return (
+            f"it is always place {rows[0]}, whatever `u` is: multiply `u` by the number of filled places, and cut off"
+            " after that, since int(u) is 0"
+        )
+    n = _row(agent, NEARLY_1) + 1
+    if n != filled and rows == [int(u * n) for u in us]:
+        return (
+            f"you draw from {n} places, and {filled} are filled. Their number is the smaller one of `self.steps[0]` and"
+            " `len(self.memory.actions)`"
+        )
+    if rows == [round(u * filled) for u in us]:
+        return "round(...) may round up, so that the last place is one too far; cut off by int(...)"
+    if rows == [int(u * filled) + 1 for u in us]:
+        return "places count from 0, so that the last one is their number less 1"
+    if min(rows) < 0:
+        return "`u` may be 0, and that belongs to place 0: cut off by int(...), without a rounding up"
+    return (
+        "multiply `u` by the number of filled places, and cut off by int(...); neither round(...) nor a remainder by %"
+        " is even"
+    )
