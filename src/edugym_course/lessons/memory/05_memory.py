@@ -278,7 +278,8 @@ sliders(
 # All numbers are for $k = 3$ with actions. The settings as they stand end at 7.0.
 #
 # - With $\varepsilon = 0$ it ends at 6.3. In each row the first door that was right gets a value above 0. All others
-#   stay at 0, so the agent never tries them there. With any other ε of the slider it does, and 0.5 ends at 7.0 too.
+#   stay at 0, so the agent never tries them there. With any other ε of the slider it tries them, and 0.5 ends
+#   at 7.0 too.
 # - With $\alpha = 1$ it ends at 5.3. A value is then the last target itself: after one error it is 0, and all that came
 #   before is forgotten.
 # - With $\gamma = 0$ it ends at 7.0.

@@ -44,8 +44,10 @@ MISTAKES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProx
                 else (np.full_like(_noted(notes, place, action), n), 0)
             )
         ),
-        "the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself,"
-        " not into a copy)": (lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)),
+        "the marked door is not noted: write every door into `notes[place]`, marked or not (with `=`, not `==`, and"
+        " into `notes` itself, not into a copy)": (
+            lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)
+        ),
         "it notes the place instead of the door": (
             lambda notes, place, seen, action, n: (_noted(notes, place, place), place + 1 if seen == n else 0)
         ),
@@ -86,6 +88,28 @@ MISTAKES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProx
             lambda notes, place, seen, action, n: (
                 _noted(np.full_like(notes, n), place, action),
                 place + 1 if seen == n else 0,
+            )
+        ),
+        "the lines before the place are written as well: the index is the place alone": (
+            lambda notes, place, seen, action, n: (
+                np.where(np.arange(len(notes)) <= place, action, notes),
+                place + 1 if seen == n else 0,
+            )
+        ),
+        "all lines are written: the index is the place alone": (
+            lambda notes, place, seen, action, n: (np.full_like(notes, action), place + 1 if seen == n else 0)
+        ),
+        "the door is added to the note that stands there: set it, with = and not with +=": (
+            lambda notes, place, seen, action, n: (
+                _noted(notes, place, notes[place] + action),
+                place + 1 if seen == n else 0,
+            )
+        ),
+        "that the next line is empty does not make this the last place: in a first walk it is empty everywhere. Only a"
+        " mark tells": (
+            lambda notes, place, seen, action, n: (
+                _noted(notes, place, action),
+                0 if notes[place + 1] == n else place + 1,
             )
         ),
         "the lines behind the place are written as well: the index is the place alone": (

@@ -82,11 +82,15 @@ class Windowed:
         now = (*self._past, state)
         then = (*now, action, next_state) if self._moves else now
         target = reward if terminated else reward + self._discount * self.row(then).max()
-        self.row(now)[action] += self._learning_rate * (target - self.row(now)[action])
+        self.move(now, action, target)
         if self._grows:
             self._past = (*now, action)[-2 * self._k :]
         if truncated or terminated:
             self.forget_episode()
+
+    def move(self, history: History, action: int, target: float) -> None:
+        """Move the value of an action towards a target."""
+        self.row(history)[action] += self._learning_rate * (target - self.row(history)[action])
 
     def forget_episode(self) -> None:
         """Begin with an empty window."""
@@ -101,6 +105,29 @@ class Windowed:
     def greedy(self, history: History, rng: Random) -> int:
         """The action with the highest value after a history."""
         return greedy_action(self.row(history)[np.newaxis], 0, rng)
+
+
+class WindowedSARSA(Windowed):
+    """SARSA on windows: a step waits for the action that comes next.
+
+    After one that was cut off, that action is never taken; it most likely is the best one.
+    """
+
+    _waiting: tuple[History, int, float] | None = None
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
+        """Learn from the step before, whose next action is known now, and keep this one."""
+        if self._waiting is not None:
+            before, earlier_action, earlier_reward = self._waiting
+            target = earlier_reward + self._discount * float(self.values(state)[action])
+            super().move(before, earlier_action, target)
+        self._waiting = None if terminated or truncated else ((*self._past, state), action, reward)
+        super().learn(state, action, reward, next_state, terminated, truncated)
+
+    def move(self, history: History, action: int, target: float) -> None:
+        """Learn from a step to the maximum after an end alone."""
+        if self._waiting is None:
+            super().move(history, action, target)
 
 
 def mistake(**how: Any) -> Learner:
@@ -124,11 +151,14 @@ RULE = Rule(
         ),
         "the target has the value of the old window, without what was just done and seen": mistake(moves=False),
         "γ max_a Q(S', a) is missing in the target": mistake(discount=0.0),
+        "Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA": Learner(
+            WindowedSARSA
+        ),
         "the learning rate is much too small: it is 0.2 in the text": mistake(learning_rate=0.04),
     },
     EPSILON,
     otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one",
-    worlds=4,
+    worlds=8,
     world=VeiledWorld,
     asks=False,
 )

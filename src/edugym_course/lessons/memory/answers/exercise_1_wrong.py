@@ -177,3 +177,9 @@ def table_rows(num_doors, length):
 # says: that is none of the usual mistakes, so work it out by hand for a small case
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) // 3 + 1)
+
+
+# %% a table for each corridor
+# says: the tables of all corridors up to L are added up; the window of the longest one serves them all
+def table_rows(num_doors, length):
+    return sum((num_doors + 1) ** (n * (n - 1) // 2 + 1) for n in range(1, length + 1))

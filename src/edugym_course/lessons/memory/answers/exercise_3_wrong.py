@@ -79,7 +79,7 @@ def update(self, notes, place, seen, action):
 
 
 # %% notes nothing
-# says: the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself, not
+# says: the marked door is not noted: write every door into `notes[place]`, marked or not (with `=`, not `==`, and into `notes` itself, not
 #   into a copy)
 def update(self, notes, place, seen, action):
     return place + 1 if seen == self.num_doors else 0
@@ -135,8 +135,15 @@ def update(self, notes, place, seen, action):
     return place + 1 if seen == self.num_doors else 0
 
 
-# %% two places further
+# %% both are wrong
 # says: that is none of the usual mistakes, so follow this step by hand
+def update(self, notes, place, seen, action):
+    notes[place] = self.num_doors
+    return place + 2 if seen == self.num_doors else 0
+
+
+# %% two steps at once
+# says: what is noted is right. The next place is `place + 1`, or 0 if `seen` is a door
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 2 if seen == self.num_doors else 0
@@ -242,4 +249,40 @@ def update(self, notes, place, seen, action):
 # says: the lines behind the place are written as well: the index is the place alone
 def update(self, notes, place, seen, action):
     notes[place:] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% all lines
+# says: all lines are written: the index is the place alone
+def update(self, notes, place, seen, action):
+    notes[:] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% a note that grows
+# says: the door is added to the note that stands there: set it, with = and not with +=
+def update(self, notes, place, seen, action):
+    notes[place] += action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% an empty line for the end
+# says: that the next line is empty does not make this the last place: in a first walk it is empty everywhere. Only a
+#   mark tells
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return 0 if notes[place + 1] == self.num_doors else place + 1
+
+
+# %% the lines up to here
+# says: the lines before the place are written as well: the index is the place alone
+def update(self, notes, place, seen, action):
+    notes[: place + 1] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% nothing as a note
+# says: the next place is right. The note is the door that was opened, `action`, at the index `place` alone
+def update(self, notes, place, seen, action):
+    notes[place] = self.num_doors
     return place + 1 if seen == self.num_doors else 0

@@ -120,3 +120,28 @@
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return lambda observation: int(values((int(observation),)).argmax())
+
+# %% the value of the next action
+# says: Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA
+def my_program(environment, n_steps, seed):
+    n = environment.action_space.n
+    Q, rng = {}, np.random.default_rng(seed)
+
+    def values(w):
+        return Q.setdefault(w, np.zeros(n))
+
+    def act(w):
+        return int(rng.integers(n)) if rng.random() < 0.1 else int(values(w).argmax())
+
+    w = (environment.reset(seed=seed)[0],)
+    a = act(w)
+    for _ in range(n_steps):
+        o, r, terminated, truncated, _ = environment.step(a)
+        w2 = (*w, a, o)[-5:]
+        a2 = act(w2)
+        values(w)[a] += 0.2 * (r + (0 if terminated else 0.8 * values(w2)[a2]) - values(w)[a])
+        w, a = w2, a2
+        if terminated or truncated:
+            w = (environment.reset()[0],)
+            a = act(w)
+    return lambda history: int(values(tuple(history)[-5:]).argmax())

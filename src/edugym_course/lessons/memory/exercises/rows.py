@@ -75,6 +75,9 @@ def _row_mistakes(doors: int, length: int, looks: int) -> dict[str, float]:
         CARET: base ^ window,
         "the window shows observations alone here, so the actions do not multiply the rows": base**window
         * doors ** (window - 1),
+        "the tables of all corridors up to L are added up; the window of the longest one serves them all": sum(
+            base ** window_law(n) for n in range(1, length + 1)
+        ),
         "those are the bytes of the values; the rows are asked for": base**window * 3 * 8,
         "the windows of all lengths are added up; an episode starts with copies of its first observation, so all have"
         " the full length": sum(base**k for k in range(1, window + 1)),
