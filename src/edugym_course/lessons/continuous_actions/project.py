@@ -118,6 +118,8 @@ MISTAKES: dict[str, Maker] = {
     ),
 }
 """The usual mistakes, by their sentences."""
+FOLLOWERS = [partial(Gaussians, value_rate=0.0, policy_rate=share * POLICY_RATE) for share in (0.5, 0.1)]
+"""Without a baseline the Gaussians follow the actions, whoever draws them; what a mistake explains must be more."""
 KEPT = [partial(Gaussians, keeps=True, backwards=backwards) for backwards in (False, True)]
 """They learn from all episodes so far again and again. The order matters, since states come twice in such a list."""
 REPEATED = 0.01
@@ -196,7 +198,8 @@ def check_equations(program: Any, seed: int) -> None:
     is_better = fits[likely].log > right.log + NATS
     if right.is_usual and not is_better:
         return
-    if is_better and fits[likely].is_usual:
+    followed = max(fit(runs, make).log for make in FOLLOWERS)
+    if is_better and fits[likely].is_usual and fits[likely].log > followed + NATS:
         cause = f"They fit a usual mistake: {likely}"
     else:
         cause = (

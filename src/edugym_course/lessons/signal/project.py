@@ -104,6 +104,7 @@ class Listener:
         moved: whether the weights of the message "before" the action move, or of the one "after" it.
         valued: whether the value in the difference is that "before" the action, or "after" it.
         discount: γ, of the largest value after the next message.
+        first: the first weights.
     """
 
     def __init__(
@@ -116,10 +117,11 @@ class Listener:
         moved: str = "before",
         valued: str = "before",
         discount: float = 0.0,
+        first: float = 0.0,
     ) -> None:
         """Know no word."""
         self._n_actions = shape[1]
-        self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.zeros(shape[1]))
+        self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
         self._moved, self._valued, self._discount = moved, valued, discount
 
@@ -185,6 +187,8 @@ RULE = Rule(
             for size, rate in (("large", 0.5), ("small", 0.001))
         },
         "the learning rate is too large, as 0.1: it is 0.01 in the text": mistake(learning_rate=0.1),
+        "the first weights are 1, and they should be 0": mistake(first=1.0),
+        "the first weights are far above 0, as 10, and they should be 0": mistake(first=10.0),
         "γ is 0.5, and it should be 0: the reward stands alone, without the value of the next message": mistake(
             discount=0.5
         ),

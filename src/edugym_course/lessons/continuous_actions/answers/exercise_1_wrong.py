@@ -191,3 +191,18 @@ def preferences(joints, bins, cells):
 # says: (`import` it first)
 def preferences(joints, bins, cells):
     return 2 * int(random.prod([cells * bins] * joints))
+
+
+# %% a range too short
+# says: one joint is missing: is a range too short, or a power too low?
+def preferences(joints, bins, cells):
+    size = 2
+    for _ in range(1, joints):
+        size *= bins * cells
+    return size
+
+
+# %% a joint too many
+# says: there is one joint too many in the power of the cells
+def preferences(joints, bins, cells):
+    return 2 * cells ** (joints + 1) * bins**joints

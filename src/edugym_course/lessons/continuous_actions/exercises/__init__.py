@@ -89,6 +89,8 @@ def _size_mistakes(m: int, n: int, c: int, h: int) -> dict[str, float]:
         "both are powers: m joints have c^m cells and n^m actions, not c m and n m": h * (c * m) * (n * m),
         f"holding the box belongs to the state alone, not to the action: one factor of {h}": h * h * c**m * n**m,
         "those are the numbers of the lesson's table: use `joints`, `bins` and `cells`": h * 30 * 30 * 5**2,
+        "one joint is missing: is a range too short, or a power too low?": h * (c * n) ** (m - 1),
+        "there is one joint too many in the power of the cells": h * c ** (m + 1) * n**m,
         CARET: (h * c) ^ (m * n) ^ m,
         f"{CARET}, here as well": h * (c ^ m) * (n ^ m),
         f"the {h} multiplies the rows, it is not added to them": (h + c**m) * n**m,

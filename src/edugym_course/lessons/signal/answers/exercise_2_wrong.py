@@ -397,3 +397,35 @@ def bits_in(joint):
 def bits_in(joint):
     seen = joint > 0
     return np.sum(joint[seen] * np.log2(joint[seen] / np.outer(joint.sum(0), joint.sum(1))[seen]))
+
+
+# %% from 1 on in both loops
+# says: the first row and the first column are missing in the sum: indices begin with 0
+def bits_in(joint):
+    total = 0.0
+    for x in range(1, joint.shape[0]):
+        for y in range(1, joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * np.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% weighted by p(x | y)
+# says: p(x | y) should be weighted by p(x, y), and not by itself
+def bits_in(joint):
+    total = 0.0
+    for column in joint.T:
+        told = column / column.sum()
+        seen = told > 0
+        total += np.sum(told[seen] * np.log2(told[seen] / joint.sum(1)[seen]))
+    return total
+
+
+# %% three logarithms without brackets
+# says: the weight p(x, y) belongs to all three logarithms: put brackets around their sum
+def bits_in(joint):
+    total = 0.0
+    for (x, y), p in np.ndenumerate(joint):
+        if p > 0:
+            total += p * math.log2(p) - math.log2(joint[x].sum()) - math.log2(joint[:, y].sum())
+    return total

@@ -177,3 +177,15 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - delta = r - q[a]
 # + delta = r + (0.0 if terminated else 0.9 * (shares(o2) @ theta).max()) - q[a]
+
+# %% first weights of 1
+# says: the first weights are 1, and they should be 0
+# in: weights in an array
+# - theta = np.zeros((W, N))
+# + theta = np.ones((W, N))
+
+# %% first weights of 10
+# says: the first weights are far above 0, as 10, and they should be 0
+# in: weights in an array
+# - theta = np.zeros((W, N))
+# + theta = 10 * np.ones((W, N))

@@ -308,6 +308,15 @@ def _mistakes_in_bits(joint: Reals) -> dict[str, float]:
         "only the first row is added up: does the `return` stand inside the loop?": _part(joint, slice(0, 1)),
         "the last row is missing in the sum": _part(joint, slice(0, -1)),
         "the first row is missing in the sum: indices begin with 0": _part(joint, slice(1, None)),
+        "the first row and the first column are missing in the sum: indices begin with 0": _part(
+            joint, (slice(1, None), slice(1, None))
+        ),
+        "p(x | y) should be weighted by p(x, y), and not by itself": float(
+            np.sum(p / (p_y + 0 * joint)[possible] * np.log2(p / outer))
+        ),
+        "the weight p(x, y) belongs to all three logarithms: put brackets around their sum": float(
+            np.sum(p * np.log2(p) - np.log2(outer))
+        ),
         "the first pair alone: does the `return` stand inside the loops?": float(
             joint[0, 0] * math.log2(joint[0, 0] / (p_x[0] * p_y[0])) if joint[0, 0] > 0 else 0.0
         ),

@@ -234,9 +234,9 @@ def check_memory(made: Any, cases: list[Heard]) -> None:
             wrong.append((case, action, int(made.last[0])))
     for case, action, last in wrong:
         if last != case.last:
+            twice = ": is `pick` called twice? Note the action that you return" if last >= 0 else ""
             raise WrongAnswer(
-                f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}: is `pick`"
-                " called twice? Note the action that you return"
+                f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}{twice}"
             )
     for case, action, _ in wrong:
         raise WrongAnswer(
