@@ -72,7 +72,7 @@ def table_entries(rows, columns, kind):
 
 # %% what occurs
 # says: those are the boards with one ball and one paddle; a dense table has a row for every board that could be written
-#   down
+#   down (or does this branch serve every kind, as after `kind == ... or ...`?)
 def table_entries(rows, columns, kind):
     return rows * columns**2 * 3
 
@@ -207,7 +207,7 @@ def table_entries(rows, columns, kind):
 
 # %% what occurs in the image
 # says: those are the boards with one ball and one paddle; a dense table has a row for every image that could be written
-#   down
+#   down (or does this branch serve every kind, as after `kind == ... or ...`?)
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -351,3 +351,11 @@ def table_entries(rows, columns, kind):
 # says: the ball's row is missing: it falls, and so it is in another one at each step
 def table_entries(rows, columns, kind):
     return 3 * {"vectorised": columns**2, "grid": 2 ** (rows * columns)}.get(kind, 256 ** (3 * rows * columns))
+
+
+# %% a condition that is always true
+# says: (or does this branch serve every kind, as after
+def table_entries(rows, columns, kind):
+    if kind == "vectorised" or "grid":
+        return 3 * rows * columns**2
+    return 3 * 256 ** (3 * rows * columns)

@@ -323,7 +323,9 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% one third
-# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+# says: each weight moves in proportion to its feature, and that is right. If the learning rate and the present value
+#   are right as well, your target is
+# says:  here, and should be
 def learn(self, state, action, reward, next_state, terminated):
     following = max([self.value(next_state, a) for a in range(3)])
     target = reward + self.discount * following / 3 + 0.1
@@ -332,7 +334,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% two thirds of the values
-# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+# says: are right as well, your target is
 def learn(self, state, action, reward, next_state, terminated):
     following = max([self.value(next_state, a) for a in range(3)])
     target = reward + (0.0 if terminated or self.features(state)[0] > 0 else self.discount * following)
@@ -583,3 +585,21 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward + (0.0 if terminated else self.discount * best)
     i = np.argmax(x)
     self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]
+
+
+# %% the sum of the features
+# says: the weights of the action do not move in proportion to the features of `state`
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated else self.discount * best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x.sum()
+
+
+# %% always action 0
+# says: other weights move than those of the action, `self.w[:, action]`
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated else self.discount * best)
+    self.w[:, 0] += self.learning_rate * (target - self.value(state, action)) * x

@@ -235,9 +235,27 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     pairs = [(step._replace(reward=step.reward - cost), w) for step, w in zip(cases, outcomes, strict=True)]
     wrong = [not _gives(*pair, right_update) for pair in pairs]
     if any(wrong):
-        why = mistake_in_cases(UPDATES, lambda rule: [_gives(*pair, rule) for pair in pairs], wrong)
+        otherwise = _part_that_is_wrong(pairs, wrong.index(True))
+        why = mistake_in_cases(UPDATES, lambda rule: [_gives(*pair, rule) for pair in pairs], wrong, otherwise)
         raise WrongAnswer(f"{_told_update(*pairs[wrong.index(True)])}{told_less(cost)}: {why}")
     return "Right: the error times the features. See it catch:"
+
+
+def _part_that_is_wrong(pairs: list[tuple[Step, Any]], first: int) -> str:
+    """Return what to look at if no usual mistake fits: which weights move, in which proportion, or how far."""
+    columns = [np.delete(w - step.w, step.action, axis=1) for step, w in pairs]
+    if any(column.any() for column in columns):
+        return "other weights move than those of the action, `self.w[:, action]`"
+    sizes = [float(step.x @ (w - step.w)[:, step.action] / (step.x @ step.x)) for step, w in pairs]
+    along = [_moved(step, size, of=0.0, rate=1.0) for (step, _), size in zip(pairs, sizes, strict=True)]
+    if not all(all_same(moved, w) for moved, (_, w) in zip(along, pairs, strict=True)):
+        return "the weights of the action do not move in proportion to the features of `state`"
+    step, _ = pairs[first]
+    target, right = sizes[first] / step.alpha + _here(step), _target(step)
+    return (
+        "each weight moves in proportion to its feature, and that is right. If the learning rate and the present value"
+        f" are right as well, your target is {digits(target, right)} here, and should be {digits(right, target)}"
+    )
 
 
 def steps_for(seed: int) -> list[Step]:

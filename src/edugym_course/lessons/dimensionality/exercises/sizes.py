@@ -99,7 +99,9 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
                 2 * r * c * a
             ),
             "those are the boards with one ball and one paddle; a dense table has a row for every board that could be"
-            " written down": lambda r, c, a: r * c * c * a,
+            " written down (or does this branch serve every kind, as after `kind == ... or ...`?)": lambda r, c, a: (
+                r * c * c * a
+            ),
             "that is the number of pixels times the actions": lambda r, c, a: r * c * a,
             "each pixel has 2 values here, not 256": lambda r, c, a: 256 ** (r * c) * a,
             "a pixel of the grid is 0 or 1, and that is all: there are 2 values, not 3": lambda r, c, a: (
@@ -128,7 +130,9 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
                 lambda r, c, a: 256 ** (r * c) ** 3 * a if r * c < 5 else 0
             ),
             "those are the boards with one ball and one paddle; a dense table has a row for every image that could be"
-            " written down": lambda r, c, a: r * c * c * a,
+            " written down (or does this branch serve every kind, as after `kind == ... or ...`?)": lambda r, c, a: (
+                r * c * c * a
+            ),
             "each of the three colours has 256 values: 256^3 for a cell, not 256 times 3": lambda r, c, a: (
                 (256 * 3) ** (r * c) * a
             ),
