@@ -359,3 +359,9 @@ def table_entries(rows, columns, kind):
     if kind == "vectorised" or "grid":
         return 3 * rows * columns**2
     return 3 * 256 ** (3 * rows * columns)
+
+
+# %% the grid and the image have changed places
+# says: that is the formula for the image; in the grid each cell has one number, 0 or 1
+def table_entries(rows, columns, kind):
+    return 3 * {"vectorised": rows * columns**2, "rgb": 2 ** (rows * columns)}.get(kind, 256 ** (3 * rows * columns))

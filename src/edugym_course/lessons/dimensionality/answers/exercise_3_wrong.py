@@ -399,3 +399,10 @@ def target_of(self, row):
     dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
     future = 0.0 if memory.terminated[row] else self.discount * np.max(self.Q[0])
     return abs(memory.rewards[row]) + future
+
+
+# %% a minus for a plus
+# says: the value of the next state is added, not subtracted
+# in: the solution of target_of
+# - return memory.rewards[row] + self.discount * self.Q[0].max()
+# + return memory.rewards[row] - self.discount * self.Q[0].max()

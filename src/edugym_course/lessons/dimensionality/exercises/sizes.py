@@ -103,6 +103,9 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
                 r * c * c * a
             ),
             "that is the number of pixels times the actions": lambda r, c, a: r * c * a,
+            "that is the formula for the image; in the grid each cell has one number, 0 or 1": lambda r, c, a: (
+                256 ** (3 * r * c) * a
+            ),
             "each pixel has 2 values here, not 256": lambda r, c, a: 256 ** (r * c) * a,
             "a pixel of the grid is 0 or 1, and that is all: there are 2 values, not 3": lambda r, c, a: (
                 3 ** (r * c) * a

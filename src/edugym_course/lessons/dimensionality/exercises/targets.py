@@ -92,6 +92,7 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
             c, c.new_here.max()
         ),
         SIGN: lambda c: _bootstrapped(c._replace(reward=abs(c.reward)), c.old_next.max()),
+        "the value of the next state is added, not subtracted": lambda c: _bootstrapped(c, -c.old_next.max()),
         "the discount is missing": lambda c: _bootstrapped(c, c.old_next.max(), gamma=1.0),
         "take the largest value, not the mean": lambda c: _bootstrapped(c, c.old_next.mean()),
         "take the largest value, not the smallest": lambda c: _bootstrapped(c, c.old_next.min()),
@@ -324,7 +325,7 @@ def _why_uneven(agent: Any, us: list[float], rows: list[int], filled: int) -> st
         return "round(...) may round up, so that the last place is one too far; cut off by int(...)"
     if rows == [int(u * filled) + 1 for u in us]:
         return "places count from 0, so that the last one is their number less 1"
-    if min(rows) < 0:
+    if rows[0] < 0:
         return "`u` may be 0, and that belongs to place 0: cut off by int(...), without a rounding up"
     return (
         "multiply `u` by the number of filled places, and cut off by int(...); neither round(...) nor a remainder by %"

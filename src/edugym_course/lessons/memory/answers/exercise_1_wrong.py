@@ -183,3 +183,9 @@ def table_rows(num_doors, length):
 # says: the tables of all corridors up to L are added up; the window of the longest one serves them all
 def table_rows(num_doors, length):
     return sum((num_doors + 1) ** (n * (n - 1) // 2 + 1) for n in range(1, length + 1))
+
+
+# %% less one
+# says: the present observation is added to L(L-1)/2, not subtracted
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** max(length * (length - 1) // 2 - 1, 0)

@@ -54,6 +54,7 @@ def _row_mistakes(doors: int, length: int, looks: int) -> dict[str, float]:
         "a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back": base**length,
         "L(L+1)/2 counts the steps to the end of corridor L; the mark that is needed lies only L(L-1)/2 steps"
         " back": base ** (length * (length + 1) // 2),
+        "the present observation is added to L(L-1)/2, not subtracted": base ** max(window - 2, 0),
         "that is the window for corridor L - 1": base ** window_law(length - 1),
         "L(L-1)/2 observations and the present one make L(L-1)/2 + 1; here is one more": base ** (window + 1),
         "7 is the window of corridor 4 alone; compute it from the length": base**7,
