@@ -174,7 +174,9 @@ def table_rows(num_doors, length):
 
 
 # %% a third in place of a half, which is 2L - 3 for some lengths
-# says: that is none of the usual mistakes, so work it out by hand for a small case
+# says: the base
+# says:  is right. The window has
+# says:  observations here, and you take
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) // 3 + 1)
 
@@ -189,3 +191,11 @@ def table_rows(num_doors, length):
 # says: the present observation is added to L(L-1)/2, not subtracted
 def table_rows(num_doors, length):
     return (num_doors + 1) ** max(length * (length - 1) // 2 - 1, 0)
+
+
+# %% marked or not
+# says: the window of
+# says:  is right. There are
+# says:  different observations, and you take
+def table_rows(num_doors, length):
+    return 2 ** (length * (length - 1) // 2 + 1)

@@ -1,5 +1,6 @@
 """Exercise 1 of lesson 5: the size of a table over windows of observations."""
 
+import math
 from typing import Annotated, Any
 
 import numpy as np
@@ -8,7 +9,7 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import CARET, exact, number
+from edugym_course.grading.values import CARET, exact, number, same
 from edugym_course.lessons.memory.windows import action_law, window_law
 
 UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
@@ -34,13 +35,29 @@ def exercise_1(answer: Any, seed: int, looks: Looks = 1) -> str:
         with student_code(call):
             size = answer(doors, length)
         found.append(NumberCase(call, number(call, size), float(right_size), _row_mistakes(doors, length, looks)))
-    compare_all(found, otherwise=UNUSUAL)
+    parts = [
+        _part_that_is_wrong(case.found, doors + looks, window_law(length))
+        for case, (doors, length) in zip(found, cases, strict=True)
+        if not same(case.found, case.expected)
+    ]
+    compare_all(found, otherwise=parts[0] if parts else UNUSUAL)
     doors, length = 2, 9
     call = f"table_rows({doors}, {length})"
     with student_code(call):
         size = answer(doors, length)
     exact(call, size, (doors + looks) ** window_law(length))
     return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
+
+
+def _part_that_is_wrong(size: float, base: int, window: int) -> str:
+    """Return what to look at if no usual mistake fits: the base or the exponent, if the answer is a power of a kind."""
+    if 1.0 <= size < 1e300:
+        exponent, other = round(math.log(size, base)), round(size ** (1 / window))
+        if same(size, float(base) ** exponent):
+            return f"the base {base} is right. The window has {window} observations here, and you take {exponent}"
+        if window > 1 and same(size, float(other) ** window):
+            return f"the window of {window} is right. There are {base} different observations, and you take {other}"
+    return UNUSUAL
 
 
 def _row_mistakes(doors: int, length: int, looks: int) -> dict[str, float]:
