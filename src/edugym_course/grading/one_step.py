@@ -88,6 +88,8 @@ def one_step_update(
 
 def _without_brackets(ends: str, now: Transition, aim: float, old: float) -> tuple[float, float]:
     """Return the target, and what is subtracted from it, where `a if terminated else b - Q` has no brackets."""
+    if ends == "brackets: R in the target":
+        return aim if now.terminated else aim - now.reward, old
     subtracts_at_the_end = ends in ("brackets: -Q at the end", "brackets: only -Q at the end")
     if ends == "brackets: R at the end" and not now.terminated:
         aim -= now.reward
@@ -194,6 +196,8 @@ Q_LEARNING = Update(
         " so put brackets around `a if not terminated else b`": {"ends": "brackets: -Q at the end"},
         "Python reads `R + a if terminated else b - Q` as `(R + a) if terminated else (b - Q)`: put brackets around"
         " `a if terminated else b`": {"ends": "brackets: R at the end"},
+        "Python reads `R + a if terminated else b` as `(R + a) if terminated else b`: put brackets around `a if"
+        " terminated else b`": {"ends": "brackets: R in the target"},
         "Python reads `R + a if not terminated else b - Q` as `(R + a) if not terminated else (b - Q)`: put brackets"
         " around `a if not terminated else b`": {"ends": "brackets: only -Q at the end"},
         "the reward is missing": {"target": "no reward"},

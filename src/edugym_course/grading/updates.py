@@ -88,12 +88,14 @@ class Update:
             case by hand, and include negative values, and counts that are 0 and more.
         mistakes: maps the sentence shown to the student to the settings that reproduce the mistake.
         numbers: the settings that are numbers, each with what to say of a wrong one, with {found} and {right} in it.
+        together: what to say of the wrong ones, given them and the right settings; "" is to say what `numbers` says.
     """
 
     rule: Callable[..., None]
     tables: Callable[[int, int, np.random.Generator], Tables]
     mistakes: Mapping[str, Settings]
     numbers: Mapping[str, str]
+    together: Callable[[Mapping[str, float], Settings], str] = lambda wrong, settings: ""
 
     def check(self, make: Callable[[], Any], size: tuple[int, int], settings: Settings, seed: int) -> None:
         """Check the `learn` of an agent.
@@ -223,7 +225,7 @@ class Update:
         return wrong if self._fits(cases, found, {**settings, **fitted}) else {}
 
     def _describe_numbers(self, wrong: Mapping[str, float], settings: Settings) -> str:
-        return "; and ".join(
+        return self.together(wrong, settings) or "; and ".join(
             self.numbers[name].format(found=value, right=settings[name]) for name, value in wrong.items()
         )
 

@@ -605,9 +605,9 @@ never.measured(100 * len(lost) / 40)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*. Among
-# 420 states with four actions each, some wall seems to pay for each bump. Bumps can go on for ever, so a small error
-# adds up, and the more so the larger $\gamma$ is (exercise 1). The few other lost plans go to and fro between two
-# cells. Up to $\sigma = 0.5$ no plan was lost here: no wall pays enough.
+# the 420 states before the exit, with four actions each, some wall seems to pay for each bump. Bumps can go on for
+# ever, so a small error adds up, and the more so the larger $\gamma$ is (exercise 1). The few other lost plans go to
+# and fro between two cells. Up to $\sigma = 0.5$ no plan was lost here: no wall pays enough.
 #
 # Is it the walls? `edugym reproduce model_based` tests it: it takes the errors away from bumps, and leaves all others as
 # they are. Then three quarters of the lost plans get to the exit.

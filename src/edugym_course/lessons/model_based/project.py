@@ -70,7 +70,8 @@ RULE = Rule(
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
     },
     EPSILON,
-    otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action",
+    otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action, and"
+    " where it ended an imagined step has no future either",
     noisy=False,
     worlds=8,
     n_steps=500,

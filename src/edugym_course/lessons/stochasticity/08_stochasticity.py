@@ -705,7 +705,7 @@ from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1,
 #
 # <details><summary>Hint</summary><code>exact.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
 # swing from the tee at level 0.015, as a dictionary: <code>["drive"]</code> and <code>["chip"]</code> are its entries.
-# Leave out the <code>cell=0.25</code> of the cells above: it is faster, and too coarse for four decimals. Try some
+# Leave out the <code>cell=0.25</code> of the code above, which is faster but too coarse for four decimals. Try some
 # levels, or write a loop that starts at 0.01 (a level of 0 is not allowed).</details>
 
 # %%

@@ -345,11 +345,26 @@ WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "a good surprise is learned from twice, with both weights: is an `else` missing?": {"weigh": "both"},
     "the weight is 1 − κδ; it should depend on the sign of δ only, whatever its size": {"weigh": "with the size"},
 }
+
+
+def other_weights(wrong: Mapping[str, float], settings: Mapping[str, Any]) -> str:
+    """Tell of two other weights: any two are the same as another learning rate and another κ."""
+    if wrong.keys() != {"learning_rate", "kappa"}:
+        return ""
+    scale, kappa = wrong["learning_rate"] / settings["learning_rate"], settings["kappa"]
+    good, bad = scale * (1 - wrong["kappa"]), scale * (1 + wrong["kappa"])
+    return (
+        f"good surprises weigh {good:.3g} and bad ones {bad:.3g}, where 1 − κ is {1 - kappa:.3g} and 1 + κ is"
+        f" {1 + kappa:.3g}"
+    )
+
+
 TWO_WEIGHTS = Update(
     rule=two_weights_update,
     tables=Q_LEARNING.tables,
     mistakes={**WEIGHT_MISTAKES, **Q_LEARNING.mistakes},
     numbers=numbers_of("learning_rate", "discount", "kappa"),
+    together=other_weights,
 )
 
 

@@ -51,3 +51,11 @@
 # in: a model in arrays
 # - a = rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
 # + a = rng.choice(np.flatnonzero(Q[s] == Q[s].min()))
+
+
+# %% no end in the model
+# slow
+# says: and where it ended an imagined step has no future either
+# in: a model in arrays
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + Q[i, j] = R[i, j] + 0.95 * Q[S2[i, j]].max()

@@ -191,3 +191,15 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0.0 if terminated else potential(next_state)
     gain = discount * after - potential(state)
     return round(reward + gain, 1)
+
+
+# %% no brackets around the reward's part
+# says: the reward counts when `terminated`, and F otherwise, but never both
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + 0.0 if terminated else discount * potential(next_state) - potential(state)
+
+
+# %% no brackets around what follows
+# says: φ(s) counts when `terminated`, and all the rest otherwise
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + discount * potential(next_state) if not terminated else 0.0 - potential(state)

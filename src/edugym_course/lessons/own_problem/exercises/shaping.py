@@ -38,6 +38,10 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "at the end the bill still has to be paid: − φ(s) counts also when `terminated`": lambda r, a, b, end, g: (
         r if end else r + g * b - a
     ),
+    "the reward counts when `terminated`, and F otherwise, but never both: `a + b if c else d` means `(a + b) if c else"
+    " d`, so put the part with `if` in parentheses": lambda r, a, b, end, g: r if end else g * b - a,
+    "φ(s) counts when `terminated`, and all the rest otherwise: `a if c else b - d` means `a if c else (b - d)`, so put"
+    " the part with `if` in parentheses": lambda r, a, b, end, g: -a if end else r + g * b,
     "when `terminated`, φ(s') is 0, and not φ(s)": lambda r, a, b, end, g: r + g * b - a * (not end),
     "`terminated` is the wrong way round: φ(s') counts when it is False": lambda r, a, b, end, g: r + g * b * end - a,
     "both: when `terminated` is True it is φ(s') that is 0, and not φ(s) when it is False": lambda r, a, b, end, g: (

@@ -287,3 +287,21 @@ def learn(self, state, action, reward, next_state, terminated):
     delta = reward + self.discount * value - self.Q[state, action]
     w = 1 - self.kappa if delta > 0 else 1 + self.kappa
     self.Q[next_state, action] += self.learning_rate * w * delta
+
+
+# %% weights that add up to 1
+# says: , where 1 − κ is
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = self.kappa if delta > 0 else 1 - self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% a target without brackets
+# says: Python reads `R + a if terminated else b` as `(R + a) if terminated else b`
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward + 0.0 if terminated else self.discount * max(self.Q[next_state])
+    delta = target - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
