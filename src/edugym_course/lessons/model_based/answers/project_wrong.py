@@ -35,7 +35,8 @@
 
 # %% a model of states
 # slow
-# says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action
+# says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action, and where it
+#   ended an imagined step has no future either
 # in: a model in arrays
 # - R[s, a], S2[s, a], ends[s, a] = r, s2, terminated
 # + R[s], S2[s], ends[s] = r, s2, terminated
