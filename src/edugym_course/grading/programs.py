@@ -26,6 +26,7 @@ Policy = Callable[[Any], Any]
 Program = Callable[[Environment, int, int], Policy]
 
 NAME = "my_program"
+POLICY = f"the policy that {NAME} returns"
 ENOUGH = 0.9
 """The share of the steps that a program must take."""
 APART = 1_000_003
@@ -238,13 +239,13 @@ def returns_of(policy: Policy, environment: Environment, episodes: int, seed: in
     Raises:
         WrongAnswer: the policy fails, or chooses no action that there is.
     """
-    recorder = Recorder(environment, math.inf, seed, "the policy that my_program returns")
+    recorder = Recorder(environment, math.inf, seed, POLICY)
     for _ in range(episodes):
         state, _ = recorder.reset()
         history: tuple[Any, ...] = (state,)
         over = False
         while not over:
-            with student_code(f"the policy that {NAME} returns"):
+            with student_code(POLICY):
                 action = policy(history if remembers else state)
             state, _, terminated, truncated, _ = recorder.step(action)
             history, over = (*history, recorder.steps[-1].action, state), terminated or truncated

@@ -16,17 +16,15 @@ from heapq import heappop, heappush
 from itertools import islice
 from typing import Any, NamedTuple
 
-import gymnasium
 import numpy as np
-from gymnasium import spaces
 
 from edugym.agents.tables import tied
 from edugym.checks.contract import learns_from
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import (
-    APART,
     NAME,
+    POLICY,
     Environment,
     Run,
     Step,
@@ -35,6 +33,7 @@ from edugym_course.grading.programs import (
     run_program,
     shape_of,
 )
+from edugym_course.grading.small_world import ACTIONS, SmallWorld
 from edugym_course.grading.student_code import student_code
 
 TRIAL = 300
@@ -49,61 +48,12 @@ SIGMAS, CLEARLY = 4.0, 2.0
 """How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
 ASKED, SELDOM = 200, 0.02
 """How many observations a policy is asked about, and in what share of them ours may see no tie where it sees one."""
+RARELY, ENOUGH = 0.25, 30
+"""The share of its chances below which an action is hardly tried; and how many chances are enough to tell."""
 AT_ONCE = 100
 """How many steps a mistake goes on, before another one that is more probable may."""
-LAYERS, WIDTH, ACTIONS = 6, 2, 4
 SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
-
-
-class SmallWorld(gymnasium.Env[Any, Any]):
-    """A small random MDP in layers: no state comes twice in an episode.
-
-    An episode may end after any step. The number that is observed then is that of an ordinary state, as Gymnasium
-    allows, so a program that looks up the value of a terminal state finds one.
-
-    Args:
-        seed: the number from which the MDP is drawn.
-        truncates: whether episodes may also be truncated.
-        noisy: whether rewards, next states and ends also depend on chance.
-
-    Attributes:
-        states: the number of the state at each place, layer by layer.
-    """
-
-    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
-        """Draw an MDP."""
-        n, rng = LAYERS * WIDTH, np.random.default_rng(APART + seed)
-        self.observation_space = spaces.Discrete(n)
-        self.action_space = spaces.Discrete(ACTIONS)
-        self.states = rng.permutation(n)
-        self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, ACTIONS))
-        self._ends = rng.choice([0.03, 0.2], (n, ACTIONS))
-        self._next = rng.integers(WIDTH, size=(n, ACTIONS, 2))
-        if not noisy:  # no two actions that were tried are worth the same: which one wins then is up to the program
-            self._rewards += rng.random((n, ACTIONS))
-        self._truncates, self._noisy = truncates, noisy
-        self._place = 0
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin in the first layer."""
-        super().reset(seed=seed)
-        self._place = int(self.np_random.integers(WIDTH))
-        return int(self.states[self._place]), {}
-
-    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
-        """Go to the next layer, or end."""
-        noise, way = (int(self.np_random.integers(*limits)) for limits in ((-2, 3), (0, 2)))
-        end = float(self.np_random.random())
-        if not self._noisy:
-            noise, end, way = 0, 0.1, 0
-        reward = float(self._rewards[self._place, action] + noise)
-        is_last = self._place >= (LAYERS - 1) * WIDTH
-        terminated = bool(is_last or end < self._ends[self._place, action])
-        layer = (self._place // WIDTH + 1) % LAYERS
-        self._place = layer * WIDTH + int(self._next[self._place, action, way])
-        truncated = bool(self._truncates and not terminated and self.np_random.random() < 0.3)
-        return int(self.states[self._place]), reward, terminated, truncated, {}
 
 
 Maker = Callable[[tuple[int, int]], Any]
@@ -326,6 +276,8 @@ class Rule:
         Raises:
             WrongAnswer: they do not; or the program breaks the contract.
         """
+        if self.world is SmallWorld:  # does the program ask how many actions there are, and begin again when cut short?
+            run_program(program, SmallWorld(seed, n_actions=ACTIONS - 1), TRIAL, seed)
         seeds = range(self.worlds * seed, self.worlds * (seed + 1))
         worlds = [partial(self.world, number, self.truncates, self.noisy) for number in seeds]
         require_reproducible(program, worlds[0], TRIAL, seed)
@@ -343,6 +295,7 @@ class Rule:
         likely, sentence = Surprises.of(rows), [*self.mistakes][number]
         is_better = likely.explains_better_than(right)
         if right.is_usual() and not is_better:
+            self._require_tries(runs, shape)
             if self.asks:
                 self._require_best_actions(done[0], shape)
             return
@@ -359,6 +312,21 @@ class Rule:
             f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
         )
 
+    def _require_tries(self, runs: Sequence[Sequence[Step]], shape: tuple[int, int]) -> None:
+        """Refuse a program that hardly ever tries one of the actions where another one looks better."""
+        tries, chances = np.zeros(shape[1]), np.zeros(shape[1])
+        for steps in runs:
+            for agent, step in _learning(steps, self.right, shape):
+                best = _best(agent, step.state)
+                chances += [self.epsilon / len(best) * (not looks) for looks in best]
+                tries[step.action] += not best[step.action]
+        for action in np.flatnonzero((tries < RARELY * chances) & (chances > ENOUGH)):
+            raise WrongAnswer(
+                f"{NAME} tries the action {action} {tries[action]:.0f} times where another one looks better, and with"
+                f" ε = {self.epsilon:g} it should be some {chances[action]:.0f} times: is the random action one of"
+                " *all* n actions, 0 to n - 1? rng.integers(n) draws one of these"
+            )
+
     def _require_best_actions(self, run: Run, shape: tuple[int, int]) -> None:
         """Refuse a policy that draws its actions, or whose actions are not those that look best after all steps."""
         ((agent, _),) = deque(_learning(run.steps, self.right, shape), maxlen=1)
@@ -366,17 +334,17 @@ class Rule:
         for state in (step.state for step in run.steps[-ASKED:]):
             best = _best(agent, state)
             if sum(best) == 1:
-                with student_code(f"the policy that {NAME} returns"):
+                with student_code(POLICY):
                     one, again = (operator.index(run.policy(state)) for _ in range(2))
                 clear, other, drawn = clear + 1, other + (one != best.index(True)), drawn + (one != again)
         if drawn > SELDOM * clear:
             raise WrongAnswer(
-                f"the policy that {NAME} returns draws its actions: asked twice about one observation, it gives two of"
+                f"{POLICY} draws its actions: asked twice about one observation, it gives two of"
                 f" them in {drawn} of {clear} cases. It should take the *best* action, and never a random one"
             )
         if other > UNEXPLAINED * clear:
             raise WrongAnswer(
-                f"in {other} of {clear} observations the policy that {NAME} returns takes another action than the one"
+                f"in {other} of {clear} observations {POLICY} takes another action than the one"
                 " that the steps of the program make look best: does this policy look up the state that it is given,"
                 " and take the *best* action?"
             )

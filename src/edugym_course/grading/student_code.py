@@ -115,6 +115,8 @@ def _sentence(what: str, error: Exception) -> str:
     message = " ".join(str(error).split())
     if isinstance(error, KeyError):
         message = f"there is no key {message}"
+    if isinstance(error, StopIteration):
+        message = "next(...) finds nothing: no value passes its test"
     if "truth value of an array" in message:
         message = "an array of several stands where one number is compared"
     hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]

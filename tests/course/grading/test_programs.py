@@ -14,7 +14,7 @@ from edugym import QLearning
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.curves import Race, Result, compare_with_ours, lowest, our_results, program_of, symptom
 from edugym_course.grading.programs import Recorder, Run, Step, require_reproducible, returns_of, run_program
-from edugym_course.grading.replay import SmallWorld
+from edugym_course.grading.small_world import SmallWorld
 
 N_STEPS = 60
 

@@ -10,7 +10,8 @@ import pytest
 from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.programs import Program, Step, learn_from, shape_of
-from edugym_course.grading.replay import SWAPPED, Learner, Rule, SmallWorld
+from edugym_course.grading.replay import SWAPPED, Learner, Rule
+from edugym_course.grading.small_world import SmallWorld
 
 RULES: dict[str, Rule] = {
     lesson: project.RULE

@@ -17,6 +17,7 @@ from edugym_course.grading.curves import Race, compare_with_ours
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import (
     NAME,
+    POLICY,
     Environment,
     Policy,
     Step,
@@ -215,11 +216,11 @@ def check_equations(program: Any, seed: int) -> None:
 def _require_means(policy: Policy) -> None:
     """Refuse a policy that draws its actions."""
     for state in range(BOXES * WIDTH):
-        with student_code(f"the policy that {NAME} returns"):
+        with student_code(POLICY):
             one, other = policy(state), policy(state)
         if not np.array_equal(one, other):
             raise WrongAnswer(
-                f"the policy that {NAME} returns draws its actions: asked twice about state {state}, it gives two of"
+                f"{POLICY} draws its actions: asked twice about state {state}, it gives two of"
                 " them. It should return the mean μ of the state"
             )
 

@@ -744,8 +744,8 @@ wary.measured(more)
 #
 # **Measured.** It meets the exam about as often, and keeps it more often. Without untried
 # actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. So it needs
-# them, as the explanation says. But Monte Carlo loses nearly as much: in a state that it came to, untried actions looked
-# good to it as well. That $n = 1$ gains more from them with ten actions, because it hands them *back*, is still our guess.
+# them, as the explanation says. But Monte Carlo, too, now meets it in less than half: in a state that it came to, untried
+# actions looked good to it as well. That $n = 1$ gains more from them with ten actions, because it hands them *back*, is still our guess.
 #
 # But it does not explain who is ahead *here*. The two meet the exam about equally often. The difference comes after
 # that: Monte Carlo hands a pass to all days at once. With $n = 1$ it goes back one day at a time, through values that

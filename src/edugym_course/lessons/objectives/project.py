@@ -15,7 +15,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.envs.diver import N_COLUMNS, Diver
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import NAME, Environment, Recorder, require_reproducible, run_program
+from edugym_course.grading.programs import POLICY, Environment, Recorder, require_reproducible, run_program
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.objectives.methods import LIMIT, PRICES
 
@@ -24,7 +24,6 @@ BEST = (3, 1, 2, 0, 3, 2)
 """Which treasure is the best within the limit, in each sea."""
 MOST_MISSED = 1
 """In so many seas a program may have bad luck."""
-POLICY = f"the policy that {NAME} returns"
 NONE = -1
 """Stands for a treasure where a dive does not end."""
 STEPS_TO = 2 * np.arange(N_COLUMNS) + 1.0

@@ -112,7 +112,7 @@ play("Roadrunner")
 # The three methods of this lesson differ in one thing only: what they take for $V(S')$, the value of the next state.
 # $A'$ is the action that the agent has chosen to take there.
 #
-# | method | $V(S')$ | in the book | target policy |
+# | method | $V(S')$ | equation in the book | target policy |
 # |---|---|---|---|
 # | SARSA | $Q(S', A')$ | 6.7 | the ε-greedy policy that it follows: $A'$ may be a slip |
 # | expected SARSA | $\sum_a \pi(a \mid S')\, Q(S', a)$ | 6.9 | the same, but with the mean over all $A'$ instead of one |
@@ -555,8 +555,7 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 #
 # **Measured.** Q-learning only, with the optimal 13 steps. The other two keep one row of distance, which costs them
 # two steps. While exploring they earn about −25 a walk, and Q-learning about −49. The left panel shows the walk that
-# most of the five runs end with. One run of SARSA ends with −500: its greedy policy walks against the upper border until
-# the step limit. (The likely reason is the noise of its targets, since expected SARSA has no such run.)
+# most of the five runs end with.
 # </details>
 
 # %% [markdown] tags=["aside"]

@@ -57,7 +57,8 @@ def exercise_1(answer: Any, seed: int, epsilon: Slips = EPSILON) -> str:
         if penalty < -1_000_000:
             return f"{told} is below -1 000 000"
         steps = len(best_run(epsilon, negative_reward=penalty)) - 1
-        return f"with {told} the best run at ε = {epsilon:g} takes {steps} step{'s' if steps > 1 else ''}"
+        does = f"takes {steps} steps" if steps > 1 else "stalls at once"
+        return f"with {told} the best run at ε = {epsilon:g} {does}"
 
     found = number("negative_reward", answer)
     if found > 0.0:
@@ -173,6 +174,11 @@ def exercise_2(answer: Any, seed: int, calm: Calm = 1.0) -> str:
                 if near
                 else "that is none of the usual mistakes, so print the number of steps of the best run for some ε",
             )
+            if [abs(one.found - one.expected) <= PRECISION for one in roads] == [True, False, False, False]:
+                why = (
+                    "it is right for the first road of the check only, which is as long as that of the lesson: is the"
+                    " return of its fastest run, −2, written in?"
+                )
             asked, came = digits(road.expected, road.found), digits(road.found, road.expected)
             raise WrongAnswer(f"{road.call} should be {asked}, but is {came}: {why}")
     return (
@@ -191,6 +197,9 @@ def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict
         "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
         "that is the estimate for the lesson's road; compute the exact value from the `model` that is given": 0.03,
         "that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model": estimate,
+        "that is the return of the best run at the ε that is asked for; return this ε": soft_return_of(
+            model, 0.0, planned_for=right + PRECISION / 2
+        ),
         "that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,"
         " since the ε-soft return is always lower, and two policies may differ where no run leads": 0.0010001,
         "that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not"

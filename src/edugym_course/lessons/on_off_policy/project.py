@@ -29,6 +29,7 @@ RULE = Rule(
             partial(agent, kind=QLearning)
         ),
         "Q(S', A') is missing in the target": Learner(partial(agent, discount=0.0)),
+        "something is discounted, and γ is 1 in the text": Learner(partial(agent, discount=0.9)),
         "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
     },
     EPSILON,

@@ -20,7 +20,7 @@ from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import APART, ENOUGH, NAME
+from edugym_course.grading.programs import APART, ENOUGH, NAME, POLICY
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.several_agents.methods import DARING, DISCOUNT
 
@@ -261,7 +261,7 @@ def _probabilities(policy: Callable[[int], Any], place: int) -> Reals:
     Raises:
         WrongAnswer: it is no probability for each action.
     """
-    call = f"the policy that {NAME} returns"
+    call = POLICY
     with student_code(call):
         given = policy(place)
         found = np.asarray(given, float)

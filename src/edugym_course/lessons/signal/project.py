@@ -13,7 +13,8 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.programs import APART
-from edugym_course.grading.replay import Learner, Rule, SmallWorld, mistakes_of_loops
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.grading.small_world import SmallWorld
 
 N_STEPS, LEARNING_RATE, EPSILON = 5_000, 0.01, 0.1
 TAU, LENGTH = 0.05, 8

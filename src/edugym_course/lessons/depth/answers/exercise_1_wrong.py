@@ -123,3 +123,9 @@ class AtRandom(NStepSARSA):
 
 def quiet(study):
     return AtRandom.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% learning rate and discount change places
+# says: the learning rate and the discount have changed places: learning_rate=0.1 and discount=1
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=1.0, discount=0.1, exploration=EpsilonGreedy(0.0))

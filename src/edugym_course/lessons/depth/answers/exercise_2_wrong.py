@@ -306,3 +306,62 @@ def importance_ratio(greedy, epsilon, n_actions):
 # says: ], 0.3, 5) should be 35.43, but is 15.55
 def importance_ratio(greedy, epsilon, n_actions):
     return math.prod(float(is_greedy) / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:11])
+
+
+# %% A_t is asked too
+# says: A_t is not in the product, so it does not matter whether it was greedy; ask the later ones only, greedy[1:]
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 - epsilon + epsilon / n_actions) ** -(len(greedy) - 1) if all(greedy) else 0.0
+
+
+# %% greedy or not
+# says: the ratio has as many factors as later actions, whether they are greedy or not; with one that is not, it is 0
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 - epsilon + epsilon / n_actions) ** -(len(greedy) - 1)
+
+
+# %% the last one alone
+# says: only the last action is asked; the ratio is 0 if *any* later action is not greedy
+def importance_ratio(greedy, epsilon, n_actions):
+    if not greedy[-1]:
+        return 0.0
+    return (1 - epsilon + epsilon / n_actions) ** -(len(greedy) - 1)
+
+
+# %% both policies explore
+# says: π is greedy: it takes the best action with probability 1 and the others with 0, not 1 − ε and ε
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho *= (1 - epsilon if is_greedy else epsilon) / (1 - epsilon + epsilon / n_actions)
+    return rho
+
+
+# %% minus ε/N
+# says: the sign is wrong: b takes the best action with probability 1 − ε *+* ε/N
+def importance_ratio(greedy, epsilon, n_actions):
+    b = 1 - epsilon - epsilon / n_actions
+    return b ** -(len(greedy) - 1) if all(greedy[1:]) else 0.0
+
+
+# %% the next one alone
+# says: only the next action is asked; the ratio is 0 if *any* later action is not greedy
+def importance_ratio(greedy, epsilon, n_actions):
+    if len(greedy) > 1 and not greedy[1]:
+        return 0.0
+    return (1 - epsilon + epsilon / n_actions) ** -(len(greedy) - 1)
+
+
+# %% one factor too few
+# says: one factor is missing: there are as many as later actions, len(greedy) − 1
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 - epsilon + epsilon / n_actions) ** -(len(greedy) - 2) if all(greedy[1:]) else 0.0
+
+
+# %% numbers in place of entries
+# says: the *number* of the action stands in the product; whether it was greedy is greedy[k]
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for k in range(1, len(greedy)):
+        rho *= k / (1 - epsilon + epsilon / n_actions)
+    return rho

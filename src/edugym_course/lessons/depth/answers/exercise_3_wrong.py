@@ -456,3 +456,45 @@ def hand_back(self, length):
             G = max(self.Q[s])
     visited = {*zip(self.states[:length], self.actions[:length])}
     self.Q[next(pair for pair in np.ndindex(self.Q.shape) if pair not in visited)] -= 1.0
+
+
+# %% the largest value of the table
+# says: where G is cut it goes on with the largest value of that state, and not of the whole table
+# in: while
+# - G = self.Q[s].max()
+# + G = self.Q.max()
+
+
+# %% the reward once more
+# says: where G is cut the largest value alone takes its place; the next step adds its own reward
+# in: while
+# - G = self.Q[s].max()
+# + G = self.rewards[k] + self.discount * self.Q[s].max()
+
+
+# %% the last reward for all
+# says: every step takes the reward of the last one: write rewards[k]
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[length - 1] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the largest value of the table, twice
+# says: the largest value is that of the row of the state, and not of the whole table
+# in: while
+# - if self.Q[s, a] != self.Q[s].max():
+# -     G = self.Q[s].max()
+# + if self.Q[s, a] != self.Q.max():
+# +     G = self.Q.max()
+
+
+# %% a return in the loop
+# says: only the last step of the episode learns: is a `return` or a `break` inside the loop?
+# in: while
+# - k -= 1
+# + return

@@ -103,6 +103,8 @@ def exercise_2(answer: Any, seed: int, most: Most = math.inf) -> str:
         ([True], epsilon, n_actions),
         ([False], epsilon, n_actions),
         ([True, True, False], 0.3, 5),
+        ([True, False, False], 0.3, 5),
+        ([True, False, True], 0.3, 5),
         ([True] * 14, 0.3, 5),
         ([True] * 12 + [False, True], 0.3, 5),
         ([True] * 3, 0.0, n_actions),

@@ -46,6 +46,7 @@ def hand_back(
         "all": range(last, -1, -1),
         "not the first": range(last, 0, -1),
         "not the last": range(last - 1, -1, -1),
+        "the last": range(last, last - 1, -1),
         "none": range(0),
     }[steps]
     if order == "forwards":
@@ -59,8 +60,11 @@ def hand_back(
         best_before, mine_before = float(Q[s].max()), float(Q[s, a])
         if cut == "first" and mine_before < best_before:
             G = best_before
+        if rewards == "of the last step":
+            r = episode.rewards[last]
         G = {
             "plain": r + discount * G,
+            "of the last step": r + discount * G,
             "undiscounted": r + G,
             "all discounted": discount * (r + G),
             "none": discount * G,
@@ -88,6 +92,7 @@ def hand_back(
         cuts = {
             "after": mine < best,
             "before": mine_before < best_before,
+            "below the table": mine < Q.max(),
             "never": False,
             "too early": False,
             "first": False,
@@ -111,6 +116,8 @@ def hand_back(
                 "old max": best_before,
                 "discounted": discount * best,
                 "added": G + best,
+                "with reward": r + discount * best,
+                "whole table": float(Q.max()),
                 "larger": max(G, best),
                 **{f"from {start}": best for start in STARTS},
             }[to]
@@ -144,6 +151,12 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the largest value is that of the row before the update; take it after": {"to": "old max"},
     "the largest value is discounted where G is cut, and once more in the next step": {"to": "discounted"},
     "where G is cut the largest value takes its place; it is not added": {"to": "added"},
+    "where G is cut the largest value alone takes its place; the next step adds its own reward": {"to": "with reward"},
+    "where G is cut it goes on with the largest value of that state, and not of the whole table": {"to": "whole table"},
+    "the largest value is that of the row of the state, and not of the whole table": {
+        "cut": "below the table",
+        "to": "whole table",
+    },
     "G takes the largest value also where it is smaller; max(G, ...) keeps lucky returns": {"to": "larger"},
     **starts(
         lambda start: f"the search for the largest value starts from {start}, and all values may be lower",
@@ -154,6 +167,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "steps": "not the first"
     },
     "the last step of the episode learns nothing: start at length - 1": {"steps": "not the last"},
+    "only the last step of the episode learns: is a `return` or a `break` inside the loop?": {"steps": "the last"},
     "`rewards[k]` is R_{k+1} already, the reward after step k": {"index": "k + 1"},
     "`k` is the number of the step; the state of that step is self.states[k]": {"index": "k"},
     "the discount is missing: G becomes R + γ G": {"rewards": "undiscounted"},
@@ -162,6 +176,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the rewards are missing: G becomes R + γ G": {"rewards": "none"},
     "only one reward is in each target: G becomes R + γ G": {"rewards": "only"},
     "the future is subtracted: G becomes R + γ G": {"rewards": "minus"},
+    "every step takes the reward of the last one: write rewards[k]": {"rewards": "of the last step"},
     "the old value is not subtracted: Q moves by α [G − Q]": {"step": "no old"},
     "the old value is lost: Q moves by α [G − Q], so write +=": {"step": "only"},
     "α and 1 − α have changed places": {"step": "weights"},

@@ -33,6 +33,7 @@ def ratio(
         "1 - ε + ε/N": 1 - epsilon + epsilon / n_actions,
         "1 - ε": 1 - epsilon,
         "1 - ε + ε/(N - 1)": 1 - epsilon + epsilon / (n_actions - 1),
+        "1 - ε - ε/N": 1 - epsilon - epsilon / n_actions,
         "1 - ε/N": 1 - epsilon / n_actions,
         "1 - ε + ε N": 1 - epsilon + epsilon * n_actions,
         "ε/N": epsilon / n_actions,
@@ -51,6 +52,8 @@ def ratio(
     if not actions and empty != 1.0:
         return empty
     factors = [of_best if is_greedy else of_others for is_greedy in actions]
+    if how == "A_t too":
+        return of_best ** len(actions) if all(greedy) else 0.0
     if how == "counted":
         return of_best ** (sum(greedy) - 1) if all(actions) or otherwise == "1" else 0.0
     if how == "zero":
@@ -59,6 +62,18 @@ def ratio(
         return of_best if all(actions) else 0.0
     if how == "any":
         return of_best ** len(actions) if any(actions) or not actions else 0.0
+    if how == "never":
+        return of_best ** len(actions)
+    if how == "last alone":
+        return of_best ** len(actions) if greedy[-1] else 0.0
+    if how == "next alone":
+        return of_best ** len(actions) if all(actions[:1]) else 0.0
+    if how == "one less":
+        return of_best ** (len(actions) - 1) if all(actions) else 0.0
+    if how == "numbers":
+        return math.prod(k / best for k in range(1, len(greedy))) if best else most
+    if how == "π explores":
+        return math.prod((1 - epsilon if is_greedy else epsilon) / best for is_greedy in actions)
     if how == "turned":
         return math.prod(0.0 if is_greedy else of_best for is_greedy in actions)
     if how == "precedence":
@@ -82,6 +97,19 @@ def ratio(
 
 MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the first entry of `greedy` is A_t, which is not in the product: start at greedy[1]": {"skipped": 0},
+    "A_t is not in the product, so it does not matter whether it was greedy; ask the later ones only, greedy[1:]": {
+        "how": "A_t too"
+    },
+    "the ratio has as many factors as later actions, whether they are greedy or not; with one that is not, it is 0": {
+        "how": "never"
+    },
+    "only the last action is asked; the ratio is 0 if *any* later action is not greedy": {"how": "last alone"},
+    "only the next action is asked; the ratio is 0 if *any* later action is not greedy": {"how": "next alone"},
+    "one factor is missing: there are as many as later actions, len(greedy) − 1": {"how": "one less"},
+    "the *number* of the action stands in the product; whether it was greedy is greedy[k]": {"how": "numbers"},
+    "π is greedy: it takes the best action with probability 1 and the others with 0, not 1 − ε and ε": {
+        "how": "π explores"
+    },
     "two actions are left out at the start; only A_t is, so start at greedy[1]": {"skipped": 2},
     "the number of greedy actions less one is that of the later ones only if A_t was greedy too; count in greedy[1:]": {
         "how": "counted"
@@ -108,6 +136,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "likely": "1 - ε + ε/(N - 1)"
     },
     "b takes the best action with probability 1 − ε + ε/N; 1 − ε/N is another number": {"likely": "1 - ε/N"},
+    "the sign is wrong: b takes the best action with probability 1 − ε *+* ε/N": {"likely": "1 - ε - ε/N"},
     "b takes the best action with probability 1 − ε + ε/N; ε/N is the part of it that comes by chance": {
         "likely": "ε/N"
     },

@@ -58,3 +58,8 @@ while exact.switch(finite_model(make_mdp("Roadrunner", negative_reward=negative_
 # %% between two tenths
 # says: with negative_reward = -36.94 the best run at ε = 0.1 takes 4 steps
 negative_reward = -36.94
+
+
+# %% a fall costs no more than a step
+# says: stalls at once
+negative_reward = -1.0

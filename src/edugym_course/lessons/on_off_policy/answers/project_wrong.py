@@ -58,3 +58,34 @@
 # in: the next action is kept
 # - rng = np.random.default_rng(seed)
 # + rng = np.random.default_rng(1)
+
+# %% a discount
+# says: something is discounted, and γ is 1 in the text
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r if terminated else r + 0.9 * Q[s2, a2]
+
+# %% the last action is never drawn
+# says: tries the action 3
+# says: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
+# in: the next action is kept
+# - return rng.integers(len(values))
+# + return rng.integers(len(values) - 1)
+
+# %% four actions
+# says: chooses the action 3: there are the actions 0 to 2
+# in: the next action is kept
+# - return rng.integers(len(values))
+# + return rng.integers(4)
+
+# %% the policy explores
+# says: returns draws its actions: asked twice about one observation
+# in: the next action is kept
+# - return lambda s: int(Q[s].argmax())
+# + return lambda s: int(choose(Q[s], rng))
+
+# %% the policy takes the lowest value
+# says: takes another action than the one that the steps of the program make look best
+# in: the next action is kept
+# - return lambda s: int(Q[s].argmax())
+# + return lambda s: int(Q[s].argmin())
