@@ -140,15 +140,13 @@
 # + pulls[arm] += 2
 
 # %% random at first only
-# says: pulls one arm only: a random one has the probability ε up to the last step
+# says: steps my_program pulls one arm only: a random one has the probability ε up to the last step
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if taken < 0.1 * n_steps else best()
 
 # %% never the last arm at random
-# says: steps my_program
-# says: never pulls arm
-# says: : a random arm may be any of them, and rng.integers(n) draws one
+# says: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n - 1)) if rng.random() < 0.1 else best()
