@@ -12,6 +12,7 @@ The command line:
     python lessons/build.py                   write what its source has changed; execute where code has
     python lessons/build.py 01_exploration    the same for one lesson
     python lessons/build.py --execute         execute solutions again though their source has not changed
+    python lessons/build.py --flipbooks       make the pictures that the website shows for sliders; no notebook changes
     python lessons/build.py --check           write nothing; fail if a notebook is not what its source makes
 
 A new lesson begins as a copy of the folder `template`. CONTRIBUTING.md tells how to write one; `rules.py` checks it.
@@ -19,25 +20,21 @@ A new lesson begins as a copy of the folder `template`. CONTRIBUTING.md tells ho
 
 import argparse
 import json
-import os
 import re
 import sys
 import tempfile
 import time
 import tomllib
 from collections.abc import Sequence
-from contextlib import suppress
 from copy import deepcopy
 from pathlib import Path
-from queue import Empty
-from typing import Any
 
+import flipbooks
 import jupytext
 import nbformat
 import times
 from asides import with_asides
-from nbclient import NotebookClient
-from nbclient.exceptions import CellControlSignal, DeadKernelError
+from lesson_client import LessonClient
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from rules import is_check, is_code, is_exercise, is_project, problems, where, without_marks, without_solutions
@@ -52,11 +49,6 @@ SIZE_LIMIT = 2_000_000  # bytes; GitHub stops showing notebooks that are much la
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
-}
-ENVIRONMENT = {  # of the kernel: figures go into the notebook, and sets print in the same order every time
-    "MPLBACKEND": "module://matplotlib_inline.backend_inline",
-    "PYTHONHASHSEED": "0",
-    "EDUGYM_QUIET": "1",  # whether something must be compiled first depends on the machine
 }
 
 INSTALL = f"""\
@@ -187,58 +179,6 @@ def teacher_edition(lesson: NotebookNode) -> NotebookNode:
     return notebook
 
 
-class LessonClient(NotebookClient):
-    """Executes a notebook and keeps a list of what a reader would see go wrong.
-
-    ipywidgets catches an exception in a widget's callback and shows it inside the widget; the cell succeeds, and the
-    message that the kernel sends is the only trace.
-    """
-
-    def begin(self, notebook: NotebookNode) -> None:
-        """Looks for the kernel's replies once a second.
-
-        A client that waits without looking may miss a reply while a widget's messages go out, and then waits until the
-        cell's time is over: https://github.com/jupyter/nbclient/issues/312.
-        """
-        assert self.kc is not None
-        channel = self.kc.shell_channel
-        get_msg = channel.get_msg
-
-        async def often(timeout: float) -> dict[str, Any]:
-            end = time.monotonic() + timeout
-            while (left := end - time.monotonic()) > 1:
-                with suppress(Empty):
-                    return dict(await get_msg(timeout=1))
-            return dict(await get_msg(timeout=max(0, left)))
-
-        channel.get_msg = often
-
-    def start(self, cell: NotebookNode, cell_index: int) -> None:
-        """Notes which cell is running."""
-        self.running = where(cell)
-
-    def process_message(self, msg: dict[str, Any], cell: NotebookNode, cell_index: int) -> NotebookNode | None:
-        """Notes errors, wherever they are shown, and text on stderr; then does what every client does."""
-        content = msg["content"]
-        if "raises-exception" not in cell.metadata.get("tags", []):
-            if msg["msg_type"] == "error":
-                self.faults.append(f"{where(cell)}: {content['ename']}: {content['evalue']}")
-            elif msg["msg_type"] == "stream" and content["name"] == "stderr":
-                self.faults.append(f"{where(cell)}: wrote to stderr: {content['text'].strip()}")
-        return super().process_message(msg, cell, cell_index)
-
-    def run(self) -> list[str]:
-        """Executes the notebook in place, and returns the faults that it noted."""
-        self.faults: list[str] = []
-        self.running = "before the first cell"
-        self.on_notebook_start, self.on_cell_execute = self.begin, self.start
-        try:
-            self.execute(env=os.environ | ENVIRONMENT)
-        except (CellControlSignal, DeadKernelError) as error:
-            self.faults.append(f"{self.running}: {error}")
-        return self.faults
-
-
 def execute(notebook: NotebookNode, name: str, *, seconds: int = CELL_SECONDS) -> None:
     """Executes a notebook in place, in an empty folder, and keeps only outputs that are the same next time.
 
@@ -366,6 +306,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser = argparse.ArgumentParser(description="Build the notebooks of the lessons.")
     parser.add_argument("lessons", nargs="*", metavar="NN_name", help="lessons to build (default: all)")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if a notebook is not up to date")
+    parser.add_argument("--flipbooks", action="store_true", help="make the website's pictures of sliders, nothing else")
     parser.add_argument("--execute", action="store_true", help="execute solutions again, changed or not")
     options = parser.parse_args(arguments)
     known = lesson_sources(root)
@@ -380,7 +321,18 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
             stale += [path for source in sources for path in outdated(source, notebooks)]
             for path in stale:
                 print(f"not what its source makes: {path.relative_to(root)}", file=sys.stderr)
-            return 1 if stale else 0
+            turned = [path for source in sources for path in flipbooks.outdated(source.stem, notebooks)]
+            for path in turned:
+                again = f"python lessons/build.py --flipbooks {path.parent.name}"
+                print(f"of a cell that has changed: {path.relative_to(root)}; {again}", file=sys.stderr)
+            return 1 if stale or turned else 0
+        if options.flipbooks:
+            faults = [
+                f"{source.stem}: {fault}" for source in sources for fault in flipbooks.make(source.stem, notebooks)
+            ]
+            if faults:
+                raise LessonError("\n".join(faults))
+            return 0
         for source in sources:
             for path in build(source, notebooks, execute_again=options.execute):
                 print(f"wrote {path.relative_to(root)}")

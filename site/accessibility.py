@@ -1,4 +1,4 @@
-"""What Sphinx and its theme write so that a screen reader stumbles over it, written otherwise."""
+"""What screen readers need: texts for pictures, and otherwise what Sphinx and its theme write so that they stumble."""
 
 import re
 from pathlib import Path
@@ -13,6 +13,11 @@ _MENDED = [
     ('<th class="head"><p></p></th>', '<td class="head"></td>'),
 ]
 _LINES = [("<dl>", '<span class="parameters">'), ("</dl>", "</span>"), ("<dd>", "<span>"), ("</dd>", "</span>")]
+
+
+def alternative(text: str) -> str:
+    """Return a text for a picture without the signs of Markdown and of formulas, which none can hear."""
+    return re.sub(r"[\[\]$`*\\]|\s+", " ", text)
 
 
 def mended(page: str) -> str:

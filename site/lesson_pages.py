@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlencode
 
+import slider_views
+from accessibility import alternative
 from offers import Race
 from races import RACES
 from repository import REPOSITORY, ROOT, with_links
@@ -19,6 +21,7 @@ from words import WORDS
 from edugym import ENVIRONMENTS
 from edugym.adapters.registration import find
 from edugym_course.lab.records import number_of
+from edugym_course.notebook.flipbook import fingerprint
 
 NOTEBOOKS = ROOT / "notebooks"
 WIDGET = "Run this cell to get the controls."
@@ -72,7 +75,7 @@ def lesson(path: Path) -> Lesson:
     executed = json.loads((NOTEBOOKS / "solutions" / path.name).read_text(encoding="utf-8"))["cells"]
     outputs = {cell["id"]: (_source(cell), cell.get("outputs", [])) for cell in executed}
     heading, text, figures = "", list[str](), dict[str, bytes]()
-    races = _races(path)
+    races, books = _races(path), slider_views.views(path.stem)
     folded = False
     for cell in cells:
         source = _source(cell)
@@ -97,7 +100,10 @@ def lesson(path: Path) -> Lesson:
         text.append(_fenced(source, "python"))
         same, shown = outputs[cell["id"]]
         if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):
-            text.append(_outputs(shown, f"{path.stem}-{cell['id']}", heading, figures).replace(LIVE, _live(source)))
+            name = f"{path.stem}-{cell['id']}"
+            book = books.get(fingerprint(source, shown))
+            view = slider_views.shown(book, path.stem, f"{name}-slider", heading) if book else ""
+            text.append(_outputs(shown, name, heading, figures, view).replace(LIVE, _live(source)))
         if re.search(r"^sliders\(", source, re.MULTILINE):
             text += races
             races = []
@@ -152,8 +158,11 @@ def _fenced(code: str, language: str) -> str:
     return f"{fence}{language}\n{code.rstrip()}\n{fence}"
 
 
-def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: dict[str, bytes]) -> str:
-    """Return all outputs of a cell; where they answer a prediction, they are shown on demand."""
+def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: dict[str, bytes], view: str) -> str:
+    """Return all outputs of a cell; where they answer a prediction, they are shown on demand.
+
+    Sliders are the `view`, if there is one, or else their first picture.
+    """
     parts, answers = list[str](), False
     for number, output in enumerate(outputs):
         data = {kind: "".join(content) for kind, content in output.get("data", {}).items()}
@@ -165,6 +174,8 @@ def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: di
         elif shown.startswith("<p>Measured: "):
             answers = True
             parts.append(html.unescape(re.sub(r" \(You made no prediction.*", "", shown.removeprefix("<p>"))))
+        elif view and data.get("text/plain") == WIDGET:
+            parts.append(view)
         elif kinds := [kind for kind in IMAGES if kind in data]:
             parts.append(_picture(data, kinds[0], f"{name}-{number}", heading, figures))
         elif "text/markdown" in data:
@@ -198,7 +209,7 @@ def _picture(data: dict[str, str], kind: str, name: str, heading: str, figures: 
     titles = html.unescape("; ".join(dict.fromkeys(re.findall(r"<title>(.*?)</title>", data[kind]))))
     if sheet := re.match(r"<Sheet '.*?': (.*)>$", plain, re.DOTALL):
         titles = f"figure with the panels {sheet[1]}"
-    alternative = re.sub(r"[\[\]$`*\\]|\s+", " ", f"{heading}: {titles or 'the controls at their first settings'}")
+    said = alternative(f"{heading}: {titles or 'the controls at their first settings'}")
     wide = "{.wide}" if kind == "image/png" or data[kind].count("<svg") > 2 else ""
-    picture = f"![{alternative}](figures/{name}.{IMAGES[kind]}){wide}"
+    picture = f"![{said}](figures/{name}.{IMAGES[kind]}){wide}"
     return f"{picture}\n\n{LIVE}" if plain == WIDGET else picture

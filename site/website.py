@@ -22,6 +22,7 @@ import mathematics
 import playground
 import projected_pages
 import reference_pages
+import slider_views
 from races import RACES
 from repository import PICTURES, ROOT, page_of, picture_of, with_links, with_sections
 from sphinx.cmd.build import main as sphinx_build
@@ -168,6 +169,7 @@ def write_pages(folder: Path, jobs: int = 2, with_lite: bool = False) -> int:
         accessibility.mend(folder / "html")
         (folder / "html" / "_static" / "math.woff").write_bytes(mathematics.font())
         shutil.copytree(ROOT / "notebooks", folder / "html" / "notebooks", ignore=_no_folders, dirs_exist_ok=True)
+        shutil.copytree(slider_views.FOLDER, folder / "html" / "notebooks" / "flipbooks")
     return int(status)
 
 

@@ -1,4 +1,4 @@
-// What the pages do by themselves: films can be stopped, what scrolls takes the keyboard, and the survey makes a file or a link.
+// What the pages do by themselves: films can be stopped, what scrolls takes the keyboard, sliders turn pictures, and the survey makes a file or a link.
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)')
 
@@ -33,7 +33,7 @@ if (films.length) {
 }
 
 // Whoever has no mouse scrolls a wide table, formula or program with the arrow keys.
-const scrollable = '.table-wrapper, .highlight pre, .formula, .output'
+const scrollable = '.table-wrapper, .highlight pre, .formula, .output, .picture'
 const SMALLEST = 0.75 // of a formula that is too wide
 const reach = () => {
   for (const box of document.querySelectorAll('.formula')) {
@@ -91,6 +91,20 @@ for (const box of document.querySelectorAll('fieldset.prediction')) {
     const answer = field?.type === 'radio' ? field.parentElement.textContent.trim() : field?.value
     beside.textContent = `You chose: ${answer}`
     says.textContent = fold ? `You chose: ${answer}. Now open “${fold.querySelector('summary').textContent}” below.` : beside.textContent
+  })
+}
+
+// Sliders of a lesson. The pictures of its other values are loaded when a slider is first touched.
+for (const book of document.querySelectorAll('.flipbook')) {
+  const pictures = JSON.parse(book.dataset.pictures)
+  const [slider, says, image] = ['input', 'output', 'img'].map(name => book.querySelector(name))
+  const load = () => pictures.forEach(([, file]) => { new Image().src = file })
+  for (const touch of ['pointerdown', 'focus']) slider.addEventListener(touch, load, { once: true })
+  slider.addEventListener('input', () => {
+    const [value, file, alternative] = pictures[slider.value]
+    says.textContent = value
+    slider.setAttribute('aria-valuetext', value)
+    Object.assign(image, { src: file, alt: alternative })
   })
 }
 

@@ -218,6 +218,27 @@ def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
 
 
 @needs_browser
+def test_sliders_without_a_kernel_turn_pictures(browser: Any, address: str) -> None:
+    """The keys move them; the other pictures are loaded when it is touched, and the page does not jump."""
+    from selenium.webdriver.common.keys import Keys
+
+    opened(browser, address, "lessons/00_loop")
+    slider = browser.find_element("css selector", ".flipbook input")
+    height = browser.execute_script("return document.documentElement.scrollHeight")
+    picture = browser.find_element("css selector", ".flipbook img")
+    loaded = "return performance.getEntriesByType('resource').filter(one => one.name.includes('flipbooks')).length"
+    first, n_first = picture.get_attribute("src"), browser.execute_script(loaded)
+    assert n_first <= 2  # of two sliders, as soon as they are near
+    slider.send_keys(Keys.RIGHT)
+    until(lambda: browser.execute_script("return arguments[0].complete", picture), "the next picture")
+    assert picture.get_attribute("src") != first
+    assert slider.get_attribute("aria-valuetext") in picture.get_attribute("alt")
+    assert browser.find_element("css selector", ".flipbook output").text == slider.get_attribute("aria-valuetext")
+    assert browser.execute_script(loaded) > n_first + 2
+    assert browser.execute_script("return document.documentElement.scrollHeight") == height
+
+
+@needs_browser
 def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> None:
     """It can be read from the last row, nothing stands around it, and a clicker's keys turn."""
     from selenium.webdriver.common.keys import Keys

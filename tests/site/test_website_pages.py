@@ -14,6 +14,7 @@ import projected_pages
 import pytest
 import reference_pages
 import repository
+import slider_views
 import survey
 from races import RACES
 from repository import ROOT
@@ -22,6 +23,8 @@ import edugym
 from edugym.adapters.registration import find
 from edugym_course import agent_profiles
 from edugym_course.lab.records import number_of
+
+FLIPBOOK = re.compile(r'<div class="flipbook".*?</p>\n</div>', re.DOTALL)
 
 
 @pytest.fixture(scope="module")
@@ -177,6 +180,35 @@ def test_a_lesson_has_the_race_of_its_environment(lessons: list[lesson_pages.Les
         _, *found = lesson.text.split('<details class="live">')
         assert [re.findall("#task=([A-Za-z]+)", part)[0] for part in found] == raced, lesson.name
         assert "sliders(" in lesson.text.split('<details class="live">')[0]
+
+
+def test_sliders_turn_pictures(lessons: list[lesson_pages.Lesson], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each has a value and a text for every picture, all of one size, and begins with the picture of its default.
+
+    Pictures of a cell that has changed are not shown: its first picture is.
+    """
+    n_books = 0
+    for lesson in lessons:
+        books = slider_views.views(lesson.name)
+        shown = [ElementTree.fromstring(view) for view in FLIPBOOK.findall(lesson.text)]
+        n_books += len(shown)
+        assert len(shown) == len(books), lesson.name
+        for view in shown:
+            pictures = json.loads(view.attrib["data-pictures"])
+            slider, picture = view.find(".//input"), view.find(".//img")
+            assert slider is not None
+            assert picture is not None
+            assert [slider.get("min"), slider.get("max")] == ["0", str(len(pictures) - 1)]
+            value, file, alternative = pictures[int(slider.attrib["value"])]
+            assert [value, file, alternative] == [slider.get("aria-valuetext"), picture.get("src"), picture.get("alt")]
+            assert len({alternative for _, _, alternative in pictures}) == len(pictures)
+            for _, path, _ in pictures:
+                assert (ROOT / path.removeprefix("../")).exists()
+    assert n_books > 0
+    monkeypatch.setattr(slider_views, "views", lambda lesson: {})
+    without = lesson_pages.lesson(ROOT / "notebooks" / "00_loop.ipynb")
+    assert "flipbook" not in without.text
+    assert without.text.count("the controls at their first settings") > 0
 
 
 def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[lesson_pages.Lesson]) -> None:

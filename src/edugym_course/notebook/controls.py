@@ -14,6 +14,7 @@ import ipywidgets
 import numpy as np
 
 from edugym.checks.parameters import in_short, one_of
+from edugym.rendering.drawing import Drawing
 from edugym_course.notebook.widget import NotebookWidget, png_html
 
 if TYPE_CHECKING:
@@ -188,8 +189,9 @@ def shown(result: Any, name: str) -> Shown:
         result.savefig(buffer, format="png", bbox_inches="tight")
         return Shown("image/png", base64.b64encode(buffer.getvalue()).decode(), next(filter(None, titles)))
     if hasattr(result, "_repr_png_"):
-        return Shown("image/png", base64.b64encode(result._repr_png_()).decode(), name)
+        return Shown("image/png", base64.b64encode(result._repr_png_()).decode(), getattr(result, "titles", "") or name)
     for mime_type, method in (("image/svg+xml", "_repr_svg_"), ("text/html", "_repr_html_")):
         if hasattr(result, method):
-            return Shown(mime_type, getattr(result, method)(), name)
+            description = result.title if isinstance(result, Drawing) and result.title else name
+            return Shown(mime_type, getattr(result, method)(), description)
     return Shown("text/html", "" if result is None else f"<pre>{html.escape(str(result))}</pre>", name)

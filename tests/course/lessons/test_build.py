@@ -3,16 +3,20 @@
 import ast
 import importlib.metadata
 import importlib.util
+import json
 import subprocess
 import sys
 from pathlib import Path
 
 import build
+import flipbooks
 import nbformat
 import pytest
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 from rules import is_code, without_solutions
+
+from edugym_course.notebook.flipbook import Flipbook
 
 LESSON = '''\
 # %% [markdown]
@@ -324,7 +328,7 @@ def with_an_output(notebook: nbformat.NotebookNode) -> str:
 
 
 def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Missing, edited and left-over notebooks are named; outputs are allowed in solutions only."""
+    """Missing, edited and left-over notebooks are named, and old pictures of sliders; only solutions have outputs."""
     root = source.parents[4]
     made = build.editions(source, root / "notebooks")
     student, solution, teacher = made
@@ -334,11 +338,51 @@ def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFix
     (root / "notebooks" / "00_gone.ipynb").touch()
     (root / "notebooks" / ".ipynb_checkpoints").mkdir()
     (root / "notebooks" / ".ipynb_checkpoints" / "01_doubling-checkpoint.ipynb").touch()
+    book = Flipbook("draw", "of another cell", "height", ["1"], 0, {}, ["draw-0.png"], ["a line"], [1, 1])
+    (folder := root / "notebooks" / "flipbooks" / "01_doubling").mkdir(parents=True)
+    (folder / "draw.json").write_text(json.dumps(book._asdict()), encoding="utf-8")
     assert build.main(["--check"], root) == 1
-    named = [line.rpartition(": ")[2] for line in capsys.readouterr().err.splitlines()]
+    *named, turned = [line.rpartition(": ")[2] for line in capsys.readouterr().err.splitlines()]
+    assert turned == "notebooks/flipbooks/01_doubling/draw.json; python lessons/build.py --flipbooks 01_doubling"
     assert named == [str(path.relative_to(root)) for path in (root / "notebooks/00_gone.ipynb", student, teacher)]
     source.write_text(LESSON.replace("1 + 1", "1 + 2"), encoding="utf-8")
     assert not build.is_current(solution, build.editions(source, root / "notebooks")[solution])
+
+
+SLIDERS = """\
+from edugym.rendering.scene import Circle, Scene
+from edugym_course.notebook import sliders
+
+
+def dot(x=2):
+    return Scene(10, 10, (Circle(x, 1, 1),))
+
+
+_ = 3  # what a notebook assigns to _ hides its last output there
+sliders(dot, x=(1, 3))"""
+
+
+def test_flipbooks_belong_to_a_cell_as_it_is(tmp_path: Path) -> None:
+    """They are made from an executed notebook, which stays; a cell with other code, or another picture, has none."""
+    path = tmp_path / "solutions" / "01_dots.ipynb"
+    path.parent.mkdir()
+    picture, other = (
+        nbformat.v4.new_output("display_data", {"image/svg+xml": picture}) for picture in ("<svg/>", "<svg></svg>")
+    )
+    cell = new_code_cell(SLIDERS, outputs=[picture])
+    nbformat.write(new_notebook(cells=[cell, new_code_cell("1 / 0")]), path)  # what comes after them is not run
+    before = path.read_bytes()
+    assert flipbooks.make("01_dots", tmp_path) == []
+    assert path.read_bytes() == before
+    folder = flipbooks.place("01_dots", tmp_path)
+    assert sorted(file.name for file in folder.iterdir()) == ["dot-0.svg", "dot-1.svg", "dot-2.svg", "dot.json"]
+    assert [*flipbooks.outdated("01_dots", tmp_path)] == []
+    for changed in (
+        new_code_cell(SLIDERS.replace("(1, 3)", "(1, 4)"), outputs=[picture]),
+        new_code_cell(SLIDERS, outputs=[other]),
+    ):
+        nbformat.write(new_notebook(cells=[changed]), path)
+        assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot.json"]
 
 
 def test_the_command_line_names_lessons_and_problems(source: Path, capsys: pytest.CaptureFixture[str]) -> None:

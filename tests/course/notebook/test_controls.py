@@ -171,6 +171,7 @@ FUNCTIONS = cell(DRAWING)
         (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
         (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
         (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
+        (lambda: Scene(1, 1, (), title="a dot"), "image/svg+xml", "<svg", "a dot"),
         (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
         (lambda: "a < b", "text/html", "<pre>a &lt; b</pre>", "<lambda>"),
         (lambda: SimpleNamespace(figure=3), "text/html", "<pre>namespace(figure=3)</pre>", "<lambda>"),

@@ -5,10 +5,10 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import build
 import numpy as np
 import pytest
 import rules
+from lesson_client import LessonClient
 from nbclient.output_widget import OutputWidget
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
@@ -178,7 +178,7 @@ def test_widgets_in_a_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
     A callback that says nothing changes no output widget, so that nbclient sends no answer, which could hide a reply.
     """
     notebook = new_notebook(cells=[new_code_cell(source) for source in CELLS])
-    client = build.LessonClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"])
+    client = LessonClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"])
     send, answered = OutputWidget.send, set()
 
     def noted(self: OutputWidget, *what: Any) -> None:

@@ -73,9 +73,14 @@ class Sheet(NamedTuple):
             )
         return figure
 
+    @property
+    def titles(self) -> str:
+        """The titles of its panels, for readers who cannot see them."""
+        return ", ".join(panel.title for row in self.rows for panel in row)
+
     def __repr__(self) -> str:
         """The name and the titles; the panels themselves hold whole tables."""
-        return f"<Sheet {self.name!r}: {', '.join(panel.title for row in self.rows for panel in row)}>"
+        return f"<Sheet {self.name!r}: {self.titles}>"
 
     def _repr_png_(self) -> bytes:
         """The picture for a notebook."""
