@@ -194,12 +194,14 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 
 
 # %% no brackets around the reward's part
-# says: the reward counts when `terminated`, and F otherwise, but never both
+# says: the reward counts when `terminated`, and F otherwise, but never both: `a + b if c else d` means `(a + b) if c else
+#   d`, so put the part with `if` in parentheses
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + 0.0 if terminated else discount * potential(next_state) - potential(state)
 
 
 # %% no brackets around what follows
-# says: φ(s) counts when `terminated`, and all the rest otherwise
+# says: φ(s) counts when `terminated`, and all the rest otherwise: `a if c else b - d` means `a if c else (b - d)`, so
+#   put the part with `if` in parentheses
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential(next_state) if not terminated else 0.0 - potential(state)
