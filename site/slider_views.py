@@ -18,7 +18,7 @@ ONE_PANEL = 600
 VIEW = """<div class="flipbook" data-pictures="{pictures}">
 <div class="turn"><label for="{name}">{parameter}</label>
 <input type="range" id="{name}" min="0" max="{last}" value="{start}" aria-valuetext="{value}" autocomplete="off"/>
-<output for="{name}">{value}</output></div>
+<output for="{name}" style="min-width: {longest}ch">{value}</output></div>
 <div class="picture"><img{wide} src="{file}" alt="{alternative}" width="{width}" height="{height}" loading="lazy"/>
 </div>
 <p class="others">{says}</p>
@@ -44,6 +44,7 @@ def shown(book: Flipbook, lesson: str, name: str, heading: str) -> str:
         name=name,
         parameter=html.escape(parameter),
         last=len(files) - 1,
+        longest=max(map(len, book.values)),
         start=book.start,
         value=html.escape(book.values[book.start]),
         file=files[book.start],

@@ -10,6 +10,7 @@ import io
 import json
 import time
 from collections.abc import Mapping, Sequence
+from numbers import Real
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ from PIL import Image
 from edugym_course.notebook.controls import Shown, Sliders, call
 
 ALL = 15
-"""A control with so many values at most has a picture of each."""
+"""A control with so many values at most has a picture of each, and so has a menu of names, of any length."""
 SOME = 9
 """Pictures of a control with more values."""
 LONGEST = 20.0
@@ -116,7 +117,7 @@ def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
 
 
 def _values(control: Any) -> list[Any]:
-    """The values of a control to draw, among them its present one and both ends: all of a few, or some of many."""
+    """The values of a control to draw, among them its present one and both ends: some of many numbers, or all."""
     if hasattr(control, "options"):
         values = list(control.options)
     elif hasattr(control, "step"):
@@ -126,7 +127,7 @@ def _values(control: Any) -> list[Any]:
         values = [False, True] if isinstance(control.value, bool) else []
     if control.value not in values:  # between two steps
         values = sorted([*values, control.value])
-    if len(values) <= ALL:
+    if len(values) <= ALL or not all(isinstance(value, Real) for value in values):
         return values
     places = [round(number * (len(values) - 1) / (SOME - 1)) for number in range(SOME)]
     start = values.index(control.value)

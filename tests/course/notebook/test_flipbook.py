@@ -12,9 +12,9 @@ from edugym_course.notebook import flipbook, sliders
 from edugym_course.notebook.controls import call
 
 
-def dot(x: float = 1.0, name: str = "a", more: int = 3) -> Scene:
+def dot(x: Any = 1.0, name: str = "a", more: int = 3) -> Scene:
     """A circle at x."""
-    return Scene(100, 10, (Circle(x, 5, 1),))
+    return Scene(1000, 10, (Circle(ord(x) if isinstance(x, str) else x, 5, 1),))
 
 
 def graph(x: int = 2) -> Any:
@@ -36,6 +36,7 @@ def graph(x: int = 2) -> Any:
         (list(range(1, 16)), [str(value) for value in range(1, 16)], 0),
         (list(range(1, 17)), ["1", "3", "5", "7", "9", "10", "12", "14", "16"], 0),
         ([2, False, 1.0], ["2", "False", "1.0"], 2),
+        ([1.0, *"abcdefghijklmnopq"], ["1.0", *"abcdefghijklmnopq"], 0),
     ],
 )
 def test_values_of_a_flipbook(tmp_path: Path, allowed: Any, values: list[str], start: int) -> None:
