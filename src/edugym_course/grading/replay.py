@@ -69,12 +69,15 @@ class Learner(NamedTuple):
         alter: what it takes a step for, after what it took the step before for (None at the first).
         skips: from which steps it does not learn.
         swaps: whether it takes a random action with probability 1 − ε.
+        nats: of a mistake, how much more probable it must make the actions than the right equation, as a logarithm;
+            more for one that a right program resembles.
     """
 
     make: Maker
     alter: Callable[[Step, Step | None], Step] = lambda step, before: step
     skips: Callable[[Step], bool] = lambda step: False
     swaps: bool = False
+    nats: float = NATS
 
 
 def _goes_on(step: Step, before: Step | None) -> Step:
@@ -163,13 +166,13 @@ class Surprises(NamedTuple):
         """Whether there are as many as are to be expected, or more or fewer by chance and a share of them."""
         return abs(self.too_many) <= SIGMAS * self.deviation + slack * self.expected
 
-    def explains_better_than(self, other: "Surprises") -> bool:
+    def explains_better_than(self, other: "Surprises", nats: float = NATS) -> bool:
         """Whether it makes the actions more probable, by more than chance.
 
         If a program has the right equation, and breaks ties at random, a wrong one does so by k nats with a probability
         below e⁻ᵏ (Markov's inequality).
         """
-        return bool(self.logs.sum() > other.logs.sum() + NATS)
+        return bool(self.logs.sum() > other.logs.sum() + nats)
 
     def explains_those_of(self, other: "Surprises") -> bool:
         """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
@@ -288,12 +291,12 @@ class Rule:
         shape = shape_of(worlds[0]())
         right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
         number, rows = likeliest(
-            [replay(runs, mistake, shape, self.epsilon) for mistake in self.mistakes.values()],
+            [replay(runs, learner, shape, self.epsilon) for learner in self.mistakes.values()],
             sum(map(len, runs)),
             math.log(1 - self.epsilon + self.epsilon / shape[1]),
         )
-        likely, sentence = Surprises.of(rows), [*self.mistakes][number]
-        is_better = likely.explains_better_than(right)
+        likely, (sentence, mistake) = Surprises.of(rows), [*self.mistakes.items()][number]
+        is_better = likely.explains_better_than(right, mistake.nats)
         if right.is_usual() and not is_better:
             self._require_tries(runs, shape)
             if self.asks:

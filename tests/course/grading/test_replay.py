@@ -12,6 +12,7 @@ from edugym_course.grading import WrongAnswer
 from edugym_course.grading.programs import Program, Step, learn_from, shape_of
 from edugym_course.grading.replay import SWAPPED, Learner, Rule
 from edugym_course.grading.small_world import SmallWorld
+from tests.course.lessons.answers import read_answers, read_exercises
 
 RULES: dict[str, Rule] = {
     lesson: project.RULE
@@ -84,6 +85,20 @@ def test_a_random_action_too_often(lesson: str) -> None:
 def test_a_right_program_has_no_surprises(lesson: str, seed: int) -> None:
     """Whatever the seed is."""
     RULES[lesson].check(program_with(RULES[lesson].right, RULES[lesson].epsilon), seed)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lesson", RULES)
+@pytest.mark.parametrize("seed", [2, 3])
+def test_right_answers_are_right_whatever_the_seed_is(lesson: str, seed: int) -> None:
+    """Also those that learn in a way that is only much like ours."""
+    setup, answers = read_answers(lesson)
+    imports, _ = read_exercises(build.lesson_sources()[lesson])
+    for answer in answers:
+        if answer.right and answer.exercise == 0:
+            namespace: dict[str, Any] = {}
+            exec(f"{imports}\n{setup}\n{answer.code}", namespace)
+            RULES[lesson].check(namespace["my_program"], seed)
 
 
 @pytest.mark.parametrize("truncates", [False, True])
