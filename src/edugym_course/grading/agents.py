@@ -67,8 +67,10 @@ def agent_made_by(call: str, make: Callable[[Any], Any], task: Any) -> Any:
         )
     missing = [name for name in ("act", "learn") if not hasattr(made, name)]
     if missing:
+        uncalled = ": call it, with the environment in brackets" if callable(made) else ""
         raise WrongAnswer(
-            f"{call} should give an agent, but what it gives, of the type {type(made).__name__}, has no `{missing[0]}`"
+            f"{call} should give an agent, but what it gives, of the type {type(made).__name__}, has no"
+            f" `{missing[0]}`{uncalled}"
         )
     return made
 

@@ -1,6 +1,7 @@
 """The exercises of lesson 15: a score, and an agent whose profile has a hole."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from itertools import product
 from typing import Annotated, Any
 
 import numpy as np
@@ -9,11 +10,13 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.agents.q_learning import QLearning
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.profile import profile, why_not_entered
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import agent_made_by, require_function
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own, use_your_own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import compare
+from edugym_course.grading.values import in_brackets, number, same
 from edugym_course.lessons.profiles.methods import (
     HOLE,
     Q_LEARNING,
@@ -27,26 +30,64 @@ from edugym_course.lessons.profiles.methods import (
 MINE = "mine"
 SECONDS = 300.0
 """How long the training of an answer may take, on a slow machine too."""
-Rule = Callable[[Any, Any, Any, Any], float]
-RULES: dict[str, Rule] = {
-    "random play should score 0: take its return away from the return and from the best": lambda r, low, high, w: mean(
-        r / high, w
+Part = Callable[[Reals, Reals, Reals], Reals]
+"""A number for each rung, of the returns of the agent, of random play and of the best play."""
+ABOVE: Mapping[str, Part] = {
+    "": lambda r, low, high: r - low,
+    "random play should score 0: take its return away from that of the agent": lambda r, low, high: r,
+    "measure how far the agent is above random play, not how far it is below the best": lambda r, low, high: high - r,
+    "measure from random play, not from the best": lambda r, low, high: r - high,
+    "the numerator is the wrong way round": lambda r, low, high: low - r,
+    "an agent that is worse than random play is below it: no absolute value": lambda r, low, high: np.abs(r - low),
+}
+"""What stands above the line, by what is to be said of it; the first is right."""
+BELOW: Mapping[str, Part] = {
+    "": lambda r, low, high: high - low,
+    "the denominator is the whole way from random play to the best, high - low": lambda r, low, high: high,
+    "divide by the way from random play to the best, best - random": lambda r, low, high: np.ones_like(r),
+    "the denominator is the wrong way round": lambda r, low, high: low - high,
+    "take random play away from the best, do not add them": lambda r, low, high: high + low,
+    "the denominator goes from random play to the best, not from the agent": lambda r, low, high: high - r,
+}
+"""What stands below it."""
+OVER_THE_RUNGS: Mapping[str, Callable[[Reals, Reals], float]] = {
+    "": lambda x, w: mean(x, w),
+    "the score is the mean over the rungs, not their sum": lambda x, w: float(np.sum(w * x)),
+    "that is the score of the first rung alone: is the `return` inside of the loop?": lambda x, w: x[0],
+    "only the first rung is in the sum: is the `return` inside of the loop?": lambda x, w: x[0] / len(x),
+    "that is the score of the last rung alone": lambda x, w: x[-1],
+    "only the last rung is in the sum: is there an `=` where `+=` should be?": lambda x, w: x[-1] / len(x),
+    "the last rung is missing in the sum": lambda x, w: np.sum(x[:-1]) / len(x),
+    "the first rung is missing in the sum; it has the index 0": lambda x, w: np.sum(x[1:]) / len(x),
+    "that is the median; the score is the mean": lambda x, w: float(np.median(x)),
+    "an agent that is worse than random play has a score below 0, which counts as it is": lambda x, w: mean(
+        np.maximum(x, 0), w
     ),
-    "the denominator is the whole way from random play to the best, high - low": lambda r, low, high, w: mean(
-        (r - low) / high, w
-    ),
+    "`//` gives whole numbers; write `/`": lambda x, w: mean(np.floor(x), w),
+    "the best play scores 1: no percentage is wanted": lambda x, w: mean(100 * x, w),
+    "scores below 0 and above 1 count as they are": lambda x, w: mean(np.clip(x, 0, 1), w),
+}
+"""How the scores of the rungs become one."""
+OTHERS: Mapping[str, Callable[[Reals, Reals, Reals, Reals], float]] = {
     "score each rung first, and take the mean of the scores": lambda r, low, high, w: (
         mean(r - low, w) / mean(high - low, w)
     ),
-    "an agent that is worse than random play has a score below 0, which counts as it is": lambda r, low, high, w: mean(
-        np.maximum((r - low) / (high - low), 0), w
+    "put the numerator in brackets: / comes before -": lambda r, low, high, w: mean(r - low / (high - low), w),
+    "put the denominator in brackets: / comes before -": lambda r, low, high, w: mean((r - low) / high - low, w),
+    "put the numerator in brackets, and the denominator: / comes before -": lambda r, low, high, w: mean(
+        r - low / high - low, w
     ),
-    "the score is the mean over the rungs, not their sum": lambda r, low, high, w: float(
-        np.sum(w * (r - low) / (high - low))
+    "that is the right score upside down: the way of the agent stands above the line": lambda r, low, high, w: mean(
+        (high - low) / (r - low), w
     ),
-    "that is the score of the last rung alone": lambda r, low, high, w: float(((r - low) / (high - low))[-1]),
 }
-"""What the usual mistakes give, by the sentence that tells of each; w is how much each rung counts."""
+"""Mistakes that have no part of their own."""
+NO_USUAL_SCORE = "that is none of the usual mistakes; here the rungs score"
+WHICH_PART = "which part of the equation lets Q-learning see what comes much later?"
+STILL_SEES = (
+    "its discount is low, but something of a late reward still comes through, and a greedy player asks only which value"
+    " is the largest, not how large it is"
+)
 OWN_MISTAKE = "divide by what all rungs count together, not by how many there are"
 """What only those can get wrong who have a number of their own."""
 Times = Annotated[
@@ -75,21 +116,42 @@ def exercise_1(answer: Any, seed: int, times: Times = 1.0) -> str:
     """Check the score of a ladder, whose last rung may count more than the others."""
     require_function("ladder_score", answer, "returns, random and best")
     rng = np.random.default_rng(seed)
-    for n_rungs in (3, 1, 4, 5):
-        low = rng.integers(-8, 0, n_rungs).astype(float)
-        high = rng.integers(4, 13, n_rungs).astype(float)
-        share = rng.permutation([-0.5, 1.0, 0.25, 0.75, 0.5])[:n_rungs]
+    cases, told = [], ""
+    for n_rungs in (4, 1, 3, 5):
+        low = rng.permutation(np.arange(-8.0, 0.0))[:n_rungs]
+        high = rng.permutation(np.arange(4.0, 13.0))[:n_rungs]
+        share = rng.permutation([-0.5, 1.125, 0.25, 0.75, 0.5])[:n_rungs]
         returns = low + share * (high - low)
         weights = np.append(np.ones(n_rungs - 1), times)
-        lists = [part.tolist() for part in (returns, low, high)]
-        call = f"ladder_score({', '.join(map(str, lists))})"
+        given = {"returns": returns, "random": low, "best": high}
+        call = f"ladder_score({', '.join(map(in_brackets, given.values()))})"
+        mine = {name: array.copy() for name, array in given.items()}
         with student_code(call):
-            found = answer(*(list(part) for part in lists))
-        expected = mean(share, weights)
-        wrong = {why: rule(returns, low, high, weights) for why, rule in RULES.items()}
-        wrong[OWN_MISTAKE] = float(np.sum(weights * share)) / n_rungs
-        compare(call, found, expected, {why: value for why, value in wrong.items() if abs(value - expected) > 1e-6})
+            found = answer(*mine.values())
+            of_each = np.size(found) == n_rungs > 1
+        if of_each:
+            raise WrongAnswer(f"{call} gives a number for each rung; their mean is wanted")
+        found = number(call, found)
+        for name, array in given.items():
+            if not np.array_equal(mine[name], array):
+                raise WrongAnswer(f"{call} changes its array `{name}`; make a new one")
+        cases.append(NumberCase(call, found, mean(share, weights), _mistakes(returns, low, high, weights)))
+        if not same(found, cases[-1].expected):
+            told = told or f"{NO_USUAL_SCORE} {in_brackets(share)}"
+    compare_all(cases, told)
     return "Right: 0 is random play and 1 the best play on every rung, so rungs with other rewards count the same."
+
+
+def _mistakes(returns: Reals, low: Reals, high: Reals, weights: Reals) -> dict[str, float]:
+    """Return what the mistakes give, by what is to be said of them; first those in one part of the equation alone."""
+    given = returns, low, high
+    wrong = {}
+    for top, bottom, how in product(ABOVE, BELOW, OVER_THE_RUNGS):
+        scores = ABOVE[top](*given) / BELOW[bottom](*given)
+        wrong[tuple(filter(None, (top, bottom, how)))] = OVER_THE_RUNGS[how](scores, weights)
+    wrong |= {(why,): rule(*given, weights) for why, rule in OTHERS.items()}
+    wrong[OWN_MISTAKE,] = float(np.sum(weights * (returns - low) / (high - low))) / len(returns)
+    return {"; and ".join(why): wrong[why] for why in sorted(wrong, key=len) if why}
 
 
 def exercise_2(answer: Any, seed: int, first: First = None) -> str:
@@ -115,9 +177,10 @@ def exercise_2(answer: Any, seed: int, first: First = None) -> str:
     if worse:
         raise WrongAnswer(f"{told}: it is worse in Tamagotchi, where it should be as good as before")
     if hard.high > -HOLE:
+        discount = getattr(agent_made_by(call, answer, easiest), "discount", 0)
+        why = STILL_SEES if 0 < discount < QLearning.create(easiest).discount else WHICH_PART
         raise WrongAnswer(
-            f"{told}: it has no hole in Study, since its score there is not surely lower by {HOLE}; which part of the"
-            " equation lets Q-learning see what comes much later?"
+            f"{told}: it has no hole in Study, since its score there is not surely lower by {HOLE}; {why}"
         )
     return "That is the hole: as good as Q-learning in Tamagotchi, and no good in Study."
 

@@ -32,7 +32,8 @@ def beside_q_learning(agent: str = "DynaQ") -> Sheet:
 
 
 def one_setting(learning_rate: float = 0.1, discount: float = 0.99, epsilon: float = 0.1) -> Sheet:
-    """Draw two ladders of Q-learning, with three runs on each rung."""
+    """Draw two ladders of Q-learning, with three runs on each rung, and the scores."""
     settings = {"learning_rate": learning_rate, "discount": discount, "exploration": EpsilonGreedy(epsilon)}
     agents = {"Q-learning": lambda environment: QLearning.create(environment, **settings)}
-    return ladders(profile(agents, challenges=["Study", "Tamagotchi"], repetitions=3))
+    found = profile(agents, challenges=["Study", "Tamagotchi"], repetitions=3)
+    return Sheet("one_setting", [[*ladders(found).rows[0], Dots(found)]])

@@ -8,7 +8,11 @@ def ladder_score(returns, random, best):
     return total / len(returns)
 
 
-# %% arrays
+# %% the equation as it stands
 def ladder_score(returns, random, best):
-    low = np.array(random)
-    return np.mean((np.array(returns) - low) / (np.array(best) - low))
+    return np.mean((returns - random) / (best - random))
+
+
+# %% how much is missing to the best
+def ladder_score(returns, random, best):
+    return 1 - ((best - returns) / (best - random)).mean()

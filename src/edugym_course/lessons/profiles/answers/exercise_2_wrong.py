@@ -7,7 +7,7 @@ def make_mine(environment):
 # %% nothing has changed
 # slow
 # says: : it has no hole in Study, since its score there is not surely lower by
-# says: ; which part of the equation lets Q-learning see what comes much later?
+# says: which part of the equation lets Q-learning see what comes much later?
 def make_mine(environment):
     return QLearning.create(environment)
 
@@ -29,6 +29,20 @@ def make_mine(environment):
 # says: make_mine
 def make_mine(environment):
     QLearning.create(environment, discount=0.0)
+
+
+# %% looks ahead a little
+# slow
+# says: its discount is low, but something of a late reward still comes through, and a greedy player asks only which value
+#   is the largest, not how large it is
+def make_mine(environment):
+    return QLearning.create(environment, discount=0.1)
+
+
+# %% no agent yet
+# says: has no `act`: call it, with the environment in brackets
+def make_mine(environment):
+    return QLearning.create
 
 
 # %% no function
