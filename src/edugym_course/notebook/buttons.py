@@ -39,6 +39,7 @@ class Buttons(NotebookWidget):
             button.on_click(self.calling(partial(self.step, name)))
         self.new_episode.on_click(self.calling(self.reset))
         self._picture, self._line, self._history = (ipywidgets.HTML() for _ in range(3))
+        self._picture.layout = ipywidgets.Layout(max_width="100%")
         in_rows = ipywidgets.Layout(flex_flow="row wrap", width="auto")
         controls = ipywidgets.VBox(
             [
@@ -47,7 +48,7 @@ class Buttons(NotebookWidget):
                 self._line,
                 self._history,
             ],
-            layout=ipywidgets.Layout(width="360px"),
+            layout=ipywidgets.Layout(width="360px", max_width="100%"),
         )
         self.show()
         super().__init__(ipywidgets.HBox([self._picture, controls], layout=in_rows))

@@ -13,6 +13,11 @@ from edugym_course.notebook.widget import NotebookWidget, text_html
 
 NUMBER = re.compile(r"([-+]?[\d.,/]+(?:e[-+]?\d+)?)\s*([^\d]*)")
 """A number as people type it ("12,5", "1/30"), perhaps with its unit."""
+WHOLE_OPTIONS = """<style>
+.edugym-options label { display: flex; height: auto; line-height: 1.4; }
+.edugym-options input { flex: none; order: -1; }
+</style>"""
+"""Options of several lines, as on a phone, which would overlap otherwise."""
 
 
 class Prediction(NotebookWidget):
@@ -33,7 +38,9 @@ class Prediction(NotebookWidget):
             self._field = ipywidgets.Text(placeholder="a number", description=unit, style=whole, layout=wide)
         else:
             self._field = ipywidgets.RadioButtons(options=options, value=None, layout=wide)
-        super().__init__(ipywidgets.HTML(f"<b>Your prediction.</b> {html.escape(question)}"), self._field)
+            self._field.add_class("edugym-options")
+        asked = f"{WHOLE_OPTIONS}<b>Your prediction.</b> {html.escape(question)}"
+        super().__init__(ipywidgets.HTML(asked), self._field)
 
     @property
     def answer(self) -> float | str | None:

@@ -72,7 +72,7 @@ class NotebookWidget:
 def picture_html(picture: Picture) -> str:
     """A picture of an environment for an HTML widget."""
     if isinstance(picture, Scene):
-        return to_svg(picture)
+        return to_svg(picture).replace("<svg ", '<svg style="max-width: 100%; height: auto" ', 1)  # for phones
     if isinstance(picture, str):
         plain = re.sub("\x1b\\[[0-9;]*m", "", picture)  # Gymnasium's environments color their characters
         return f"<pre>{html.escape(plain)}</pre>"
