@@ -8,7 +8,7 @@ has learned. Everything else is the student's.
 import math
 import operator
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -18,6 +18,7 @@ from gymnasium import spaces
 from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
+from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.student_code import student_code
 
@@ -209,21 +210,43 @@ def run_program(
             f"{NAME} gives no seed to its first reset, so two runs with one seed differ: begin with state, info ="
             " environment.reset(seed=seed)"
         )
-    _require_policy(call, policy)
+    require_policy(call, policy)
     return Run(recorder.steps, policy)
 
 
-def _require_policy(call: str, policy: Any) -> None:
-    """Refuse a returned value that cannot be called with an observation."""
+def require_policy(call: str, policy: Any, noun: str = "state") -> None:
+    """Refuse a returned value that cannot be called with an observation, or a state: `noun` says what it is called."""
+    what = f"a function from {'an' if noun[0] in 'aeiou' else 'a'} {noun} to an action"
     if policy is None:
-        raise WrongAnswer(f"{call} gives None: return the policy, a function from a state to an action")
+        raise WrongAnswer(f"{call} gives None: return the policy, {what}")
     if isinstance(policy, type) or not callable(policy):
         kind = f"the class {policy.__name__}" if isinstance(policy, type) else f"of the type {type(policy).__name__}"
+        at = noun if noun == "state" else f"tuple({noun})"
         raise WrongAnswer(
-            f"{call} should return a function from a state to an action, but what it returns is {kind}: for a table of"
-            " action values that is `lambda state: int(Q[state].argmax())`, and for an array with an action for each"
-            " state `lambda state: actions[state]`"
+            f"{call} should return {what}, but what it returns is {kind}: for a table of action values that is `lambda"
+            f" {noun}: int(Q[{at}].argmax())`, and for an array with an action for each {noun} `lambda {noun}:"
+            f" actions[{at}]`"
         )
+
+
+def actions_of(policy: Policy, observations: Iterable[Any], n_actions: int, noun: str = "state") -> list[int]:
+    """Return the action that a policy takes for each observation, or state; each is asked for twice.
+
+    Raises:
+        WrongAnswer: the policy fails, takes no action that there is, or draws its actions.
+    """
+    actions = list[int]()
+    for observation in observations:
+        what = f"the policy of {NAME}, for the {noun} {observation},"
+        with student_code(what):
+            one, again = (action_of(what, policy(observation), n_actions) for _ in range(2))
+        if one != again:
+            raise WrongAnswer(
+                f"the policy that {NAME} returns draws its actions: asked twice about the {noun} {observation}, it"
+                " gives two of them. It should take the *best* action, and never a random one"
+            )
+        actions.append(one)
+    return actions
 
 
 def returns_of(policy: Policy, environment: Environment, episodes: int, seed: int, remembers: bool = False) -> Reals:

@@ -63,6 +63,7 @@ HINTS = (
         "out of bounds|index out of range",
         "indices go from 0 to the size less 1: is the range, or the order of the indices, right?",
     ),
+    ("math range error", "the exponential of a number above 709 is too large: write it with a negative exponent"),
     ("math domain error|expected a positive input", "a logarithm needs a number above 0: leave zeros out"),
     (
         "inhomogeneous|policy must be a whole number",

@@ -7,8 +7,13 @@ import numpy as np
 
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import UNUSUAL, mistake_in_cases, told_wrong
-from edugym_course.grading.values import all_same, given
+from edugym_course.grading.mistakes import UNUSUAL, mistake_in_cases, mistake_that_fits, told_wrong
+from edugym_course.grading.values import all_same, given, rounded_alike
+
+ROUNDED = (
+    "is it rounded, or stored in an array of whole numbers? An array of floats, as of np.zeros(...), keeps what is"
+    " behind the decimal point"
+)
 
 
 def table_of(call: str, value: Any, shape: tuple[int, ...], *, finite: bool = True) -> Reals:
@@ -61,7 +66,10 @@ def compare_tables(
     def explained(change: Mapping[str, Any]) -> list[bool]:
         return [all_same(rule(case, **change), mine) for case, mine in zip(cases, found, strict=True)]
 
-    why = mistake_in_cases(mistakes, explained, wrong, otherwise(wrong))
+    if rounded_alike(*(np.concatenate([table.ravel() for table in tables]).tolist() for tables in (found, right))):
+        why = mistake_that_fits(mistakes, lambda change: all(explained(change)), ROUNDED)
+    else:
+        why = mistake_in_cases(mistakes, explained, wrong, otherwise(wrong))
     first = wrong.index(True)
     told, came = (np.round(table[first], 4).tolist() for table in (right, found))
     raise WrongAnswer(told_wrong(f"{calls[first]} should {verb} {told}, but {verb}s {came}", why))

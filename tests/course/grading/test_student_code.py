@@ -90,6 +90,7 @@ ERRORS = [
     ("return np.zeros(2)[0, 1]", "the array has fewer axes than there are indices"),
     ("return np.zeros(2)[2]", "indices go from 0 to the size less 1"),
     ("return [1, 2][2]", "indices go from 0 to the size less 1"),
+    ("return math.exp(710)", "the exponential of a number above 709 is too large"),
     ("return math.log(0)", "a logarithm needs a number above 0"),
     ("return alpha * 2", "the exercise has another name for it"),
     ("return rewards[0]", "write `self.` before a field"),

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from edugym import fitted_q_iteration, pessimistic_q_iteration
-from edugym.agents.dataset import collect
+from edugym.agents.dataset import Dataset, collect
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.lessons.offline import methods, project
+from edugym_course.lessons.offline import methods, project, riddles
 from edugym_course.lessons.offline.methods import AS_IT_IS, MORNING, PESSIMISTIC, UNSEEN_IS_WORST
 
 
@@ -80,3 +80,28 @@ def test_states_of_the_project_have_new_numbers_each_time() -> None:
     assert seen[0] != seen[1]
     with pytest.raises(WrongAnswer, match="it chooses the same action in every state"):
         project.project_16(program, 0)
+
+
+@pytest.mark.parametrize("riddle", riddles.RIDDLES, ids=lambda riddle: riddle.asks)
+def test_a_riddle_has_one_answer_for_whoever_is_careful(riddle: riddles.Riddle) -> None:
+    """It is the same for small and for large penalties, and for any lowest value that no return is below."""
+    for seed in range(3):
+        book = riddles.log_book(riddle, np.random.default_rng(seed))
+        states, actions, rewards, next_states, terminated = map(np.array, zip(*book.steps, strict=True))
+        assert np.flatnonzero(terminated).tolist() == [*range(9, 800, 10)]
+        assert not (states == next_states[-1]).any()
+        data = Dataset.create(
+            states,
+            actions,
+            rewards,
+            next_states,
+            terminated,
+            truncated=np.zeros(800, bool),
+            probabilities=np.ones(800),  # nobody asks for them
+            n_states=book.n_states,
+            n_actions=riddles.N_ACTIONS,
+        )
+        assert data.returns().min() >= -90
+        for penalty, lowest in ((0.3, -90.0), (2.0, -90.0), (5.0, -90.0), (2.0, -1000.0)):
+            Q = pessimistic_q_iteration(data, penalty, lowest).Q
+            assert Q[book.first].argmax() == riddle.right, (seed, penalty, lowest)

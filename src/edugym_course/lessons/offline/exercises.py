@@ -192,6 +192,7 @@ def corrected(
             "inside": V + rho * (r + discount * total - off),
             "outside": V + rho * (r - off) + discount * total,
             "left out": V + rho * (r - off),
+            "Q outside": V + rho * (r + discount * total) - off,
             "reward alone": V + rho * r + discount * total - off,
             "V inside": rho * (V + r + discount * total - off),
             "added": total + V + rho * (r + discount * total - off),
@@ -213,6 +214,8 @@ CORRECTED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "what comes later is not weighed by ρ: it belongs into the parentheses, beside the reward": {"later": "outside"},
     "what comes later is left out": {"later": "left out"},
     "V(s) is the plain mean of the values; each action counts as often as π takes it": {"value": "plain"},
+    "ρ stands before the reward and what comes later; it goes before − Q(s, a), too": {"later": "Q outside"},
+    "the believed values play no part: that is importance sampling": {"value": "left out", "taken_off": "left out"},
     "ρ stands before the reward alone; it goes before the whole parentheses": {"later": "reward alone"},
     "ρ goes before V(s), too; V(s) stands in front of it": {"later": "V inside"},
     "what comes later is counted twice: the new value takes the place of the old one": {"later": "added"},
@@ -269,10 +272,10 @@ def swept(
     over: str = "root",
     fit: str = "mean",
     unseen: str = "lowest",
-    floor: bool = True,
+    floor: str = "max",
     end: str = "right",
     future: str = "largest",
-    per: str = "step",
+    per: str = "pair",
     discount: float = 1.0,
 ) -> Reals:
     """Return the values after one sweep; other arguments than the defaults are mistakes."""
@@ -298,7 +301,7 @@ def swept(
     }[unseen]
     for (s, a), seen in targets.items():
         n = len(seen)
-        taken = sum(1 for one in steps if one[0] == s) if per == "state" else n
+        taken = {"pair": n, "state": sum(1 for one in steps if one[0] == s), "all": len(steps)}[per]
         fitted = {"mean": float(np.mean(seen)), "sum": sum(seen), "last": seen[-1], "best": max(seen)}[fit]
         size = {
             "root of both": np.sqrt(penalty / n),
@@ -308,8 +311,8 @@ def swept(
             "times": penalty * np.sqrt(n),
         }
         Q[s, a] = fitted - sign * {**size, "none": 0.0}[over]
-        if floor:
-            Q[s, a] = max(lowest, Q[s, a])
+        if floor != "none":
+            Q[s, a] = {"max": max, "min": min}[floor](lowest, Q[s, a])
     return Q
 
 
@@ -321,13 +324,15 @@ SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the penalty is under the root, too; only n is": {"over": "root of both"},
     "the penalty is left out: that is fitted Q as it is, with the lowest value for what is unseen": {"over": "none"},
     "n counts all steps from the state; it counts those with this action": {"per": "state"},
+    "n counts all steps that there are; it counts those of the pair": {"per": "all"},
     "the targets are added up; fit their mean": {"fit": "sum"},
     "the last target of each pair stays; fit the mean of all of them": {"fit": "last"},
     "the best target of each pair stays; fit the mean of all of them": {"fit": "best"},
     "pairs without a step are 0; a pessimist gives them the lowest value": {"unseen": "zero"},
     "pairs without a step keep their value; a pessimist gives them the lowest value": {"unseen": "before"},
     "pairs without a step get the penalty as a value; a pessimist gives them the lowest value": {"unseen": "penalty"},
-    "some values are below the lowest one there is": {"floor": False},
+    "some values are below the lowest one there is": {"floor": "none"},
+    "of the value and the lowest one it takes the smaller; max(...) takes the larger": {"floor": "min"},
     "what comes after the end is counted: where `terminated` is True the target is the reward alone": {"end": "always"},
     "what comes after a step is left out: where the task goes on, add the largest value of the next state": {
         "end": "never"

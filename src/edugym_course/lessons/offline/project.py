@@ -6,14 +6,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.agents.dataset import collect
-from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Integers
 from edugym_course.grading.agents import require_function
-from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import NAME
+from edugym_course.grading.programs import NAME, Policy, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
+from edugym_course.lessons.offline.exercises import Step
 from edugym_course.lessons.offline.methods import PESSIMISTIC, best_of, clock, learn, morning
+from edugym_course.lessons.offline.riddles import N_ACTIONS, RIDDLES, log_book
 
 TASK = morning(length=10, ring=6.0, late=30.0)
 """Longer and dearer than that of the lesson."""
@@ -53,20 +53,36 @@ def run(program: Any, seed: int) -> Run:
     number_of = rng.permutation(n_states)
     columns = number_of[dataset.states], dataset.actions, dataset.rewards, number_of[dataset.next_states]
     steps = [*zip(*(column.tolist() for column in (*columns, dataset.terminated)), strict=True)]
+    policy = _policy_of(program, steps, n_states, n_actions, seed)
+    actions, rows = np.zeros(n_states, int), np.flatnonzero(~model.terminal)
+    actions[rows] = actions_of(policy, number_of[rows].tolist(), n_actions)
+    return Run(TASK.worth(np.eye(n_actions)[actions]), float(dataset.returns().mean()), actions)
+
+
+def _policy_of(program: Any, steps: list[Step], n_states: int, n_actions: int, seed: int) -> Policy:
+    """Return the policy that a program learns from steps."""
     call = f"{NAME}(steps, {n_states}, {n_actions}, {seed})"
     with student_code(call):
-        policy = program(steps, n_states, n_actions, seed)
-    if policy is None:
-        raise WrongAnswer(f"{call} gives None: return the policy, a function from a state to an action")
-    if isinstance(policy, type) or not callable(policy):
-        raise WrongAnswer(f"{call} should return a function from a state to an action, but returns {in_short(policy)}")
-    actions = np.zeros(n_states, int)
-    for row in np.flatnonzero(~model.terminal):
-        what = f"the policy of {NAME}, for the state {number_of[row]},"
-        with student_code(what):
-            action = policy(int(number_of[row]))
-        actions[row] = action_of(what, action, n_actions)
-    return Run(TASK.worth(np.eye(n_actions)[actions]), float(dataset.returns().mean()), actions)
+        policy: Policy = program([*steps], n_states, n_actions, seed)
+    require_policy(call, policy)
+    return policy
+
+
+def unsolved(program: Any, seed: int) -> str:
+    """Return what a program does in the first riddle that it does not solve, and why another action is better.
+
+    It is "" if the program solves them all.
+    """
+    for number, riddle in enumerate(RIDDLES):
+        book = log_book(riddle, np.random.default_rng([seed, 2, number]))
+        policy = _policy_of(program, book.steps, book.n_states, N_ACTIONS, seed)
+        (action,) = actions_of(policy, [book.first], N_ACTIONS)
+        if action != riddle.right:
+            return (
+                f"{riddle.shows}, and in the first state the program takes action {action} instead of {riddle.right}:"
+                f" {riddle.asks}"
+            )
+    return ""
 
 
 @cache
@@ -84,14 +100,16 @@ def project_16(answer: Any, seed: int) -> str:
     told = f"the middle one of {SEEDS} runs makes a clock worth {middle.kept:.1f}"
     lowest = float(np.quantile(ours, LOW)) - SLACK
     if not middle.kept >= lowest:
-        why = "" if nobody_asks_why() else f": {symptom(middle)}"
+        why = "" if nobody_asks_why() else f": {_why(answer, middle, seed)}"
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
+    if missed := unsolved(answer, seed):
+        raise WrongAnswer(f"{told}, which is enough (ours {np.median(ours):.1f}). But in another log-book {missed}")
     gathered, best = middle.gathered, TASK.worth(best_of(TASK))
     return f"Right: {told} (ours {np.median(ours):.1f}); the data {gathered:.1f}, the best clock {best:.1f}."
 
 
-def symptom(one: Run) -> str:
-    """Return what a policy that is worth too little looks like, and the likely cause."""
+def _why(program: Any, one: Run, seed: int) -> str:
+    """Return what a policy that is worth too little looks like, or the riddle that its program does not solve."""
     if len({*one.actions[~TASK.model.terminal].tolist()}) == 1:
         return (
             "it chooses the same action in every state; are the values looked up in the state to which they belong,"
@@ -101,8 +119,6 @@ def symptom(one: Run) -> str:
         return (
             "that is worse than the clock that collected the nights; does it take the *best* action, by its own state?"
         )
-    return (
-        "it has learned something; do actions without a step get the lowest value instead of 0, is there a penalty for"
-        " what is known from few steps, do all steps count, and are there as many sweeps as a night has steps? A night"
-        " has no discount"
-    )
+    if missed := unsolved(program, seed):
+        return f"it has learned something. In a log-book of our making {missed}"
+    return "it has learned something; does every step count, also those of a pair that has few?"

@@ -185,7 +185,7 @@ further.measured("rises, and then falls" if meant.max() - meant[-1] > 0.3 else "
 # **Measured.** It rises, and then falls. Up to some three nats from the reference, as far as the
 # best clock would go, both returns rise together. Then the learned one
 # still rises, and the meant one falls by about 1. This is called *over-optimisation* (Gao, Schulman and Hilton, 2023, measured it
-# with language models). What the clock gets better at, from there on, is no longer what she wants. The clock itself cannot see it:
+# with language models). What the clock gets better at, from there on, is no longer what the teacher wants. The clock itself cannot see it:
 # by its own reward all goes well.
 # </details>
 
@@ -335,7 +335,7 @@ from edugym_course.lessons.preferences.exercises import exercise_1, exercise_2, 
 
 # %% [markdown]
 # ### Exercise 1: the probability of a preference
-# Return the probability with which a teacher with noise $\tau$ (`noise`) prefers a night worth `first` to one worth `second`. It should
+# Return the probability with which a teacher with noise $\tau$ (`noise`, above 0) prefers a night worth `first` to one worth `second`. It should
 # also give a number for nights that differ by 10 000.
 #
 # <details><summary>Hint</summary><code>np.exp(1000)</code> overflows, and <code>np.exp(-1000)</code> is 0. So write σ(x) in two ways, and take
@@ -362,7 +362,7 @@ check(exercise_1, prefers, seed=1, quiet=True)
 
 # %% [markdown]
 # ### Exercise 2: learn from one comparison
-# `rewards` is a table $\hat r$, shape (S, A). A night is a list of pairs `(state, action)`. `prefers_first` is True or False. Make one
+# `rewards` is a table $\hat r$, shape (S, A). A night is a list of pairs `(state, action)` of whole numbers. `prefers_first` is True or False. Make one
 # gradient step, $\tau = 1$, and return the *new* table. Mind that a night may take the same action in the same state more than
 # once.
 #

@@ -50,6 +50,7 @@ PREFERENCE_MISTAKES: Mapping[str, Callable[[float, float, float], float]] = {
     ),
     "σ itself is divided by the noise; divide the difference": lambda g, h, t: _p(g, h, 1.0) / t,
     "the difference is divided by the square of the noise": lambda g, h, t: _p(g, h, t * t),
+    "the difference counts twice: with tanh, σ(x) is (1 + tanh(x / 2)) / 2": lambda g, h, t: _p(g, h, t / 2),
     "the difference is divided by twice the noise": lambda g, h, t: _p(g, h, 2 * t),
     "that is tanh, which goes from −1 to 1; σ goes from 0 to 1": lambda g, h, t: float(np.tanh((g - h) / t)),
 }
@@ -117,8 +118,10 @@ def stepped(
     rewards, one, other, prefers_first, learning_rate = comparison
     visits = [np.zeros_like(rewards) for _ in range(2)]
     for night, table in zip((one, other), visits, strict=True):
-        for state, action in {"visits": night, "once": {*night}, "last": night[-1:], "first": night[:1]}[counts]:
+        for state, action in {"once": {*night}, "last": night[-1:], "first": night[:1]}.get(counts, night):
             table[state, action] += 1.0
+    if counts == "overwritten":
+        visits = [np.where(visits[1] > 0, 0.0, np.minimum(visits[0], 1.0)), np.minimum(visits[1], 1.0)]
     whole = [sum(float(rewards[pair]) for pair in night) for night in (one, other)]
     p = {
         "first": _p(whole[0], whole[1], 1.0),
@@ -126,6 +129,7 @@ def stepped(
         "half": 0.5,
         "none": 0.0,
         "hard": float(whole[0] > whole[1]),
+        "difference": whole[0] - whole[1],
         "means": _p(whole[0] / LENGTH, whole[1] / LENGTH, 1.0),
         "share": whole[0] / sum(whole) if sum(whole) else 0.0,
     }[p_of]
@@ -153,12 +157,16 @@ STEP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "p is 1/2, as with a table of zeros: work it out from the returns by `rewards`": {"p_of": "half"},
     "p is left out: the error is y − p": {"p_of": "none"},
     "p is 1 or 0, as if the teacher never erred: it is σ of the difference": {"p_of": "hard"},
+    "p is the difference of the returns itself, and σ is missing": {"p_of": "difference"},
     "p follows from mean rewards; a return is a sum": {"p_of": "means"},
     "p is a share of the returns; it is σ of their difference": {"p_of": "share"},
     "only the night that she prefers has changed; the other one loses as much": {"second": "winner"},
     "all actions of a state have changed; only the one that was taken does": {"rows": True},
     "the old rewards are left out: add the step to them": {"kept": 0.0},
     "each pair of a state and an action counts once, and a night may take it more often": {"counts": "once"},
+    "a pair that comes again starts from the old table: add to what already stands there (+=)": {
+        "counts": "overwritten"
+    },
     "only the last step of each night has changed; all of them count": {"counts": "last"},
     "only the first step of each night has changed; all of them count": {"counts": "first"},
     "the second night is added; what helps the first takes from the second": {"second": "added"},

@@ -14,9 +14,8 @@ from edugym.exact.regularised import with_rewards
 from edugym.mdp.protocol import Integers, Random
 from edugym.mdp.wrapper import wrapper
 from edugym_course.grading.agents import require_function
-from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import NAME
+from edugym_course.grading.programs import NAME, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.own_problem.morning import Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
@@ -170,19 +169,11 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
         policy = program(environment, teacher, N_COMPARISONS, seed)
     if teacher.slip:  # the program caught it, and went on
         raise WrongAnswer(teacher.slip)
-    if policy is None:
-        raise WrongAnswer(f"{call} gives None: return the policy, a function from an observation to an action")
-    if isinstance(policy, type) or not callable(policy):
-        raise WrongAnswer(
-            f"{call} should return a function from an observation to an action, but returns {in_short(policy)}"
-        )
+    require_policy(call, policy, "observation")
     model = model_of(mdp)
     actions = np.zeros(len(model.states), int)
-    for row in np.flatnonzero(~model.terminal):
-        what = f"the policy of {NAME}, for the observation {model.states[row]},"
-        with student_code(what):
-            action = policy(np.array(model.states[row]))
-        actions[row] = action_of(what, action, 3)
+    rows = np.flatnonzero(~model.terminal)
+    actions[rows] = actions_of(policy, [np.array(model.states[row]) for row in rows], 3, "observation")
     return Judged(policy_evaluation(model, actions).start, actions, teacher.asked)
 
 

@@ -121,3 +121,15 @@ doubly_robust_value = 0.5
 # - value = V + rho * (reward + value - Q[state, action])
 # + value = V + rho * (reward + value - Q[state, action])
 # + return value
+
+# %% Q outside
+# says: ρ stands before the reward and what comes later; it goes before − Q(s, a), too
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward + value) - Q[state, action]
+
+# %% importance sampling
+# says: the believed values play no part: that is importance sampling
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = rho * (reward + value)

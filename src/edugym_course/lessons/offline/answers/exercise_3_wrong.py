@@ -152,3 +152,21 @@ pessimistic_sweep = np.zeros((3, 2))
 # in: lists of targets
 # - target = reward if terminated else reward + Q[next_state].max()
 # + target = reward if terminated else reward + Q[state].max()
+
+# %% the smaller
+# says: of the value and the lowest one it takes the smaller; max(...) takes the larger
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = min(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+
+# %% all steps
+# says: n counts all steps that there are; it counts those of the pair
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(steps)))
+
+# %% whole numbers
+# says: is it rounded, or stored in an array of whole numbers? An array of floats, as of np.zeros(...), keeps what is behind the decimal point
+# in: lists of targets
+# - return new
+# + return new.astype(int)

@@ -114,3 +114,18 @@ def prefers(first, second, noise):
 def prefers(first, second, noise):
     x = np.clip((first - second) / noise, -10, 10)
     return 1 / (1 + np.exp(-x))
+
+
+# %% the difference twice
+# says: the difference counts twice: with tanh, σ(x) is (1 + tanh(x / 2)) / 2
+def prefers(first, second, noise):
+    return (1 + np.tanh((first - second) / noise)) / 2
+
+
+# %% it overflows in math
+# says: raises OverflowError: math range error (the exponential of a number above 709 is too large: write it with a negative exponent)
+import math
+
+
+def prefers(first, second, noise):
+    return 1 / (1 + math.exp(-(first - second) / noise))

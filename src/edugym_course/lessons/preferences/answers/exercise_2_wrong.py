@@ -242,3 +242,23 @@ def learn(rewards, first, second, prefers_first, learning_rate):
     for pair in first if prefers_first else second:
         new[pair] += learning_rate * abs(prefers_first - p)
     return new
+
+
+# %% a difference for p
+# says: p is the difference of the returns itself, and σ is missing
+# in: with counts
+# - p = 1 / (1 + np.exp(-(rewards * difference).sum()))
+# + p = (rewards * difference).sum()
+
+
+# %% from the old table
+# says: a pair that comes again starts from the old table: add to what already stands there (+=)
+def learn(rewards, first, second, prefers_first, learning_rate):
+    x = sum(rewards[s, a] for s, a in first) - sum(rewards[s, a] for s, a in second)
+    step = learning_rate * (prefers_first - 1 / (1 + np.exp(-x)))
+    new = rewards.copy()
+    for pair in first:
+        new[pair] = rewards[pair] + step
+    for pair in second:
+        new[pair] = rewards[pair] - step
+    return new

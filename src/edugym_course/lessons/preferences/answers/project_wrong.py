@@ -102,7 +102,7 @@ def my_program(environment, compare, n_comparisons, seed):
 
 
 # %% the table
-# says: should return a function from an observation to an action, but returns
+# says: should return a function from an observation to an action, but what it returns is
 def my_program(environment, compare, n_comparisons, seed):
     return np.zeros((11, 3, 3))
 
@@ -145,3 +145,11 @@ def my_program(environment, compare, n_comparisons, seed):
 # %% a policy
 # says: environment, compare, n_comparisons and seed
 my_program = [0, 1, 2]
+
+# %% actions are drawn
+# slow
+# says: returns draws its actions: asked twice about the observation
+# says: , it gives two of them. It should take the *best* action, and never a random one
+# in: visits as vectors
+# - return lambda observation: int(Q[tuple(observation)].argmax())
+# + return lambda observation: int(rng.integers(3))

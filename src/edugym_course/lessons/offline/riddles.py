@@ -1,0 +1,144 @@
+"""Log-books in which a careful reader has one choice only: riddles that nobody solves who leaves out a part."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from edugym.mdp.protocol import Random
+from edugym_course.lessons.offline.exercises import Step
+
+LENGTH = 10
+N_ACTIONS = 3
+FIRST = "first"
+"""The state in which every night of a riddle begins."""
+AFTERWARDS = "afterwards"
+"""The states of the rest of a night, in which all actions are tried and none matters."""
+
+Move = tuple[str, int, float]
+"""A state, which is another one at each step of the night, an action, and its reward."""
+Place = tuple[str, int]
+"""A state, and the step of the night."""
+
+
+class Riddle(NamedTuple):
+    """A log-book of 80 nights, each of ten steps.
+
+    Attributes:
+        nights: how many nights there are of each kind, and the moves that they begin with.
+        right: what a careful reader does in the first state.
+        shows: what the log-book shows, for the sentence.
+        asks: which part of the method it takes.
+        rest: the reward of each step after the moves.
+        at_both_ends: how many nights of the first kind stand at the start of the log-book, and as many at its end.
+    """
+
+    nights: tuple[tuple[int, tuple[Move, ...]], ...]
+    right: int
+    shows: str
+    asks: str
+    rest: float = 1.0
+    at_both_ends: int = 0
+
+
+def _corridor(name: str, action: int, first: float, last: float) -> tuple[Move, ...]:
+    """A night with nothing but a first and a last reward."""
+    inner = tuple((name, 0, 0.0) for _ in range(LENGTH - 2))
+    return ((FIRST, action, first), *inner, (name, 0, last))
+
+
+RIDDLES = (
+    Riddle(
+        ((79, ((FIRST, 2, 1.0),)), (1, ((FIRST, 1, 1.1),))),
+        right=2,
+        shows="action 2 brought 1 in each of 79 nights, and action 1 brought 1.1 in one night",
+        asks="what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps",
+    ),
+    Riddle(
+        ((70, ((FIRST, 0, 1.0),)), (10, ((FIRST, 1, 6.0),))),
+        right=1,
+        shows="action 0 brought 1 in each of 70 nights, and action 1 brought 6 in each of 10",
+        asks="what counts is the *mean* of the targets, not their sum or their number; a penalty is small beside that",
+    ),
+    Riddle(
+        (
+            (20, ((FIRST, 1, 1.0), ("choice", 0, 4.0))),
+            (20, ((FIRST, 1, 1.0), ("choice", 1, -40.0))),
+            *((number, ((FIRST, 0, 0.0), ("none", action, 1.0))) for action, number in enumerate((14, 13, 13))),
+        ),
+        right=1,
+        shows=(
+            "action 1 leads to a choice between 4 and −40, and action 0 to a state in which every action brings 1; so"
+            " action 1 is better by 4"
+        ),
+        asks="the value of the next state is the *largest* of its row",
+    ),
+    Riddle(
+        ((40, _corridor("near", 0, 3.0, 6.9)), (40, _corridor("far", 2, 0.0, 10.0))),
+        right=2,
+        shows="action 0 brings 3 at once and 6.9 in the last step, and action 2 brings 10 in the last step",
+        asks=(
+            "a target is R plus the value of the *next* state, without discount; and there are as many sweeps as a"
+            " night has steps, or more"
+        ),
+    ),
+    Riddle(
+        ((40, ((FIRST, 1, -50.0),)), (40, ((FIRST, 2, -70.0),))),
+        right=1,
+        shows="action 1 cost 50 in each of 40 nights, action 2 cost 70, and action 0 was never tried",
+        asks="what was never tried gets the lowest value, −90, and not 0",
+        rest=0.0,
+    ),
+    Riddle(
+        (
+            (2, ((FIRST, 0, 8.0), ("good", 0, 10.0))),
+            (38, ((FIRST, 0, 0.0), ("bad", 0, 0.0))),
+            (40, ((FIRST, 1, 3.0), ("fair", 0, 0.0))),
+        ),
+        right=1,
+        shows=(
+            "action 0 brought 8, and 10 in the next step, in the first night and in the last, and nothing in 38 others;"
+            " action 1 brought 3 in each of 40"
+        ),
+        asks="every step counts in the mean of its pair, with its own reward and next state (+= adds, and = forgets)",
+        at_both_ends=1,
+    ),
+)
+
+
+class LogBook(NamedTuple):
+    """What a program is given.
+
+    Attributes:
+        steps: the nights, one after the other.
+        n_states: how many states there are.
+        first: the number of the state in which every night begins.
+    """
+
+    steps: list[Step]
+    n_states: int
+    first: int
+
+
+def log_book(riddle: Riddle, rng: Random) -> LogBook:
+    """Return the log-book of a riddle: the nights in any order, the numbers of the states dealt out anew."""
+    kinds = np.repeat(np.arange(len(riddle.nights)), [number for number, _ in riddle.nights])
+    ends = riddle.at_both_ends
+    inner = rng.permutation(kinds[2 * ends :])
+    order = [*kinds[:ends], *inner, *kinds[ends : 2 * ends]]
+    nights = [[*_moves(riddle, riddle.nights[kind][1], night)] for night, kind in enumerate(order)]
+    places = {place: None for night in nights for place, *_ in night}
+    number_of = dict(zip([*places, ("end", LENGTH)], rng.permutation(len(places) + 1).tolist(), strict=True))
+    steps = list[Step]()
+    for night in nights:
+        afters = [*(place for place, *_ in night[1:]), ("end", LENGTH)]
+        for (place, action, reward), after in zip(night, afters, strict=True):
+            steps.append((number_of[place], action, reward, number_of[after], after[1] == LENGTH))
+    return LogBook(steps, len(number_of), number_of[FIRST, 0])
+
+
+def _moves(riddle: Riddle, begins: tuple[Move, ...], night: int) -> Iterator[tuple[Place, int, float]]:
+    """Yield the steps of a night: its moves, and then what does not matter."""
+    rest = [(AFTERWARDS, (night + step) % N_ACTIONS, riddle.rest) for step in range(LENGTH - len(begins))]
+    for step, (name, action, reward) in enumerate([*begins, *rest]):
+        yield (name, step), action, reward
