@@ -116,7 +116,7 @@ def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
     label = {
         "description": name.replace("_", " "),
         "style": {"description_width": f"{label_width}ch"},
-        "layout": {"width": "420px"},
+        "layout": {"width": "auto", "max_width": "420px"},
     }
     at_the_end = {"continuous_update": False}
     if isinstance(allowed, ipywidgets.ValueWidget):
