@@ -242,7 +242,7 @@ def actions_of(policy: Policy, observations: Iterable[Any], n_actions: int, noun
             one, again = (action_of(what, policy(observation), n_actions) for _ in range(2))
         if one != again:
             raise WrongAnswer(
-                f"the policy that {NAME} returns draws its actions: asked twice about the {noun} {observation}, it"
+                f"{POLICY} draws its actions: asked twice about the {noun} {observation}, it"
                 " gives two of them. It should take the *best* action, and never a random one"
             )
         actions.append(one)

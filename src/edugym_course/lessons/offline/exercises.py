@@ -16,9 +16,9 @@ from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables, table_of
-from edugym_course.grading.values import number
+from edugym_course.grading.values import number, same
+from edugym_course.lessons.offline.sweeps import N_ACTIONS, N_STATES, SWEPT_MISTAKES, made_up_sweeps, swept, where_wrong
 
-N_STATES, N_ACTIONS = 3, 2
 Discount = Annotated[
     float,
     Own(
@@ -114,6 +114,10 @@ WEIGHED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
+WEIGHTS = "one episode alone is right, so look at the weights, and at what each episode begins with"
+SUMS = "with one episode its weight cancels, and its return is left: look at the return, and at the two sums"
+
+
 def _policies(rng: np.random.Generator) -> tuple[Reals, Reals]:
     """Two policies of which no action has a probability of 0; in eighths, so that a student can follow them."""
     first = rng.integers(1, 8, (2, N_STATES)) / 8
@@ -128,8 +132,8 @@ def _episode(rng: np.random.Generator, length: int) -> Episode:
 
 
 def _judgings(rng: np.random.Generator) -> list[Judging]:
-    """Make up episodes of several lengths."""
-    return [([_episode(rng, n) for n in lengths], *_policies(rng)) for lengths in ((2, 3), (1, 2, 4), (3, 3, 2))]
+    """Make up episodes of several lengths; first one alone, which is worth its return, whatever it weighs."""
+    return [([_episode(rng, n) for n in lengths], *_policies(rng)) for lengths in ((2,), (2, 3), (1, 2, 4), (3, 3, 2))]
 
 
 def exercise_1(answer: Any, seed: int, discount: Discount = 1.0) -> str:
@@ -148,7 +152,8 @@ def exercise_1(answer: Any, seed: int, discount: Discount = 1.0) -> str:
             raise WrongAnswer(f"{call} changes something that it is given, which others may still need")
         mistakes = {why: right(case, **change) for why, change in WEIGHED_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
-    compare_all(cases)
+    alone = same(cases[0].found, cases[0].expected)
+    compare_all(cases, WEIGHTS if alone else SUMS)
     return "Right: an episode counts as much as the other policy would rather have played it."
 
 
@@ -229,6 +234,10 @@ CORRECTED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
+LATER = "an episode of one step is right, so look at what comes later, and at where it is kept"
+ONE_STEP = "that is wrong from one step on: an episode of one step is worth V(s) + ρ (R − Q(s, a))"
+
+
 def _correctings(rng: np.random.Generator) -> list[Correcting]:
     """Make up an episode of one step, and longer ones."""
     return [
@@ -255,112 +264,9 @@ def exercise_2(answer: Any, seed: int, discount: Discount = 1.0) -> str:
             raise WrongAnswer(f"{call} changes something that it is given, which others may still need")
         mistakes = {why: right(case, **change) for why, change in CORRECTED_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
-    compare_all(cases)
+    one_step = same(cases[0].found, cases[0].expected)
+    compare_all(cases, LATER if one_step else ONE_STEP)
     return "Right: what is believed, corrected wherever a reward or a next step tells otherwise."
-
-
-Step = tuple[int, int, float, int, bool]
-"""State, action, reward, next state, and whether the task ended."""
-Sweep = tuple[list[Step], Reals, float, float]
-"""Steps, the values before, the penalty, and the lowest value."""
-
-
-def swept(
-    case: Sweep,
-    *,
-    sign: float = 1.0,
-    over: str = "root",
-    fit: str = "mean",
-    unseen: str = "lowest",
-    floor: str = "max",
-    end: str = "right",
-    future: str = "largest",
-    per: str = "pair",
-    discount: float = 1.0,
-) -> Reals:
-    """Return the values after one sweep; other arguments than the defaults are mistakes."""
-    steps, before, penalty, lowest = case
-    targets: dict[tuple[int, int], list[float]] = {}
-    for s, a, r, after, terminated in steps:
-        if terminated and end == "skipped":
-            continue
-        V = {
-            "own": before[s].max(),
-            "largest": before[after].max(),
-            "mean": before[after].mean(),
-            "same action": before[after, a],
-        }[future]
-        going_on = {"always": True, "never": False}.get(end, not terminated)
-        earned = 0.0 if terminated and end == "worth 0" else r
-        targets.setdefault((s, a), []).append(earned + (discount * float(V) if going_on else 0.0))
-    Q = {
-        "lowest": np.full_like(before, lowest),
-        "zero": np.zeros_like(before),
-        "before": before.copy(),
-        "penalty": np.full_like(before, -penalty),
-    }[unseen]
-    for (s, a), seen in targets.items():
-        n = len(seen)
-        taken = {"pair": n, "state": sum(1 for one in steps if one[0] == s), "all": len(steps)}[per]
-        fitted = {"mean": float(np.mean(seen)), "sum": sum(seen), "last": seen[-1], "best": max(seen)}[fit]
-        size = {
-            "root of both": np.sqrt(penalty / n),
-            "root": penalty / np.sqrt(taken),
-            "n": penalty / taken,
-            "one": penalty,
-            "times": penalty * np.sqrt(n),
-        }
-        Q[s, a] = fitted - sign * {**size, "none": 0.0}[over]
-        if floor != "none":
-            Q[s, a] = {"max": max, "min": min}[floor](lowest, Q[s, a])
-    return Q
-
-
-SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
-    "the penalty is added; that is a bonus, which draws to what is known badly, as when exploring": {"sign": -1.0},
-    "the penalty is divided by n; the error of a mean goes down with √n": {"over": "n"},
-    "the penalty does not get smaller with n": {"over": "one"},
-    "the penalty is multiplied by √n; what is known well should cost less": {"over": "times"},
-    "the penalty is under the root, too; only n is": {"over": "root of both"},
-    "the penalty is left out: that is fitted Q as it is, with the lowest value for what is unseen": {"over": "none"},
-    "n counts all steps from the state; it counts those with this action": {"per": "state"},
-    "n counts all steps that there are; it counts those of the pair": {"per": "all"},
-    "the targets are added up; fit their mean": {"fit": "sum"},
-    "the last target of each pair stays; fit the mean of all of them": {"fit": "last"},
-    "the best target of each pair stays; fit the mean of all of them": {"fit": "best"},
-    "pairs without a step are 0; a pessimist gives them the lowest value": {"unseen": "zero"},
-    "pairs without a step keep their value; a pessimist gives them the lowest value": {"unseen": "before"},
-    "pairs without a step get the penalty as a value; a pessimist gives them the lowest value": {"unseen": "penalty"},
-    "some values are below the lowest one there is": {"floor": "none"},
-    "of the value and the lowest one it takes the smaller; max(...) takes the larger": {"floor": "min"},
-    "what comes after the end is counted: where `terminated` is True the target is the reward alone": {"end": "always"},
-    "what comes after a step is left out: where the task goes on, add the largest value of the next state": {
-        "end": "never"
-    },
-    "the reward of the last step is lost: where `terminated` is True it is the target": {"end": "worth 0"},
-    "steps that end are left out; their target is the reward alone": {"end": "skipped"},
-    "that is the largest value of the state itself; take that of the *next* state": {"future": "own"},
-    "the next state counts with its mean value; take the largest": {"future": "mean"},
-    "the next state counts with the value of the same action; take the largest": {"future": "same action"},
-}
-
-
-def _sweeps(rng: np.random.Generator) -> list[Sweep]:
-    """Make up steps: some pairs come several times, some never, and one value would be below the lowest."""
-    made = list[Sweep]()
-    for penalty, n_steps in ((2.0, 6), (3.0, 8), (12.0, 7)):
-        steps: list[Step] = [
-            (
-                int(rng.integers(2)),
-                int(rng.integers(N_ACTIONS)),
-                float(rng.integers(-3, 6)),
-                int(rng.integers(N_STATES)),
-                bool(rng.random() < 0.3),
-            )
-            for _ in range(n_steps)
-        ]
-        made.append((steps, rng.integers(-3, 6, (N_STATES, N_ACTIONS)).astype(float), penalty, -9.0))
-    return made
 
 
 def exercise_3(answer: Any, seed: int, discount: Discount = 1.0) -> str:
@@ -368,7 +274,7 @@ def exercise_3(answer: Any, seed: int, discount: Discount = 1.0) -> str:
     require_function("pessimistic_sweep", answer, "steps, Q, penalty and lowest")
     right = partial(swept, discount=discount)
     rules: list[Callable[[Any], Any]] = [right, *(partial(right, **change) for change in SWEPT_MISTAKES.values())]
-    cases = _sweeps(telling_draw(seed, _sweeps, rules))
+    cases = made_up_sweeps(telling_draw(seed, made_up_sweeps, rules))
     found, calls = [], []
     for steps, before, penalty, lowest in cases:
         call = f"pessimistic_sweep({steps}, {before.tolist()}, {penalty:g}, {lowest:g})"
@@ -383,5 +289,5 @@ def exercise_3(answer: Any, seed: int, discount: Discount = 1.0) -> str:
             raise WrongAnswer(f"{call} changes the steps that it is given, which others may still need")
         found.append(table_of(call, made, before.shape))
         calls.append(call)
-    compare_tables(cases, found, calls, SWEPT_MISTAKES, right)
+    compare_tables(cases, found, calls, SWEPT_MISTAKES, right, otherwise=lambda _: where_wrong(cases, found, right))
     return "Right: every target at once, from the old table, and less for what is hardly known."

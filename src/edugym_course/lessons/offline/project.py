@@ -11,9 +11,9 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, Policy, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.offline.exercises import Step
 from edugym_course.lessons.offline.methods import PESSIMISTIC, best_of, clock, learn, morning
 from edugym_course.lessons.offline.riddles import N_ACTIONS, RIDDLES, log_book
+from edugym_course.lessons.offline.sweeps import Step
 
 TASK = morning(length=10, ring=6.0, late=30.0)
 """Longer and dearer than that of the lesson."""

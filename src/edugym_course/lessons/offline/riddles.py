@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from edugym.mdp.protocol import Random
-from edugym_course.lessons.offline.exercises import Step
+from edugym_course.lessons.offline.sweeps import Step
 
 LENGTH = 10
 N_ACTIONS = 3

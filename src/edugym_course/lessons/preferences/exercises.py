@@ -11,11 +11,11 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables, table_of
-from edugym_course.grading.values import given, in_brackets, number, unlike
+from edugym_course.grading.values import UNUSUAL_NUMBER, all_same, given, in_brackets, number, same, unlike
 
 FAR = 10_000.0
 """How much two nights may differ: far more than an exponential can take."""
@@ -65,6 +65,15 @@ Lead = Annotated[
 ]
 
 
+def _as_sigmoid(cases: Sequence[NumberCase]) -> str:
+    """Return of which number an unusual probability is σ, and of which it should be."""
+    case = next((one for one in cases if not same(one.found, one.expected)), cases[0])
+    if not 0 < case.found < 1:
+        return UNUSUAL_NUMBER
+    found, x = (math.log(p / (1 - p)) for p in (case.found, case.expected))
+    return f"that is σ({found:.4g}), and should be σ({x:.4g})"
+
+
 def exercise_1(answer: Any, seed: int, lead: Lead = 0.0) -> str:
     """Check the probability of a preference, also of nights that are far apart; the first may have a lead."""
     require_function("prefers", answer, "first, second and noise")
@@ -77,7 +86,7 @@ def exercise_1(answer: Any, seed: int, lead: Lead = 0.0) -> str:
         counts = first + lead
         mistakes = {why: mistake(counts, second, noise) for why, mistake in PREFERENCE_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), _p(counts, second, noise), mistakes))
-    compare_all(cases)
+    compare_all(cases, _as_sigmoid(cases))
     for first, second, expected in ((FAR, 0.0, 1.0), (0.0, FAR, 0.0)):
         call = f"prefers({first:g}, {second:g}, 1)"
         with student_code(call), np.errstate(over="ignore", invalid="ignore"):
@@ -205,6 +214,21 @@ Sure = Annotated[
 ]
 
 
+def _error_of(cases: Sequence[Comparison], found: Sequence[Reals], rule: Callable[[Comparison], Reals]) -> str:
+    """Return what an unusual step has as α (y − p), and what it should be, if it changes the right entries."""
+    for case, mine in zip(cases, found, strict=True):
+        steps, expected = mine - case[0], rule(case) - case[0]
+        at = np.unravel_index(np.abs(expected).argmax(), expected.shape)
+        share = float(steps[at] / expected[at])
+        if not all_same(steps, share * expected):
+            return UNUSUAL
+        if not same(share, 1.0):
+            rest = stepped(case, p_of="none", target="always") - case[0]  # α times the counts
+            found_error, error = (float(change[at] / rest[at]) for change in (steps, expected))
+            return f"the right entries change, but the error y − p is {found_error:.4g} here, and should be {error:.4g}"
+    return UNUSUAL
+
+
 def exercise_2(answer: Any, seed: int, sure: Sure = 1.0) -> str:
     """Check one gradient step for one comparison, which may be trusted less than wholly."""
     require_function("learn", answer, "rewards, first, second, prefers_first and learning_rate")
@@ -224,7 +248,8 @@ def exercise_2(answer: Any, seed: int, sure: Sure = 1.0) -> str:
         if unlike(nights, (one, other)):
             raise WrongAnswer(f"{call} changes one of the nights, which others may still need")
         calls.append(call)
-    compare_tables(cases, found, calls, STEP_MISTAKES, partial(stepped, sure=sure))
+    right = partial(stepped, sure=sure)
+    compare_tables(cases, found, calls, STEP_MISTAKES, right, otherwise=lambda _: _error_of(cases, found, right))
     return "Right: the error, times the rate, times where the two nights differ. What both did alike has not changed."
 
 

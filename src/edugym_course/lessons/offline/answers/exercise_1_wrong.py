@@ -117,3 +117,22 @@ weighted_estimate = np.zeros(3)
 # in: two sums
 # - return total / weights
 # + return total / sum(len(episode) for episode in episodes)
+
+
+# %% weights squared
+# says: one episode alone is right, so look at the weights, and at what each episode begins with
+def weighted_estimate(episodes, target, behaviour):
+    total = weights = 0.0
+    for episode in episodes:
+        weight = np.prod([(target[s, a] / behaviour[s, a]) ** 2 for s, a, _ in episode])
+        total += weight * sum(r for *_, r in episode)
+        weights += weight
+    return total / weights
+
+
+# %% without the first step
+# says: with one episode its weight cancels, and its return is left: look at the return, and at the two sums
+def weighted_estimate(episodes, target, behaviour):
+    weights = [np.prod([target[s, a] / behaviour[s, a] for s, a, _ in episode]) for episode in episodes]
+    returns = [sum(r for *_, r in episode[1:]) for episode in episodes]
+    return np.average(returns, weights=weights)

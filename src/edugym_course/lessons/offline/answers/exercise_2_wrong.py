@@ -133,3 +133,15 @@ doubly_robust_value = 0.5
 # in: from the end
 # - value = V + rho * (reward + value - Q[state, action])
 # + value = rho * (reward + value)
+
+# %% less what comes later
+# says: an episode of one step is right, so look at what comes later, and at where it is kept
+# in: from the end
+# - value = V + rho * (reward + value - Q[state, action])
+# + value = V + rho * (reward - value - Q[state, action])
+
+# %% a ratio squared
+# says: that is wrong from one step on: an episode of one step is worth V(s) + ρ (R − Q(s, a))
+# in: from the end
+# - rho = target[state, action] / behaviour[state, action]
+# + rho = (target[state, action] / behaviour[state, action]) ** 2

@@ -170,3 +170,41 @@ pessimistic_sweep = np.zeros((3, 2))
 # in: lists of targets
 # - return new
 # + return new.astype(int)
+
+# %% a search from 0
+# says: the search for the largest value starts at 0, and all may be lower: start at -math.inf
+# says: the search for the largest value starts at
+# says: , and all may be lower: start at -math.inf
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward if terminated else reward + max(0, *Q[next_state])
+
+# %% the smallest
+# says: the next state counts with its smallest value; take the largest
+# in: lists of targets
+# - target = reward if terminated else reward + Q[next_state].max()
+# + target = reward if terminated else reward + Q[next_state].min()
+
+# %% the worst target
+# says: the worst target of each pair stays; fit the mean of all of them
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, min(values) - penalty / np.sqrt(len(values)))
+
+# %% the median
+# says: the median of the targets is fitted; fit their mean
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.median(values) - penalty / np.sqrt(len(values)))
+
+# %% one more step
+# says: pairs with no step are right, so look at those with one step that ends or with one step that goes on or with several steps
+# says: pairs with
+# says: are right, so look at those with
+# says: one step that ends
+# says: one step that goes on
+# says: several steps
+# says: or with
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values) + 1))

@@ -67,7 +67,8 @@
 
 # %% the last action is never drawn
 # says: tries the action 3
-# says: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
+# says: times where another one looks better, and with ε =
+# says: times: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
 # in: the next action is kept
 # - return rng.integers(len(values))
 # + return rng.integers(len(values) - 1)

@@ -129,3 +129,11 @@ import math
 
 def prefers(first, second, noise):
     return 1 / (1 + math.exp(-(first - second) / noise))
+
+
+# %% the noise taken off
+# says: : that is σ(0), and should be σ(1)
+# says: that is σ(
+# says: ), and should be σ(
+def prefers(first, second, noise):
+    return 0.5 * (1 + np.tanh((first - second - noise) / 2))

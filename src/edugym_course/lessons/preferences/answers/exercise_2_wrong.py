@@ -262,3 +262,11 @@ def learn(rewards, first, second, prefers_first, learning_rate):
     for pair in second:
         new[pair] = rewards[pair] - step
     return new
+
+
+# %% the first night's return
+# says: the right entries change, but the error y − p is
+# says: here, and should be
+# in: with counts
+# - p = 1 / (1 + np.exp(-(rewards * difference).sum()))
+# + p = 1 / (1 + np.exp(-sum(rewards[pair] for pair in first)))
