@@ -53,6 +53,7 @@ RARELY, ENOUGH = 0.25, 30
 AT_ONCE = 100
 """How many steps a mistake goes on, before another one that is more probable may."""
 SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
+FALLS = "Their share falls during a run: ε should be the same from the first step to the last"
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
 
 
@@ -146,6 +147,10 @@ class Surprises(NamedTuple):
     def of(cls, rows: Iterable[Row]) -> "Surprises":
         """Those of a replay."""
         return cls(*np.array([*rows], float).T)
+
+    def among(self, steps: Reals) -> "Surprises":
+        """Those in some of the steps, by a truth value for each."""
+        return Surprises(*(one[steps] for one in self))
 
     @property
     def expected(self) -> float:
@@ -304,7 +309,8 @@ class Rule:
             return
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
-            cause = SWAPPED
+            late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
+            cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
         elif is_better and likely.explains_those_of(right):
             cause = f"They fit a usual mistake: {sentence}"
         else:

@@ -95,7 +95,7 @@ finds.measured(100 * settled)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 15 %, hardly more than the tenth that a blind choice finds. The first arm that pays has a mean above 0, for ever; the other means stay 0, since nobody pulls them. A mean becomes
+# **Measured.** 15 %, hardly more than the tenth that a blind choice finds. The first arm that pays has a mean above 0, for ever; the other means stay 0: those arms did not pay, and nobody pulls them any more. A mean becomes
 # right only for an arm that is pulled. So greedy stays with the first arm that pays. That is the best one with the probability $0.6 / (0.6 + 9 \cdot 0.4)$,
 # or 1/7. If each arm was tried 30 times first, greedy finds the best one in 98 %. It came out so with five arms too, and with a gap of 0.4.
 # </details>
@@ -274,7 +274,7 @@ dearest.measured(max(dearest.options, key=paid.get))
 
 # %% [markdown]
 # ### First try all, then choose?
-# A fair test: pull each arm 100 times, which is a tenth of all pulls. Then take the arm with the largest mean.
+# A fair test: pull each arm 100 times, which is a tenth of all pulls. Then be greedy.
 #
 # **Predict.** Thompson sampling had a regret of 108. What is it for this fair test?
 
@@ -290,14 +290,14 @@ for tries in (10, 30, 100, 300):
 paid = [methods.pulls("Thompson sampling", gap=gap).regret().mean() for gap in (0.1, 0.2, 0.4)]
 print("Thompson sampling" + "".join(f"{cost:10.0f}" for cost in paid))
 few = methods.pulls(methods.tries_first(10)).settled().mean()
-print(f"after 10 tries of each arm, at a gap of 0.2, a worse arm wins in {1 - few:.0%} of the runs")
+print(f"with 10 tries of each arm, at a gap of 0.2, {1 - few:.0%} of the runs end with a worse arm")
 fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
-# too few (332): in 15 % of the runs a worse arm wins. Thirty would have been right here (97), but not for a gap of 0.1, where 30 tries cost more than 100, and not for one of 0.4, where 10 cost less. With the right number the fair
+# too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
 # test costs hardly more than Thompson sampling at any of these gaps, or even less. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
 # </details>
 

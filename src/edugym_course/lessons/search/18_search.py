@@ -252,7 +252,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. With another door, or a discount of 0.9, it came out the same.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
-# gain 0.5 a game, and four or more gain nothing. (Who knows the opponent gains 0.5 and 1.)
+# gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
 # </details>
 
 # %% [markdown]

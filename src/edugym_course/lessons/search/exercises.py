@@ -63,6 +63,7 @@ def bounded(
         "log of base 2": log(n_node, 2) / count,
         "log of one more": log(n_node + 1) / count,
         "twice the log": 2 * log(n_node) / count,
+        "AlphaZero": n_node / (n_action + 1) ** (1 / power),
     }[inside]
     bonus = ratio if times == "no root" else ratio**power
     bonus *= {"c": c, "none": 1.0, "inside": c**power, "no root": c}[times]
@@ -77,6 +78,7 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "N(node, a) is missing: then all actions get the same bonus": {"inside": "no count"},
     "only the logarithm is under the root; N(node, a) belongs there, too": {"inside": "root of the log alone"},
+    "that is the bonus of AlphaZero, √N(node) / (1 + N(node, a)); here it has a logarithm": {"inside": "AlphaZero"},
     "the root is missing": {"times": "no root"},
     "c is missing": {"times": "none"},
     "c stands under the root; it is outside": {"times": "inside"},
@@ -119,7 +121,9 @@ def exercise_1(answer: Any, seed: int, power: Power = 0.5) -> str:
         found = answer(-3.0 - seed % 3, 0, 7, 2.0)
     given(call, found)
     if found != inf:
-        raise WrongAnswer(f"{call} should be infinite, but is {found}: {UNTRIED}")
+        raise WrongAnswer(
+            f"{call} should be infinite, but is {repr(found) if isinstance(found, str) else found}: {UNTRIED}"
+        )
     return "Right: who was tried seldom gets the benefit of the doubt."
 
 
@@ -150,7 +154,7 @@ def backed_up(
     """Return values and counts after a simulation, shape (2, nodes, A); other arguments are mistakes."""
     values, counts = case.values.copy(), case.counts.astype(float)
     discount = 1.0 if gamma == "one" else case.discount
-    G = case.G if start == "roll-out" else 0.0
+    G = {"nothing": 0.0, "discounted": discount * case.G}.get(start, case.G)
     entries = case.path if order in ("first first", "rewards alone") else case.path[::-1]
     rewards = case.rewards if order in ("first first", "path alone") else case.rewards[::-1]
     if reward == "root":
@@ -159,22 +163,26 @@ def backed_up(
     for place, (entry, own) in enumerate(zip(entries, rewards, strict=True)):
         earned, target = own - cost, G
         if reward == "all":
-            G = discount * (earned + G) if gamma == "all" else earned + discount * G
+            follows = case.G if start == "each" else G
+            G = discount * (earned + follows) if gamma == "all" else earned + discount * follows
         elif reward == "last" and place == 0:
             G = earned + discount * G
         if moved != "late":
             target = G
         at_root = place == len(rewards) - 1
-        if (which == "root" and not at_root) or (which == "below the root" and at_root):
+        if {"root": not at_root, "below the root": at_root, "last": place > 0}.get(which, False):
             continue
         where = entry[0] if which == "row" else entry
         more = {"before": 1, "kept": 1, "after": 0, "two more": 2, "node": 1}[count]
         n = np.maximum((counts[entry[0]].sum() if count == "node" else counts[where]) + more, 1)
         error = target - values[where]
-        values[where] += {"mean": error / n, "whole": error, "sum": target, "only": target / n}[step]
+        change = {"mean": error / n, "whole": error, "sum": target, "only": target / n, "best": np.maximum(error, 0.0)}
+        values[where] += change[step]
         counts[where] += 0 if count == "kept" else 1
         if moved == "highest":
             G = float(values[entry[0]].max())
+        elif moved == "mean":
+            G = float(values[entry])
     return np.stack([values, counts])
 
 
@@ -183,14 +191,19 @@ BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     " by then": {"order": "first first"},
     "the discount is left out": {"gamma": "one"},
     "every node gets the same return: on the way up each reward is added to what followed it": {"reward": "last"},
+    "every node gets the return of the roll-out as it is; on the way up the rewards are added": {"reward": "none"},
+    "behind each reward follows the return of the roll-out; what follows is the G of the step after": {"start": "each"},
+    "γ stands before the return of the roll-out once too often": {"start": "discounted"},
     "the return of the roll-out is left out; G begins with it": {"start": "nothing"},
     "a value becomes the latest return; it is the *mean* of all": {"step": "whole"},
+    "a value becomes the highest return; it is the *mean* of all": {"step": "best"},
     "a value becomes the sum of the returns; it is their mean": {"step": "sum"},
     "− Q(node, A) is left out: the return takes the place of the error": {"step": "only"},
     "the error is divided by the number before this simulation: first count, then divide": {"count": "after"},
     "the error is divided by one too many: this simulation counts once": {"count": "two more"},
     "the simulation is not counted: N(node, A) goes up by 1": {"count": "kept"},
     "only the root learns; every node on the path does": {"which": "root"},
+    "only the last node on the path learns: does a `return` stand inside the loop?": {"which": "last"},
     "the root does not learn; every node on the path does": {"which": "below the root"},
     "only `path` is gone through from its end; `rewards` goes with it": {"order": "path alone"},
     "only `rewards` is gone through from its end; `path` goes with it": {"order": "rewards alone"},
@@ -200,6 +213,7 @@ BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the error is divided by all choices in the node; N(node, A) counts this action alone": {"count": "node"},
     "all actions of a node change; only the one that was taken does": {"which": "row"},
     "the highest value of a node is passed on; it is the return of this simulation": {"moved": "highest"},
+    "the new value of a node is passed on; it is the return of this simulation": {"moved": "mean"},
 }
 
 
@@ -267,6 +281,7 @@ def looked_ahead(
     count: int = 0,
     gamma: str = "right",
     reward: str = "all",
+    looked_up: str = "next",
     discount: float = 0.9,
 ) -> float:
     """Return the value of a state, by recursion; other arguments than the defaults are mistakes."""
@@ -280,7 +295,10 @@ def looked_ahead(
             seen = {"first": outcomes[:1], "likely": [max(outcomes)], "to an end": outcomes[: last + 1]}
             parts = []
             for p, after, r, terminated in seen.get(chance, outcomes):
-                follows = 0.0 if terminated and end != "beyond" else value(after, depth - 1)
+                if terminated and end == "returned":
+                    return r
+                following = after if looked_up == "next" else state
+                follows = 0.0 if terminated and end != "beyond" else value(following, depth - 1)
                 earned = r if reward == "all" or depth <= 1 else 0.0
                 of_reward = 1.0 if chance in (*WITHOUT_CHANCE, "future") else p
                 of_future = 1.0 if chance in (*WITHOUT_CHANCE, "reward") else p
@@ -293,6 +311,7 @@ def looked_ahead(
             of_actions.append(total)
         return {
             "best": max(of_actions),
+            "number": float(np.argmax(of_actions)),
             "mean": sum(of_actions) / len(of_actions),
             "worst": min(of_actions),
             "first": of_actions[0],
@@ -312,6 +331,8 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the actions are added up; you will take the best": {"choice": "sum"},
     "only action 0 is looked at": {"choice": "first"},
     "that is the value of the worst action": {"choice": "worst"},
+    "the *number* of the best action is returned; return what it is worth": {"choice": "number"},
+    "what follows is that of the same state again; it is that of the *next* state": {"looked_up": "same"},
     "it looks beyond the end: where `terminated` is True nothing follows": {"end": "beyond"},
     "the probabilities are left out": {"chance": "none"},
     "only the first outcome of each action is looked at": {"chance": "first"},
@@ -320,6 +341,9 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "γ is left out": {"gamma": "one"},
     "the first reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
     "only the last reward counts; each step's is added": {"reward": "last"},
+    "the reward of an outcome that ends is returned at once; it is one of several, each with its probability": {
+        "end": "returned"
+    },
     "the reward of the step that ends the task is lost; only what would follow it is 0": {"end": "dropped"},
     "the best action is looked for from 0 on, and all may be worth less: begin with float('-inf')": {
         "choice": "from 0"

@@ -86,11 +86,12 @@ ROUND = Riddle(
     written({ROOT: ((10.0, END), (9.7, 1), (9.7, 1)), 1: ((0.0, 2),) * 3, 2: ((0.0, 1),) * 3}),  # round for ever
 )
 """Here roll-outs are long, so that searches with other random numbers ask other things."""
+ONE_PAYS_MOST = written({ROOT: ((90.0, END), (50.0, END), (50.0, END))})
 RIDDLES = (
     Riddle(
         "every action gains, and one gains most",
         BASICS,
-        written({ROOT: ((90.0, END), (50.0, END), (50.0, END))}),
+        ONE_PAYS_MOST,
     ),
     Riddle(
         "the best action seldom pays, but then much",
@@ -107,6 +108,12 @@ RIDDLES = (
         "chance says where the best action leads, and each place wants another action",
         "is a node a state with the way to it? After one action two states may follow, and each is a node of its own",
         crossing,
+    ),
+    Riddle(
+        "one action pays most, and each is simulated once",
+        "is the action with the highest *value* returned, and not the one that was simulated most often?",
+        ONE_PAYS_MOST,
+        n_simulations=N_ACTIONS,
     ),
     Riddle(
         "two losses come before a gain",
@@ -170,6 +177,7 @@ class Model:
     Attributes:
         from_root: how often each action was simulated from the root, by its number in the riddle.
         asked: all actions that it was asked for, in order.
+        first: the action that was asked for first, by its number for the program; None at the beginning.
         slip: the sentence of the first thing that was refused, "" if there is none.
         n_simulations: how many there are to be; a few more in each run, so that it is not always the same one that a
             bonus would choose.
@@ -180,6 +188,7 @@ class Model:
         rng = np.random.default_rng([seed, 18])
         self.from_root = np.zeros(N_ACTIONS, int)
         self.asked: list[int] = []
+        self.first: int | None = None
         self.slip = ""
         few = riddle.n_simulations < N_SIMULATIONS
         self.n_simulations = riddle.n_simulations + (0 if few else seed % RUNS)
@@ -191,7 +200,8 @@ class Model:
     def __call__(self, state: Any, action: Any) -> tuple[float, int, bool]:
         """Return what follows: the reward, the next state, and whether it is the end."""
         place = self._place(state)
-        taken = self.meant(action_of("the action that is given to the model", action, N_ACTIONS))
+        given = action_of("the action that is given to the model", action, N_ACTIONS)
+        self.first, taken = given if self.first is None else self.first, self.meant(given)
         self.asked.append(taken)
         if place == ROOT:
             self._begin(taken)
@@ -246,11 +256,13 @@ class Found(NamedTuple):
         action: the action, by its number in the riddle.
         from_root: how often each was simulated from the root.
         asked: all actions that were simulated, in order.
+        first: the first of them, by its number for the program.
     """
 
     action: int
     from_root: Integers
     asked: list[int]
+    first: int | None
 
 
 def search(program: Any, riddle: Riddle, seed: int) -> Found:
@@ -278,7 +290,7 @@ def search(program: Any, riddle: Riddle, seed: int) -> Found:
             f"{call} simulates from the root {begun} times, and it should {model.n_simulations} times: a search is a"
             " loop of n_simulations, each from the root to its end"
         )
-    return Found(taken, model.from_root, model.asked)
+    return Found(taken, model.from_root, model.asked, model.first)
 
 
 def solved(riddle: Riddle, found: Found) -> bool:
@@ -323,15 +335,22 @@ def require_repeatable(program: Any, seed: int) -> None:
 def project_18(answer: Any, seed: int) -> str:
     """Check a program that searches: in every riddle it must find the right action, in nearly all runs."""
     require_function(NAME, answer, "model, n_actions, state, n_simulations and seed")
+    begun = set()
     for number_of_riddle, riddle in enumerate(RIDDLES):
         if number_of_riddle == BEFORE_COUNTS:
             require_bound(answer, seed)
         runs = [search(answer, riddle, RUNS * seed + number) for number in range(RUNS)]
         right = sum(solved(riddle, found) for found in runs)
+        begun |= {found.first for found in runs}
         if right < RUNS - MOST_SLIPS:
             why = "" if nobody_asks_why() else f": {riddle.why}"
             raise WrongAnswer(
                 f"in a task in which {riddle.told}, it finds the right action in {right} of {RUNS} searches{why}"
             )
+    if len(begun) == 1:
+        raise WrongAnswer(
+            f"{NAME} begins every search with the action {begun.pop()}, though none was tried yet: among equals draw"
+            " one at random"
+        )
     require_repeatable(answer, seed)
     return f"Right: it solves all {len(RIDDLES)} riddles, and asks of the model what a search may ask."

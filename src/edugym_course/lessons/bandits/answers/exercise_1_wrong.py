@@ -143,3 +143,15 @@ total_regret = 0.6
 # in: the solution of total_regret
 # - cost += max(p) - p[arm]
 # + return max(p) - p[arm]
+
+# %% the best arm of the lesson
+# says: it is compared with 0.6, which the best arm of the lesson pays; take the largest entry of p
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return sum(0.6 - p[arm] for arm in arms)
+
+# %% the gap of the lesson
+# says: each pull of a worse arm costs 0.2, as in the lesson; it costs the gap of its own arm
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return 0.2 * sum(p[arm] < max(p) for arm in arms)

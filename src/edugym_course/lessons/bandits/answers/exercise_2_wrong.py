@@ -222,3 +222,11 @@ upper_bounds = 1.0
 # in: with where
 # - return np.where(N > 0, Q + c * np.sqrt(np.log(t) / N), np.inf)
 # + return np.where(N > 0, 2 * Q + c * np.sqrt(np.log(t) / N), np.inf)
+
+
+# %% all infinite
+# says: as long as one arm was never pulled, all bounds are np.inf; each other arm has a bound of its own
+def upper_bounds(Q, N, c):
+    if 0 in N:
+        return np.full(len(Q), np.inf)
+    return Q + c * np.sqrt(np.log(N.sum() + 1) / N)

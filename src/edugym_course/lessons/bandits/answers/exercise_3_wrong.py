@@ -164,3 +164,17 @@ def gradient_update(H, arm, reward, mean, learning_rate):
     for a in range(len(H)):
         if a != arm:
             H[a] -= learning_rate * (reward - mean) * pi[a]
+
+
+# %% only after good rewards
+# says: a reward below the mean changes nothing; it makes the arm rarer
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + if reward > mean:
+# +     H += learning_rate * (reward - mean) * (indicator - pi)
+
+# %% the size of the difference
+# says: a reward below the mean makes the arm likelier; keep the sign of R − m
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H += learning_rate * abs(reward - mean) * (indicator - pi)

@@ -157,3 +157,9 @@
 # in: with lists
 # - return lambda state: int(np.argmax(means))
 # + return lambda state: int(np.argmax(means)) if rng.random() > 0.1 else int(rng.integers(n))
+
+# %% a falling ε
+# says: Their share falls during a run: ε should be the same from the first step to the last
+# in: sums of rewards
+# - if rng.random() < 0.1:
+# + if rng.random() < min(1, 200 / (t + 1)):

@@ -36,6 +36,10 @@ Before = Annotated[
 Cost = Annotated[float, step_cost()]
 
 
+PAYS, GAP = 0.6, 0.2
+"""The probability of the best arm of the lesson, and its gap; the exercise has others."""
+
+
 class Played(NamedTuple):
     """A bandit for exercise 1, and the arms that were pulled."""
 
@@ -62,11 +66,13 @@ def lost(
         "mean": sum(p) / len(p),
         "one": 1.0,
         "worst": min(p),
+        "lesson's": PAYS,
         "number": float(np.argmax(p)),
     }[best]
     gaps = {
         "gap": [top - mine for mine in pulled],
         "wrong": [float(mine < top) for mine in pulled],
+        "lesson's": [GAP * (mine < top) for mine in pulled],
         "earned": pulled,
         "negative": [mine - top for mine in pulled],
         "squared": [(top - mine) ** 2 for mine in pulled],
@@ -90,6 +96,8 @@ REGRET_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "it is compared with the best arm that was *pulled*; the best of all may never have been": {"best": "pulled"},
     "it is compared with the mean of all arms; compare with the best one": {"best": "mean"},
     "it is compared with an arm that always pays; compare with the best one that there is": {"best": "one"},
+    "it is compared with 0.6, which the best arm of the lesson pays; take the largest entry of p": {"best": "lesson's"},
+    "each pull of a worse arm costs 0.2, as in the lesson; it costs the gap of its own arm": {"each": "lesson's"},
     "the *number* of the best arm is taken; take its probability": {"best": "number"},
     "that is the number of pulls of worse arms; each costs as much as its arm pays less": {"each": "wrong"},
     "that is what the pulls earn on average; the regret is what the best arm would have earned more": {

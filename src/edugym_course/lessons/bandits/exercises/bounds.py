@@ -62,8 +62,9 @@ def bounds(
     found = {"right": Q + bonus, "none": bonus, "minus": Q - bonus, "times": Q * bonus, "scaled": factor * Q + bonus}[
         mean
     ]
-    never = {"infinite": np.inf, "zero": 0.0, "as one": found, "mean": Q, "low": -np.inf}[untried]
-    table: Reals = np.where(N > 0, found, never)
+    never = {"infinite": np.inf, "zero": 0.0, "as one": found, "mean": Q, "low": -np.inf}.get(untried, np.inf)
+    known = N.all() if untried == "all" else N > 0
+    table: Reals = np.where(known, found, never)
     return table
 
 
@@ -97,6 +98,9 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "an arm that was never pulled gets 0; its bound is np.inf, so that it comes first": {"untried": "zero"},
     "an arm that was never pulled counts as if it were pulled once; its bound is np.inf": {"untried": "as one"},
     "an arm that was never pulled gets its mean; its bound is np.inf, so that it comes first": {"untried": "mean"},
+    "as long as one arm was never pulled, all bounds are np.inf; each other arm has a bound of its own": {
+        "untried": "all"
+    },
     "an arm that was never pulled gets −np.inf, and so it comes last; its bound is np.inf": {"untried": "low"},
 }
 

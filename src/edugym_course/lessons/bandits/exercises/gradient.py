@@ -55,6 +55,8 @@ def preferred(
         "none": reward - cost,
         "added": reward - cost + mean,
         "greedy": reward - cost - float(H[arm]),
+        "only above": max(reward - cost - mean, 0.0),
+        "size": abs(reward - cost - mean),
     }[baseline]
     chosen = np.eye(len(H))[arm]
     direction = {
@@ -93,6 +95,8 @@ GRADIENT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "all arms count as equally probable; π follows from H": {"pi": "uniform"},
     "the mean reward is left out": {"baseline": "none"},
     "the mean reward is added; subtract it": {"baseline": "added"},
+    "a reward below the mean changes nothing; it makes the arm rarer": {"baseline": "only above"},
+    "a reward below the mean makes the arm likelier; keep the sign of R − m": {"baseline": "size"},
     "the preference of the arm stands in place of the mean reward": {"baseline": "greedy"},
     "H(A) moves towards the reward, as a mean does; a preference is no mean": {
         "baseline": "greedy",

@@ -110,3 +110,15 @@ upper_bound = 3.5
 # in: with a root
 # - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
 # + return q / n_action + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+
+# %% as in AlphaZero
+# says: that is the bonus of AlphaZero, √N(node) / (1 + N(node, a)); here it has a logarithm
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(n_node) / (1 + n_action) if n_action > 0 else inf
+
+# %% a text
+# says: should be infinite, but is 'inf': an action that was never tried comes first, so its bound is infinite
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else "inf"

@@ -142,3 +142,43 @@ back_up = [1, 2]
 # - values[node, action] = values[node, action] + (G - values[node, action]) / n
 # + values[node, action] = values[node, action] + (G - values[node, action]) / n
 # + G = values[node].max()
+
+# %% the roll-out alone
+# says: every node gets the return of the roll-out as it is; on the way up the rewards are added
+# in: from the end, by places
+# - G = rewards[place] + discount * G
+# + pass
+
+# %% the roll-out behind each reward
+# says: behind each reward follows the return of the roll-out; what follows is the G of the step after
+# in: sums
+# - returns = []
+# + returns, followed = [], G
+# - G = reward + discount * G
+# + G = reward + discount * followed
+
+# %% once too often
+# says: γ stands before the return of the roll-out once too often
+# in: sums
+# - returns = []
+# + returns, G = [], discount * G
+
+# %% the highest return
+# says: a value becomes the highest return; it is the *mean* of all
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = max(values[node, action], G)
+
+# %% a return in the loop
+# says: only the last node on the path learns: does a `return` stand inside the loop?
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + return
+
+# %% the value is passed on
+# says: the new value of a node is passed on; it is the return of this simulation
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + G = values[node, action]

@@ -148,3 +148,36 @@ look_ahead = 12
 # in: the solution of look_ahead
 # - value += probability * (reward + 0.9 * future)
 # + value += probability * (reward + 0.95 * future)
+
+# %% the number of the best action
+# says: the *number* of the best action is returned; return what it is worth
+# in: in one line
+# - return max(action_value(outcomes) for outcomes in model[state]) if depth else 0
+# + return np.argmax([action_value(outcomes) for outcomes in model[state]]) if depth else 0
+
+
+# %% the same state again
+# says: what follows is that of the same state again; it is that of the *next* state
+def look_ahead(model, state, depth):
+    if depth == 0:
+        return 0.0
+    return max(
+        sum(p * (r + 0.9 * look_ahead(model, state, depth - 1) * (not end)) for p, _, r, end in outcomes)
+        for outcomes in model[state]
+    )
+
+
+# %% returned at the end
+# says: the reward of an outcome that ends is returned at once; it is one of several, each with its probability
+def look_ahead(model, state, depth):
+    if depth == 0:
+        return 0
+    values = []
+    for outcomes in model[state]:
+        value = 0
+        for p, after, reward, terminated in outcomes:
+            if terminated:
+                return reward
+            value += p * (reward + 0.9 * look_ahead(model, after, depth - 1))
+        values.append(value)
+    return max(values)

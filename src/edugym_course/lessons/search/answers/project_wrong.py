@@ -215,3 +215,16 @@
 # %% a number
 # says: model, n_actions, state, n_simulations and seed
 my_program = 3
+
+# %% the action that was simulated most often
+# says: one action pays most, and each is simulated once
+# says: is the action with the highest *value* returned, and not the one that was simulated most often?
+# in: a loop and a path
+# - return int(np.argmax(np.where(N[()] > 0, Q[()], -np.inf)))
+# + return int(np.argmax(N[()]))
+
+# %% the untried ones in order
+# says: my_program begins every search with the action 0, though none was tried yet: among equals draw one at random
+# in: a loop and a path
+# - action = int(rng.choice(untried))
+# + action = int(untried[0])
