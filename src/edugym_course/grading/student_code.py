@@ -19,7 +19,10 @@ PACKAGES = tuple(map(str, own_folders()))
 
 FIELD = "write `self.` before a field or a method"
 HINTS = (
-    ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
+    (
+        "can't set attribute",
+        "the fields of a NamedTuple are fixed: change entries of its arrays, and give settings to `create`",
+    ),
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
     ("an array of several stands where one number", "compare single entries, not whole rows"),
     (

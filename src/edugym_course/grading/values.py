@@ -180,6 +180,23 @@ def unlike(found: Any, expected: Any) -> bool:
         return True
 
 
+def require_unchanged(call: str, name: str, mine: Any, before: Any) -> None:
+    """Refuse an answer that has changed the list or the array that it was given.
+
+    Args:
+        call: the call, for the sentence.
+        name: the name of the list or array.
+        mine: what the answer was given, as it is now.
+        before: the same as it was.
+
+    Raises:
+        WrongAnswer: they differ.
+    """
+    if not np.array_equal(mine, before) if isinstance(mine, np.ndarray) else unlike(mine, before):
+        kind = "array" if isinstance(mine, np.ndarray) else "list"
+        raise WrongAnswer(f"{call} changes its {kind} `{name}`; make a new one, for the caller still needs the old one")
+
+
 def digits(value: float, other: float) -> str:
     """Return a number with as many digits as tell it from another; a whole one with all of its digits."""
     if float(value).is_integer() and abs(value) < 1e15:

@@ -90,7 +90,7 @@ for n in (2, 4, 6, 8, 10, 13):
 # $$
 #
 # ### An episode, seen again
-# Three switches are off, 000, and should be on: $g = 111$. The agent flips switch 0, switch 1, and switch 0 again. It
+# Three switches are off, 000, and should be on: $g = 111$. (Switch 0 is the first digit.) The agent flips switch 0, switch 1, and switch 0 again. It
 # has reached 010, and missed its goal. But *if* the goal had been 010, the same steps would have been a success:
 #
 # | step | $s$ | $a$ | $s'$ | $r(s', g)$ for $g = 111$ | $r(s', g')$ for $g' = 010$ | terminated for $g'$ |
@@ -106,7 +106,8 @@ for n in (2, 4, 6, 8, 10, 13):
 # may learn from steps that were meant for another goal.
 #
 # Which goals $g'$? Two strategies are usual. 'final' takes what the last step achieved. 'future' draws, for each step and $k$
-# times, one of the steps from there on, and takes what it achieved.
+# times, one of the steps from there on, and takes what it achieved. (In the code both return the number of that step; `draw` is
+# a random number from 0 to 1.)
 
 # %%
 source(FinalGoal.achieved_after)
@@ -139,6 +140,7 @@ for row, action in np.argwhere(agent.Q != -9.0):
 # ### The same for a network
 # A table learns each pair of a state and a goal alone. A network that sees both patterns has one set of weights for all
 # pairs. `HindsightDQN` is the DQN of lesson 4; its memory gets each transition again, with other goals.
+# (`row` is the place of a transition there, and `goal_row` that of the step whose pattern becomes its goal.)
 
 # %%
 source(HindsightDQN.remember_for)
@@ -225,8 +227,8 @@ sliders(one_network, n_switches=(2, 9), hindsight=["no hindsight", "final", "fut
 # <details><summary>What came out</summary>
 #
 # In 10 000 steps and without hindsight four switches were learned, five hardly, and six not at all. With 'future' and eight
-# switches it hardly mattered how much the network explored: with $\varepsilon = 0$ and with $\varepsilon = 1$ it returned
-# about $-3.2$.
+# switches it mattered little how much the network explored: with $\varepsilon = 0$ and with $\varepsilon = 1$ it returned
+# between $-3$ and $-4$.
 # </details>
 
 # %% [markdown]
@@ -282,7 +284,7 @@ at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2
 #
 # **Measured.** About −3, as much as with ε = 0.1. While it learned it reached its goals no more often than random play. So
 # hindsight is not a way to explore: none of these flips came from it. It makes more of the same flips, of which the other
-# agent made nothing. And "an agent that does not reach its goal has nothing to learn from" is wrong: from each episode it
+# agent made nothing. And there *is* something to learn from a goal that was missed: from each episode it
 # learns how to reach the patterns that it *did* reach, and in the end the network knows the way to all.
 # </details>
 

@@ -16,7 +16,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own, use_your_own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import in_brackets, number, same
+from edugym_course.grading.values import in_brackets, number, require_unchanged, same
 from edugym_course.lessons.profiles.methods import (
     HOLE,
     Q_LEARNING,
@@ -133,8 +133,7 @@ def exercise_1(answer: Any, seed: int, times: Times = 1.0) -> str:
             raise WrongAnswer(f"{call} gives a number for each rung; their mean is wanted")
         found = number(call, found)
         for name, array in given.items():
-            if not np.array_equal(mine[name], array):
-                raise WrongAnswer(f"{call} changes its array `{name}`; make a new one")
+            require_unchanged(call, name, mine[name], array)
         cases.append(NumberCase(call, found, mean(share, weights), _mistakes(returns, low, high, weights)))
         if not same(found, cases[-1].expected):
             told = told or f"{NO_USUAL_SCORE} {in_brackets(share)}"

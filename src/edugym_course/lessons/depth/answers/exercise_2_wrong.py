@@ -133,7 +133,7 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 
 # %% the list is used up
-# says: changes its list `greedy`; leave it as it is, for the caller still needs it
+# says: changes its list `greedy`; make a new one, for the caller still needs the old one
 def importance_ratio(greedy, epsilon, n_actions):
     greedy.pop(0)
     return (1 - epsilon + epsilon / n_actions) ** -len(greedy) if all(greedy) else 0.0

@@ -18,7 +18,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.values import all_same, number, same
+from edugym_course.grading.values import all_same, number, require_unchanged, same
 from edugym_course.lessons.depth.exercises.cutting import cases, explained, outcomes
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, learn_from
 from edugym_course.lessons.depth.exercises.quiet import check_depth
@@ -132,8 +132,7 @@ def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -
         found = answer(mine, epsilon, n_actions)
     if isinstance(found, list | np.ndarray) and np.ndim(found) == 1:
         raise WrongAnswer(f"{call} gives several numbers: the ratio is their product, as of np.prod(...)")
-    if mine != greedy:
-        raise WrongAnswer(f"{call} changes its list `greedy`; leave it as it is, for the caller still needs it")
+    require_unchanged(call, "greedy", mine, greedy)
     return number(call, found)
 
 

@@ -136,3 +136,54 @@ def greedy(Q, state, goal):
 # says: , a whole number, but gives an array: return one of its entries
 def greedy(Q, state, goal):
     return np.flatnonzero(Q[state, goal] == Q[state, goal].max())
+
+
+# %% numbered from 1
+# says: the number is too high by 1: the first action is 0
+def greedy(Q, state, goal):
+    return np.argmax(Q[state, goal]) + 1
+
+
+# %% from action 1 on
+# says: action 0 is left out: begin the search there
+def greedy(Q, state, goal):
+    best = 1
+    for action in range(1, Q.shape[2]):
+        if Q[state, goal, action] > Q[state, goal, best]:
+            best = action
+    return best
+
+
+# %% up to the last but one
+# says: the last action is left out: range(n) ends at n − 1
+def greedy(Q, state, goal):
+    return max(range(Q.shape[2] - 1), key=lambda action: Q[state, goal, action])
+
+
+# %% returns too soon
+# says: it is always action 0: is a `return` reached before all actions were looked at?
+def greedy(Q, state, goal):
+    for action in range(Q.shape[2]):
+        return action
+
+
+# %% the second
+# says: the second highest value is taken
+def greedy(Q, state, goal):
+    return sorted(range(Q.shape[2]), key=lambda action: Q[state, goal, action])[-2]
+
+
+# %% the highest value is not kept
+# says: each value is compared with the first alone: keep the highest one so far
+def greedy(Q, state, goal):
+    best, highest = 0, Q[state, goal, 0]
+    for action, value in enumerate(Q[state, goal]):
+        if value > highest:
+            best = action
+    return best
+
+
+# %% the largest pair
+# says: it is always the last action, whatever the values are
+def greedy(Q, state, goal):
+    return max(enumerate(Q[state, goal]))[0]

@@ -65,7 +65,7 @@ def final(steps):
 
 
 # %% ends once
-# says: only the last step terminates; an earlier one that reaches the same pattern does as well
+# says: not only the last step terminates: an earlier one that reaches the same pattern does as well
 def final(steps):
     goal = steps[-1][2]
     return [
@@ -165,7 +165,7 @@ def final(steps):
 
 
 # %% changes what it is given
-# says: changes its list `steps`; make a new list
+# says: changes its list `steps`; make a new one, for the caller still needs the old one
 def final(steps):
     goal = steps[-1][2]
     for t, (s, a, then) in enumerate(steps):
@@ -219,3 +219,65 @@ def final(steps):
 def final(steps):
     goal = bin(steps[-1][2])
     return [(s, goal, a, 0.0 if bin(then) == goal else -1.0, then, bin(then) == goal) for s, a, then in steps]
+
+
+# %% returns in the loop
+# says: only the first step is there: is the `return` inside of the loop?
+def final(steps):
+    goal, made = steps[-1][2], []
+    for s, a, then in steps:
+        made.append((s, goal, a, 0.0 if then == goal else -1.0, then, then == goal))
+        return made
+
+
+# %% ends where the goal is
+# says: the steps after the first that reaches the goal are missing: learn all of them
+def final(steps):
+    goal, made = steps[-1][2], []
+    for s, a, then in steps:
+        made.append((s, goal, a, 0.0 if then == goal else -1.0, then, then == goal))
+        if then == goal:
+            break
+    return made
+
+
+# %% the goal after the action
+# says: the entries stand in another order; it is (state, goal, action, reward, next_state, terminated)
+def final(steps):
+    goal = steps[-1][2]
+    return [(s, a, goal, 0.0 if then == goal else -1.0, then, then == goal) for s, a, then in steps]
+
+
+# %% without the first
+# says: the first step is missing; it has the index 0
+def final(steps):
+    goal = steps[-1][2]
+    return [(s, goal, a, 0.0 if then == goal else -1.0, then, then == goal) for s, a, then in steps[1:]]
+
+
+# %% those that reach it
+# says: only the steps that reach the goal are there; the others are learned for it too
+def final(steps):
+    goal = steps[-1][2]
+    return [(s, goal, a, 0.0, then, True) for s, a, then in steps if then == goal]
+
+
+# %% sorted
+# says: the transitions are right, and do not stand in the order of the episode
+def final(steps):
+    goal = steps[-1][2]
+    return sorted((s, goal, a, 0.0 if then == goal else -1.0, then, then == goal) for s, a, then in steps)
+
+
+# %% the state twice
+# says: ; over all episodes next_state alone differs
+def final(steps):
+    goal = steps[-1][2]
+    return [(s, goal, a, 0.0 if then == goal else -1.0, s, then == goal) for s, a, then in steps]
+
+
+# %% the highest pattern
+# says: ; over all episodes goal and reward and terminated differ
+def final(steps):
+    goal = max(then for _, _, then in steps)
+    return [(s, goal, a, 0.0 if then == goal else -1.0, then, then == goal) for s, a, then in steps]

@@ -95,3 +95,22 @@ def future_goal(steps, t, rng):
 # says: of calls, which is none of the usual mistakes
 def future_goal(steps, t, rng):
     return steps[rng.integers(t, min(t + 2, len(steps)))][2]
+
+
+# %% without t
+# says: the draw begins at step 0, and so ends too early: add t to what is drawn
+def future_goal(steps, t, rng):
+    return steps[rng.integers(len(steps) - t)][2]
+
+
+# %% the action
+# says: that is the *action* of the step that was drawn; its next state is wanted
+def future_goal(steps, t, rng):
+    return steps[rng.integers(t, len(steps))][1]
+
+
+# %% in place
+# says: changes its list `steps`; make a new one, for the caller still needs the old one
+def future_goal(steps, t, rng):
+    del steps[:t]
+    return steps[rng.integers(len(steps))][2]

@@ -63,6 +63,7 @@
 # + for s, a, s2 in episode:
 
 # %% without the last step
+# slow
 # says: the last step is not learned again, and it is the one that achieves the new goal
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
@@ -84,6 +85,7 @@
 # + o, _ = environment.reset()
 
 # %% old rewards
+# slow
 # says: rewards and ends are the old ones, of the goal that was missed; a step that achieves the new one brings 0 and ends the episode
 # in: numbers for patterns
 # - r = 0.0 if s2 == new else -1.0
@@ -113,6 +115,7 @@
 # + target = r if s2 == new else r + 0.9 * Q[s2, g].max()
 
 # %% the old goal in the value
+# slow
 # says: the new goal stands beside the next state alone; the value of the state *with it* should move
 # in: numbers for patterns
 # - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
@@ -126,12 +129,14 @@
 # + pass
 
 # %% values from 0
+# slow
 # says: all values start at 0, so that what was never tried looks best; they should start at −10
 # in: numbers for patterns
 # - Q, rng = np.full((2**n, 2**n, n), -10.0), np.random.default_rng(seed)
 # + Q, rng = np.zeros((2**n, 2**n, n)), np.random.default_rng(seed)
 
 # %% no future
+# slow
 # says: γ max_a Q(S', G, a) is missing in the target
 # in: numbers for patterns
 # - target = r if terminated else r + 0.9 * Q[s2, g].max()
@@ -180,18 +185,21 @@
 # + target = r + 0.9 * Q[s2, g].max()
 
 # %% a truncated end
+# slow
 # says: a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has its value
 # in: numbers for patterns
 # - target = r if terminated else r + 0.9 * Q[s2, g].max()
 # + target = r if terminated or truncated else r + 0.9 * Q[s2, g].max()
 
 # %% the first of equals
+# slow
 # says: where several actions look best the first is taken, so it flips switch 0 for ever; draw one of them
 # in: numbers for patterns
 # - a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].max())))
 # + a = int(Q[s, g].argmax())
 
 # %% patterns without goals
+# slow
 # says: the goal has no part in the values: a row of the table is a pair of a pattern and a goal
 # in: numbers for patterns
 # - if rng.random() < 0.1:
@@ -203,3 +211,19 @@
 # + Q[s, 0, a] += 0.5 * (target - Q[s, 0, a])
 # - return lambda o: int(Q[o["achieved_goal"] @ powers, o["desired_goal"] @ powers].argmax())
 # + return lambda o: int(Q[o["achieved_goal"] @ powers, 0].argmax())
+
+# %% rewards as they were
+# slow
+# says: a step that achieves the new goal is paid as it was, -1; it is paid 0 now
+# in: numbers for patterns
+# - r = 0.0 if s2 == new else -1.0
+# + r = 0.0 if s2 == g else -1.0
+
+# %% a list that grows until the goal
+# slow
+# says: the list of steps is emptied only where the goal was reached: empty it at each reset
+# in: numbers for patterns
+# - episode = []
+# - o, _ = environment.reset()
+# + episode = [] if terminated else episode
+# + o, _ = environment.reset()

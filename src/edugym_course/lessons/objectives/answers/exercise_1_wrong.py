@@ -124,7 +124,7 @@ def pareto_optimal(points):
 
 
 # %% removes from its list
-# says: changes its list `points`; make a new list
+# says: changes its list `points`; make a new one, for the caller still needs the old one
 def pareto_optimal(points):
     for p in list(points):
         if any(q[0] >= p[0] and q[1] >= p[1] and q != p for q in points):

@@ -14,7 +14,7 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all, mistake_in_cases, mistake_that_fits, told_wrong
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import given, in_brackets, number, unlike
+from edugym_course.grading.values import given, in_brackets, number, require_unchanged
 from edugym_course.lessons.objectives.exercises.choices import (
     CLOSEST_MISTAKES,
     NO_USUAL_CHOICE,
@@ -86,8 +86,7 @@ def _points(answer: Any, points: list[Point]) -> list[Point]:
     with student_code(call):
         found = answer(mine)
     given(call, found)
-    if unlike(mine, points):
-        raise WrongAnswer(f"{call} changes its list `points`; make a new list")
+    require_unchanged(call, "points", mine, points)
     if isinstance(found, str) or not isinstance(found, Iterable):
         raise WrongAnswer(f"{call} should be a list of points, but is {found!r}")
     found = [*found]

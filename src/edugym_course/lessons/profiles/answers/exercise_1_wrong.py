@@ -146,7 +146,7 @@ def ladder_score(returns, random, best):
 
 
 # %% in place
-# says: changes its array `returns`; make a new one
+# says: changes its array `returns`; make a new one, for the caller still needs the old one
 def ladder_score(returns, random, best):
     returns -= random
     return np.mean(returns / (best - random))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Annotated, Any
 
 import numpy as np
@@ -11,11 +11,12 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import FAR_BELOW, starts, telling_draw
 from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
-from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import given, in_brackets, unlike
+from edugym_course.grading.values import given, in_brackets, require_unchanged
+from edugym_course.lessons.goals.exercises.relabelling import Step, Transition, relabelled, typed, why_relabelled
 
 N_PATTERNS, N_ACTIONS = 5, 3
 
@@ -52,6 +53,15 @@ GREEDY_MISTAKES: Mapping[str, Callable[[Reals, int, int], int]] = {
     "the values are cut to whole numbers, and two that differ look alike": lambda Q, s, g: _best(Q[s, g].astype(int)),
     "the value that is largest in *size* is taken; −8 is lower than −1": lambda Q, s, g: _best(np.abs(Q[s, g])),
     "the value closest to 0 is taken, and not the highest": lambda Q, s, g: _best(-np.abs(Q[s, g])),
+    "the number is too high by 1: the first action is 0": lambda Q, s, g: _best(Q[s, g]) + 1,
+    "the second highest value is taken": lambda Q, s, g: int(np.argsort(Q[s, g])[-2]),
+    "each value is compared with the first alone: keep the highest one so far": lambda Q, s, g: int(
+        np.flatnonzero(Q[s, g] >= Q[s, g, 0])[-1]
+    ),
+    "it is always the last action, whatever the values are": lambda Q, s, g: Q.shape[2] - 1,
+    "action 0 is left out: begin the search there": lambda Q, s, g: _best(Q[s, g, 1:]) + 1,
+    "the last action is left out: range(n) ends at n − 1": lambda Q, s, g: _best(Q[s, g, :-1]),
+    "it is always action 0: is a `return` reached before all actions were looked at?": lambda Q, s, g: 0,
     **starts(
         lambda start: f"the search for the highest value starts from {start}, and all values may be lower",
         lambda start: partial(_from, start),
@@ -130,93 +140,6 @@ def exercise_1(answer: Any, seed: int, dear: Dear = 0.0) -> str:
 
 NO_USUAL_ACTION = "that is none of the usual mistakes, so look at one row Q[state, goal] by hand"
 
-Step = tuple[int, int, int]
-"""A step of an episode: state, action, next state. States are patterns, and so numbers."""
-Transition = tuple[int, int, int, float, int, bool]
-"""State, goal, action, reward, next state, and whether the step terminated."""
-Settings = Mapping[str, Any]
-
-
-def relabelled(
-    steps: Sequence[Step],
-    goal: str = "final",
-    reward: str = "right",
-    terminated: str = "right",
-    kept: str = "all",
-    alike: str = "equal",
-    cost: float = 1.0,
-) -> list[Transition]:
-    """Return an episode as if its last pattern had been the goal, where a step that misses costs `cost`.
-
-    Other arguments than the defaults are mistakes.
-    """
-    made = []
-    last = len(steps) - 1
-    for t, (state, action, next_state) in enumerate(steps):
-        wanted = {
-            "final": steps[last][2],
-            "before": steps[last][0],
-            "first": steps[0][2],
-            "start": steps[0][0],
-            "own": next_state,
-        }[goal]
-        reached = next_state is wanted if alike == "the same object" else next_state == wanted
-        pays = {
-            "right": 0.0 if reached else -cost,
-            "old": -cost,
-            "zero": 0.0,
-            "one": 1.0 if reached else -cost,
-            "one and zero": float(reached),
-            "last": 0.0 if t == last else -cost,
-            "state": 0.0 if state == wanted else -cost,
-            "inverted": -cost if reached else 0.0,
-            "cost": 0.0 if reached else cost,
-        }[reward]
-        ends = {
-            "right": reached,
-            "never": False,
-            "last": t == last,
-            "always": True,
-            "state": state == wanted,
-            "inverted": not reached,
-        }[terminated]
-        made.append((state, wanted, action, pays, next_state, ends))
-    return {"all": made, "not the last": made[:-1], "only the last": made[-1:], "backwards": made[::-1]}[kept]
-
-
-FINAL_MISTAKES: Mapping[str, Settings] = {
-    "the rewards are the old ones, of a goal that was missed: ask for each step anew whether it reaches the *new*"
-    " goal": {"reward": "old"},
-    "every step is paid 0; only one that reaches the goal is": {"reward": "zero"},
-    "a step that reaches its goal is paid 0, not 1: hindsight keeps the reward of the task": {"reward": "one"},
-    "the task pays 0 at the goal and −1 elsewhere, not 1 and 0": {"reward": "one and zero"},
-    "an earlier step may reach the same pattern: look for the reward at every next state, not at the last one only": {
-        "reward": "last"
-    },
-    "the reward depends on the *next* state, not on the state before the step": {"reward": "state"},
-    "the rewards are the wrong way round: −1 costs, 0 is for the goal": {"reward": "inverted"},
-    "a step that misses costs 1: its reward is −1": {"reward": "cost"},
-    "no step terminates; with the new goal the episode would have ended there, and nothing comes after it": {
-        "terminated": "never"
-    },
-    "only the last step terminates; an earlier one that reaches the same pattern does as well": {"terminated": "last"},
-    "every step terminates; only one that reaches the goal does": {"terminated": "always"},
-    "a step terminates when its *next* state is the goal, not its state": {"terminated": "state"},
-    "`terminated` is the wrong way round: True where the goal is reached": {"terminated": "inverted"},
-    "the goal is the last *next* state, not the state before the last step": {"goal": "before"},
-    "the goal is what the *last* step achieved, not the first": {"goal": "first"},
-    "the goal is the start of the episode; take what its last step achieved": {"goal": "start"},
-    "each step has another goal, the one that it achieves itself; 'final' has one goal for the whole episode": {
-        "goal": "own"
-    },
-    "the last step is missing": {"kept": "not the last"},
-    "only the last step is there; the others are learned for the new goal too": {"kept": "only the last"},
-    "the steps come in reverse order; keep the order of the episode": {"kept": "backwards"},
-    "`is` asks whether two numbers are the same object, and large ones that are equal need not be: write `==`": {
-        "alike": "the same object"
-    },
-}
-NO_USUAL_EPISODE = "that is none of the usual mistakes, so go through the episode by hand, step by step"
 EPISODES = (
     [(0, 0, 4), (4, 1, 6), (6, 0, 2), (2, 0, 6), (6, 2, 7), (7, 2, 6)],  # it reaches its last pattern three times
     [(5, 1, 7), (7, 0, 3), (3, 0, 7), (7, 1, 5)],  # its last pattern is that of its start
@@ -254,7 +177,7 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 1.0) -> str:
     for steps, mine in zip(cases, found, strict=True):
         right = relabelled(steps, cost=cost)
         if mine != right:
-            why = _why(cases, found, cost)
+            why = why_relabelled(cases, found, cost)
             if len(mine) != len(right):
                 raise WrongAnswer(f"final({steps}) should give {len(right)} transitions, but gives {len(mine)}: {why}")
             t = next(t for t in range(len(right)) if mine[t] != right[t])
@@ -275,8 +198,7 @@ def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
         found = answer(mine)
         given(call, found)
         found = [*found] if isinstance(found, Iterable) else [found]
-    if unlike(mine, steps):
-        raise WrongAnswer(f"{call} changes its list `steps`; make a new list")
+    require_unchanged(call, "steps", mine, steps)
     for one in found:
         if not isinstance(one, tuple | list | np.ndarray) or len(one) != 6:
             raise WrongAnswer(
@@ -286,24 +208,7 @@ def _transitions(answer: Any, steps: Sequence[Step]) -> list[Transition]:
         if text := next((repr(part) for part in one if isinstance(part, str)), None):
             raise WrongAnswer(f"{call} should give transitions of numbers, but one of these holds the text {text}")
     with student_code(call):
-        return [(int(s), int(g), int(a), float(r), int(then), bool(end)) for s, g, a, r, then, end in found]
-
-
-def _why(cases: Sequence[Sequence[Step]], found: Sequence[list[Transition]], cost: float) -> str:
-    """Return the mistake that explains all episodes, or two mistakes together."""
-    if nobody_asks_why():
-        return NO_USUAL_EPISODE
-
-    def fits(change: Settings) -> bool:
-        return all(relabelled(steps, **change, cost=cost) == mine for steps, mine in zip(cases, found, strict=True))
-
-    for sentence, change in FINAL_MISTAKES.items():
-        if fits(change):
-            return sentence
-    for (one, first), (two, second) in combinations(FINAL_MISTAKES.items(), 2):
-        if not first.keys() & second.keys() and fits({**first, **second}):
-            return f"{one}; and {two}"
-    return NO_USUAL_EPISODE
+        return [typed(one) for one in found]
 
 
 FUTURE_MISTAKES: Mapping[str, Callable[[Sequence[Step], int], Sequence[int]]] = {
@@ -323,6 +228,12 @@ FUTURE_MISTAKES: Mapping[str, Callable[[Sequence[Step], int], Sequence[int]]] = 
     "it is always what step t itself achieved; draw one of the steps from t on": lambda steps, t: [steps[t][2]],
     "every *pattern* is as likely, and every *step* should be": lambda steps, t: [*{then for _, _, then in steps[t:]}],
     "that is the number of the step that was drawn; its next state is wanted": lambda steps, t: [*range(t, len(steps))],
+    "the draw begins at step 0, and so ends too early: add t to what is drawn": lambda steps, t: [
+        then for _, _, then in steps[: len(steps) - t]
+    ],
+    "that is the *action* of the step that was drawn; its next state is wanted": lambda steps, t: [
+        action for _, action, _ in steps[t:]
+    ],
     "only steps up to t are drawn: what was achieved until then, and not from then on": lambda steps, t: [
         then for _, _, then in steps[: t + 1]
     ],
@@ -349,11 +260,18 @@ def exercise_3(answer: Any, seed: int, gap: Gap = 0) -> str:
         cases.append((_turning(gap + 1), 1))
     check_all_choices(
         "future_goal(steps, t, rng)",
-        [_future(partial(answer, [*steps], t), steps, t, min(t + gap, len(steps) - 1)) for steps, t in cases],
+        [_future(partial(_drawn, answer, steps, t), steps, t, min(t + gap, len(steps) - 1)) for steps, t in cases],
     )
     return (
         "Right: every step from t on is as likely. The pattern that it reached is a goal that step t was on the way to."
     )
+
+
+def _drawn(answer: Any, steps: Sequence[Step], t: int, rng: np.random.Generator) -> Any:
+    mine = [*steps]
+    found = answer(mine, t, rng)
+    require_unchanged("future_goal(steps, t, rng)", "steps", mine, steps)
+    return found
 
 
 def _future(choose: Callable[[np.random.Generator], Any], steps: Sequence[Step], t: int, first: int) -> ChoiceCase:
