@@ -78,8 +78,8 @@ RIDDLES = (
         right=2,
         shows="action 0 brings 3 at once and 6.9 in the last step, and action 2 brings 10 in the last step",
         asks=(
-            "a target is R plus the value of the *next* state, without discount; and there are as many sweeps as a"
-            " night has steps, or more"
+            "a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are"
+            " as many sweeps as a night has steps, or more"
         ),
     ),
     Riddle(

@@ -338,6 +338,24 @@ Times = Annotated[
 ]
 
 
+def _odds(
+    cases: Sequence[Choice], found: Sequence[Reals], wrong: Sequence[bool], rule: Callable[[Choice], Reals]
+) -> str:
+    """Return what an unusual policy has in the place of e^(Q / β), by the first case that is wrong."""
+    at = [*wrong].index(True)
+    if not same(float(found[at].sum()), 1.0):
+        return "they do not sum to 1: divide by their sum, last of all"
+    if not (found[at][:2] > 0).all() or not (cases[at][1][:2] > 0).all():
+        return UNUSUAL
+    mine, expected = (
+        float(np.diff(np.log(table[1::-1] / cases[at][1][1::-1]))[0]) for table in (found[at], rule(cases[at]))
+    )
+    return (
+        f"beside the reference, action 0 gains on action 1 by e^{mine:.3g}, and should by e^((Q(s, 0) − Q(s, 1)) / β) ="
+        f" e^{expected:.3g}"
+    )
+
+
 def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
     """Check the policy with a penalty, also with large values and a small penalty; it may count several times."""
     require_function("with_penalty", answer, "values, reference and penalty")
@@ -360,5 +378,8 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
             )
         found.append(table)
         calls.append(call)
-    compare_tables(cases, found, calls, POLICY_MISTAKES, partial(weighed, times=times))
+    right = partial(weighed, times=times)
+    compare_tables(
+        cases, found, calls, POLICY_MISTAKES, right, otherwise=lambda wrong: _odds(cases, found, wrong, right)
+    )
     return "Right: the reference, tilted towards what is worth more. An action that it never takes is never taken."

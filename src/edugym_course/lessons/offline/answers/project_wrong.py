@@ -34,7 +34,7 @@ def my_program(steps, n_states, n_actions, seed):
 
 
 # %% one sweep
-# says: a target is R plus the value of the *next* state, without discount; and there are as many sweeps as a night has steps, or more
+# says: a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are as many sweeps as a night has steps, or more
 # in: sums and counts
 # - for _ in range(30):
 # + for _ in range(1):

@@ -131,3 +131,21 @@ def with_penalty(values, reference, penalty):
     exponents = reference * values / penalty
     weights = np.exp(exponents - exponents.max())
     return weights / weights.sum()
+
+
+# %% the penalty squared
+# says: beside the reference, action 0 gains on action 1 by e^
+# says: , and should by e^((Q(s, 0) − Q(s, 1)) / β) =
+# says: beside the reference, action 0 gains on action 1 by e^2.56, and should by e^((Q(s, 0) − Q(s, 1)) / β) = e^1.28
+def with_penalty(values, reference, penalty):
+    values = np.where(reference > 0, values, -np.inf)
+    weights = reference * np.exp((values - values.max()) / penalty**2)
+    return weights / weights.sum()
+
+
+# %% the reference last
+# says: they do not sum to 1: divide by their sum, last of all
+def with_penalty(values, reference, penalty):
+    values = np.where(reference > 0, values, -np.inf)
+    weights = np.exp((values - values.max()) / penalty)
+    return reference * weights / weights.sum()
