@@ -155,3 +155,9 @@ total_regret = 0.6
 # in: a sum of differences
 # - return sum(max(p) - p[arm] for arm in arms)
 # + return 0.2 * sum(p[arm] < max(p) for arm in arms)
+
+# %% arm 0
+# says: it is compared with arm 0; compare with the best one, whichever that is
+# in: a sum of differences
+# - return sum(max(p) - p[arm] for arm in arms)
+# + return sum(p[0] - p[arm] for arm in arms)

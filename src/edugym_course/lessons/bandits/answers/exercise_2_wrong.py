@@ -230,3 +230,13 @@ def upper_bounds(Q, N, c):
     if 0 in N:
         return np.full(len(Q), np.inf)
     return Q + c * np.sqrt(np.log(N.sum() + 1) / N)
+
+
+# %% a running t
+# says: t grows from arm to arm; add up the pulls of all arms first
+# in: a list
+# - t = sum(N) + 1
+# + t = 1
+# - bounds.append(inf if n == 0 else q + c * sqrt(log(t) / n))
+# + t += n
+# + bounds.append(inf if n == 0 else q + c * sqrt(log(t) / n))

@@ -178,3 +178,15 @@ def gradient_update(H, arm, reward, mean, learning_rate):
 # in: with an indicator
 # - H += learning_rate * (reward - mean) * (indicator - pi)
 # + H += learning_rate * abs(reward - mean) * (indicator - pi)
+
+# %% without parentheses
+# says: the mean is subtracted after R is multiplied by α: put parentheses around R − m
+# in: with an indicator
+# - H += learning_rate * (reward - mean) * (indicator - pi)
+# + H += (learning_rate * reward - mean) * (indicator - pi)
+
+# %% the likeliest arm
+# says: the arm with the highest preference moves up; it is the one that was pulled
+# in: with an indicator
+# - indicator[arm] = 1
+# + indicator[np.argmax(H)] = 1

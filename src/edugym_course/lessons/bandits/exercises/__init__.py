@@ -66,6 +66,7 @@ def lost(
         "mean": sum(p) / len(p),
         "one": 1.0,
         "worst": min(p),
+        "arm 0": p[0],
         "lesson's": PAYS,
         "number": float(np.argmax(p)),
     }[best]
@@ -109,6 +110,7 @@ REGRET_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "that is the regret of as many random pulls; what counts is which arms were pulled": {"each": "random"},
     "it is compared with the worst arm; compare with the best one": {"best": "worst", "each": "negative"},
+    "it is compared with arm 0; compare with the best one, whichever that is": {"best": "arm 0"},
     "the sign is wrong: a pull of a worse arm makes the regret larger": {"each": "negative"},
     "the differences are squared": {"each": "squared"},
     "that is the regret of a pull on average; add up the regret of all": {"over": "mean"},

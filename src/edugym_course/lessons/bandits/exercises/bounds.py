@@ -39,6 +39,7 @@ def bounds(
         "arms + 1": len(Q) + 1,
         "most": N.max() + 1,
         "own": N + 1,
+        "running": N.cumsum() + 1,
     }
     steps = counted[t] + before
     pulls = np.where(N > 0, N, 1).astype(float)
@@ -82,6 +83,7 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "t is one too large: is 1 added twice?": {"t": "more"},
     "t counts the pulls of one arm only; it counts those of all": {"t": "most"},
     "each arm has a t of its own, with its own pulls; t counts those of all": {"t": "own"},
+    "t grows from arm to arm; add up the pulls of all arms first": {"t": "running"},
     "ln t is divided by t; divide it by the pulls of the arm": {"shared": "t"},
     "ln t is doubled, as some books have it; here c alone says how large the bonus is": {"log": "twice"},
     "N(a) and t have changed places": {"log": "of N", "shared": "t"},

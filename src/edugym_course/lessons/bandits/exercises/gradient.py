@@ -56,11 +56,13 @@ def preferred(
         "added": reward - cost + mean,
         "greedy": reward - cost - float(H[arm]),
         "only above": max(reward - cost - mean, 0.0),
+        "late": reward - cost - mean / learning_rate,
         "size": abs(reward - cost - mean),
     }[baseline]
     chosen = np.eye(len(H))[arm]
     direction = {
         "all": chosen - shares,
+        "highest": np.eye(len(H))[np.argmax(H)] - shares,
         "chosen": chosen * (1 - shares),
         "others": (chosen - 1) * shares,
         "only indicator": chosen,
@@ -94,6 +96,8 @@ GRADIENT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "e has the power of −H; it is that of H": {"pi": "minus"},
     "all arms count as equally probable; π follows from H": {"pi": "uniform"},
     "the mean reward is left out": {"baseline": "none"},
+    "the mean is subtracted after R is multiplied by α: put parentheses around R − m": {"baseline": "late"},
+    "the arm with the highest preference moves up; it is the one that was pulled": {"moved": "highest"},
     "the mean reward is added; subtract it": {"baseline": "added"},
     "a reward below the mean changes nothing; it makes the arm rarer": {"baseline": "only above"},
     "a reward below the mean makes the arm likelier; keep the sign of R − m": {"baseline": "size"},

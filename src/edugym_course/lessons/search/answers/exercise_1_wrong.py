@@ -122,3 +122,15 @@ upper_bound = 3.5
 # in: with a root
 # - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
 # + return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else "inf"
+
+# %% the logarithm of a root
+# says: that is the logarithm of a root; it is the root of a logarithm
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return q + c * log(sqrt(n_node / n_action)) if n_action > 0 else inf
+
+# %% c at Q
+# says: c is multiplied with Q(node, a); it belongs to the root
+# in: with a root
+# - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
+# + return c * q + sqrt(log(n_node) / n_action) if n_action > 0 else inf

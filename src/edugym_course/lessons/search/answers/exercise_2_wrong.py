@@ -182,3 +182,27 @@ back_up = [1, 2]
 # - values[node, action] = values[node, action] + (G - values[node, action]) / n
 # + values[node, action] = values[node, action] + (G - values[node, action]) / n
 # + G = values[node, action]
+
+# %% all are counted
+# says: all actions of a node are counted; only the one that was taken is
+# in: from the end, by places
+# - counts[node, action] += 1
+# + counts[node] += 1
+
+# %% the reward alone is discounted
+# says: γ stands before the reward; it stands before what follows
+# in: from the end, by places
+# - G = rewards[place] + discount * G
+# + G = discount * rewards[place] + G
+
+# %% half of both
+# says: a value becomes the mean of the old value and the return; the old value stands for all returns before
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = (values[node, action] + G) / 2
+
+# %% away
+# says: the value moves away from the return: is it G − Q(node, A), with this sign?
+# in: from the end, by places
+# - values[node, action] = values[node, action] + (G - values[node, action]) / n
+# + values[node, action] = values[node, action] - (G - values[node, action]) / n

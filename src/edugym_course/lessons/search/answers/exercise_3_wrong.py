@@ -181,3 +181,32 @@ def look_ahead(model, state, depth):
             value += p * (reward + 0.9 * look_ahead(model, after, depth - 1))
         values.append(value)
     return max(values)
+
+
+# %% the wrong way round
+# says: something follows only where `terminated` is True; there nothing does
+# in: backwards, with a table
+# - sum(p * (reward + 0.9 * V[after] * (not terminated)) for p, after, reward, terminated in outcomes)
+# + sum(p * (reward + 0.9 * V[after] * terminated) for p, after, reward, terminated in outcomes)
+
+
+# %% the best reward
+# says: the action with the best *reward* is taken; take the one with the best value, that of what follows included
+def look_ahead(model, state, depth):
+    if depth == 0:
+        return 0
+    best = max(model[state], key=lambda outcomes: sum(p * r for p, _, r, _ in outcomes))
+    return sum(p * (r + 0.9 * look_ahead(model, after, depth - 1) * (not end)) for p, after, r, end in best)
+
+
+# %% not added
+# says: only the last outcome of each action counts: is it `=` in place of `+=`?
+def look_ahead(model, state, depth):
+    if depth == 0:
+        return 0
+    values = []
+    for outcomes in model[state]:
+        for p, after, reward, terminated in outcomes:
+            value = p * (reward + (0 if terminated else 0.9 * look_ahead(model, after, depth - 1)))
+        values.append(value)
+    return max(values)

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from itertools import accumulate
 from math import inf, log
 from typing import Annotated, Any, NamedTuple
 
@@ -17,6 +16,7 @@ from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables
 from edugym_course.grading.values import given, number
+from edugym_course.lessons.search.exercises.looks import LOOK_MISTAKES, looked_ahead, made_up_looks
 
 Power = Annotated[
     float,
@@ -51,11 +51,14 @@ def bounded(
 ) -> float:
     """Return the upper bound of an action that was tried; other arguments than the defaults are mistakes."""
     q, n_action, n_node, c = case
+    if times == "at Q":
+        q *= c
     count = {"right": n_action, "one more": n_action + 1}[n]
     ratio = {
         "log over count": log(n_node) / count,
         "no log": n_node / count,
         "log of both": log(n_node / count) if n_node > count else 0.0,
+        "log of the root": n_node / count,
         "swapped": log(count) / n_node,
         "no count": log(n_node),
         "root of the log alone": log(n_node) / count ** (1 / power),
@@ -65,8 +68,8 @@ def bounded(
         "twice the log": 2 * log(n_node) / count,
         "AlphaZero": n_node / (n_action + 1) ** (1 / power),
     }[inside]
-    bonus = ratio if times == "no root" else ratio**power
-    bonus *= {"c": c, "none": 1.0, "inside": c**power, "no root": c}[times]
+    bonus = log(ratio**power) if inside == "log of the root" else ratio if times == "no root" else ratio**power
+    bonus *= {"c": c, "none": 1.0, "inside": c**power, "at Q": 1.0}.get(times, c)
     return float({"sum": q + bonus, "difference": q - bonus, "bonus": bonus, "divided": q / count + bonus}[part])
 
 
@@ -81,6 +84,8 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "that is the bonus of AlphaZero, √N(node) / (1 + N(node, a)); here it has a logarithm": {"inside": "AlphaZero"},
     "the root is missing": {"times": "no root"},
     "c is missing": {"times": "none"},
+    "that is the logarithm of a root; it is the root of a logarithm": {"inside": "log of the root"},
+    "c is multiplied with Q(node, a); it belongs to the root": {"times": "at Q"},
     "c stands under the root; it is outside": {"times": "inside"},
     "the bonus is subtracted: that is a *lower* bound": {"part": "difference"},
     "Q(node, a) is missing: then the search looks for what is seldom, not for what is good": {"part": "bonus"},
@@ -164,7 +169,8 @@ def backed_up(
         earned, target = own - cost, G
         if reward == "all":
             follows = case.G if start == "each" else G
-            G = discount * (earned + follows) if gamma == "all" else earned + discount * follows
+            of_reward, of_future = {"all": (discount, discount), "reward": (discount, 1.0)}.get(gamma, (1.0, discount))
+            G = of_reward * earned + of_future * follows
         elif reward == "last" and place == 0:
             G = earned + discount * G
         if moved != "late":
@@ -173,12 +179,20 @@ def backed_up(
         if {"root": not at_root, "below the root": at_root, "last": place > 0}.get(which, False):
             continue
         where = entry[0] if which == "row" else entry
-        more = {"before": 1, "kept": 1, "after": 0, "two more": 2, "node": 1}[count]
+        more = {"before": 1, "kept": 1, "after": 0, "two more": 2}.get(count, 1)
         n = np.maximum((counts[entry[0]].sum() if count == "node" else counts[where]) + more, 1)
         error = target - values[where]
-        change = {"mean": error / n, "whole": error, "sum": target, "only": target / n, "best": np.maximum(error, 0.0)}
+        change = {
+            "mean": error / n,
+            "whole": error,
+            "sum": target,
+            "only": target / n,
+            "best": np.maximum(error, 0.0),
+            "half": error / 2,
+            "away": -error / n,
+        }
         values[where] += change[step]
-        counts[where] += 0 if count == "kept" else 1
+        counts[entry[0] if count == "row" else where] += 0 if count == "kept" else 1
         if moved == "highest":
             G = float(values[entry[0]].max())
         elif moved == "mean":
@@ -211,6 +225,12 @@ BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
     "every node gets the return from the root on; each learns from what followed after *it*": {"reward": "root"},
     "the error is divided by all choices in the node; N(node, A) counts this action alone": {"count": "node"},
+    "all actions of a node are counted; only the one that was taken is": {"count": "row"},
+    "γ stands before the reward; it stands before what follows": {"gamma": "reward"},
+    "a value becomes the mean of the old value and the return; the old value stands for all returns before": {
+        "step": "half"
+    },
+    "the value moves away from the return: is it G − Q(node, A), with this sign?": {"step": "away"},
     "all actions of a node change; only the one that was taken does": {"which": "row"},
     "the highest value of a node is passed on; it is the return of this simulation": {"moved": "highest"},
     "the new value of a node is passed on; it is the return of this simulation": {"moved": "mean"},
@@ -255,136 +275,13 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     return "Right: one pass backwards, and every node on the path has learned."
 
 
-Outcomes = list[tuple[float, int, float, bool]]
-"""What may follow on an action: probability, next state, reward, terminated."""
-Model = Mapping[int, list[Outcomes]]
-"""The outcomes of each action of each state."""
-LESSONS_DISCOUNT = 0.95
-WITHOUT_CHANCE = ("none", "first", "likely", "best")
-"""Mistakes in which no outcome has its probability."""
-
-
-class Look(NamedTuple):
-    """A question for exercise 3: what is a state worth, this many steps ahead?"""
-
-    model: Model
-    state: int
-    depth: int
-
-
-def looked_ahead(
-    case: Look,
-    *,
-    choice: str = "best",
-    end: str = "right",
-    chance: str = "right",
-    count: int = 0,
-    gamma: str = "right",
-    reward: str = "all",
-    looked_up: str = "next",
-    discount: float = 0.9,
-) -> float:
-    """Return the value of a state, by recursion; other arguments than the defaults are mistakes."""
-
-    def value(state: int, depth: int) -> float:
-        if depth <= 0:
-            return 0.0
-        of_actions = []
-        for outcomes in case.model[state]:
-            last = next((k for k, outcome in enumerate(outcomes) if outcome[3]), len(outcomes))
-            seen = {"first": outcomes[:1], "likely": [max(outcomes)], "to an end": outcomes[: last + 1]}
-            parts = []
-            for p, after, r, terminated in seen.get(chance, outcomes):
-                if terminated and end == "returned":
-                    return r
-                following = after if looked_up == "next" else state
-                follows = 0.0 if terminated and end != "beyond" else value(following, depth - 1)
-                earned = r if reward == "all" or depth <= 1 else 0.0
-                of_reward = 1.0 if chance in (*WITHOUT_CHANCE, "future") else p
-                of_future = 1.0 if chance in (*WITHOUT_CHANCE, "reward") else p
-                if terminated and end == "dropped":
-                    of_reward = 0.0
-                if gamma == "all":
-                    earned *= discount
-                parts.append(of_reward * earned + of_future * factor(depth) * follows)
-            total = max(parts) if chance == "best" else sum(parts)
-            of_actions.append(total)
-        return {
-            "best": max(of_actions),
-            "number": float(np.argmax(of_actions)),
-            "mean": sum(of_actions) / len(of_actions),
-            "worst": min(of_actions),
-            "first": of_actions[0],
-            "sum": sum(of_actions),
-            "from 0": max(0.0, *of_actions),
-            "added": max(accumulate(of_actions)),
-        }[choice]
-
-    def factor(depth: int) -> float:
-        return {"one": 1.0, "power": discount**depth, "lesson's": LESSONS_DISCOUNT}.get(gamma, discount)
-
-    return value(case.state, case.depth + count)
-
-
-LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
-    "the actions are averaged: that is the value of random play; you will take the best": {"choice": "mean"},
-    "the actions are added up; you will take the best": {"choice": "sum"},
-    "only action 0 is looked at": {"choice": "first"},
-    "that is the value of the worst action": {"choice": "worst"},
-    "the *number* of the best action is returned; return what it is worth": {"choice": "number"},
-    "what follows is that of the same state again; it is that of the *next* state": {"looked_up": "same"},
-    "it looks beyond the end: where `terminated` is True nothing follows": {"end": "beyond"},
-    "the probabilities are left out": {"chance": "none"},
-    "only the first outcome of each action is looked at": {"chance": "first"},
-    "it looks one step too far: with 0 steps left the value is 0": {"count": 1},
-    "it looks one step too short": {"count": -1},
-    "γ is left out": {"gamma": "one"},
-    "the first reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
-    "only the last reward counts; each step's is added": {"reward": "last"},
-    "the reward of an outcome that ends is returned at once; it is one of several, each with its probability": {
-        "end": "returned"
-    },
-    "the reward of the step that ends the task is lost; only what would follow it is 0": {"end": "dropped"},
-    "the best action is looked for from 0 on, and all may be worth less: begin with float('-inf')": {
-        "choice": "from 0"
-    },
-    "the sum is not set back to 0 for each action": {"choice": "added"},
-    "only the reward has its probability; what follows has it, too": {"chance": "reward"},
-    "only what follows has its probability; the reward has it, too": {"chance": "future"},
-    "only the likeliest outcome of each action is looked at": {"chance": "likely"},
-    "the best outcome is taken; you choose the action, but chance draws the outcome": {"chance": "best"},
-    "the outcomes after one that ends are left out; each has its probability": {"chance": "to an end"},
-    "γ has the power of the depth; each call multiplies by it once, and that adds up": {"gamma": "power"},
-    "that is the γ of the shop, 0.95; the exercise has another": {"gamma": "lesson's"},
-}
-
-
-def _looks(rng: np.random.Generator) -> list[Look]:
-    """Make up models of three states and two actions, some outcomes of which end, and questions about them."""
-    made = []
-    for depth in (1, 2, 3, 2):
-        model: dict[int, list[Outcomes]] = {state: [] for state in range(3)}
-        for actions in model.values():
-            for _ in range(2):
-                p = float(rng.choice([0.25, 0.75, 1.0]))
-                actions.append(
-                    [
-                        (share, int(rng.integers(3)), float(rng.integers(-4, 9)), bool(rng.random() < 0.3))
-                        for share in (p, 1 - p)
-                        if share
-                    ]
-                )
-        made.append(Look(model, int(rng.integers(3)), depth))
-    return made
-
-
 def exercise_3(answer: Any, seed: int, discount: Discount = 0.9) -> str:
     """Check looking ahead exactly."""
     require_function("look_ahead", answer, "model, state and depth")
     right = partial(looked_ahead, discount=discount)
     rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in LOOK_MISTAKES.values())]
     cases = []
-    for case in _looks(telling_draw(seed, _looks, rules)):
+    for case in made_up_looks(telling_draw(seed, made_up_looks, rules)):
         call = f"look_ahead({case.model}, {case.state}, {case.depth})"
         with student_code(call):
             found = answer(*case)
