@@ -114,7 +114,7 @@ WEIGHED_MISTAKES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-WEIGHTS = "one episode alone is right, so look at the weights, and at what each episode begins with"
+WEIGHTS = "one episode alone is right, so look at the weights, at the two sums, and at what each episode begins with"
 SUMS = "with one episode its weight cancels, and its return is left: look at the return, and at the two sums"
 
 

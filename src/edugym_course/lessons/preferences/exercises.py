@@ -351,8 +351,8 @@ def _odds(
         float(np.diff(np.log(table[1::-1] / cases[at][1][1::-1]))[0]) for table in (found[at], rule(cases[at]))
     )
     return (
-        f"beside the reference, action 0 gains on action 1 by e^{mine:.3g}, and should by e^((Q(s, 0) − Q(s, 1)) / β) ="
-        f" e^{expected:.3g}"
+        f"beside the reference, action 0 gains on action 1 by e^{round(mine, 2):g}, and should by"
+        f" e^((Q(s, 0) − Q(s, 1)) / β) = e^{round(expected, 2):g}"
     )
 
 

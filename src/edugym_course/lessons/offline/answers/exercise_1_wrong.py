@@ -120,7 +120,7 @@ weighted_estimate = np.zeros(3)
 
 
 # %% weights squared
-# says: one episode alone is right, so look at the weights, and at what each episode begins with
+# says: one episode alone is right, so look at the weights, at the two sums, and at what each episode begins with
 def weighted_estimate(episodes, target, behaviour):
     total = weights = 0.0
     for episode in episodes:
