@@ -206,3 +206,9 @@ back_up = [1, 2]
 # in: from the end, by places
 # - values[node, action] = values[node, action] + (G - values[node, action]) / n
 # + values[node, action] = values[node, action] - (G - values[node, action]) / n
+
+# %% begun one too early
+# says: the last step of the path is left out: does the loop begin at len(path) - 1?
+# in: from the end, by places
+# - for place in range(len(path) - 1, -1, -1):
+# + for place in range(len(path) - 2, -1, -1):

@@ -210,3 +210,16 @@ def look_ahead(model, state, depth):
             value = p * (reward + (0 if terminated else 0.9 * look_ahead(model, after, depth - 1)))
         values.append(value)
     return max(values)
+
+
+# %% the last action
+# says: only the last action counts: each one overwrites those before it; keep the best
+# in: in one line
+# - return max(action_value(outcomes) for outcomes in model[state]) if depth else 0
+# + return action_value(model[state][-1]) if depth else 0
+
+# %% all outcomes alike
+# says: all outcomes of an action count alike; each has its probability
+# in: backwards, with a table
+# - sum(p * (reward + 0.9 * V[after] * (not terminated)) for p, after, reward, terminated in outcomes)
+# + np.mean([reward + 0.9 * V[after] * (not terminated) for p, after, reward, terminated in outcomes])

@@ -160,8 +160,9 @@ def backed_up(
     values, counts = case.values.copy(), case.counts.astype(float)
     discount = 1.0 if gamma == "one" else case.discount
     G = {"nothing": 0.0, "discounted": discount * case.G}.get(start, case.G)
-    entries = case.path if order in ("first first", "rewards alone") else case.path[::-1]
-    rewards = case.rewards if order in ("first first", "path alone") else case.rewards[::-1]
+    pairs, earned_on = (case.path[:-1], case.rewards[:-1]) if which == "but the last" else (case.path, case.rewards)
+    entries = pairs if order in ("first first", "rewards alone") else pairs[::-1]
+    rewards = earned_on if order in ("first first", "path alone") else earned_on[::-1]
     if reward == "root":
         for own in rewards:
             G = own - cost + discount * G
@@ -218,6 +219,7 @@ BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the simulation is not counted: N(node, A) goes up by 1": {"count": "kept"},
     "only the root learns; every node on the path does": {"which": "root"},
     "only the last node on the path learns: does a `return` stand inside the loop?": {"which": "last"},
+    "the last step of the path is left out: does the loop begin at len(path) - 1?": {"which": "but the last"},
     "the root does not learn; every node on the path does": {"which": "below the root"},
     "only `path` is gone through from its end; `rewards` goes with it": {"order": "path alone"},
     "only `rewards` is gone through from its end; `path` goes with it": {"order": "rewards alone"},

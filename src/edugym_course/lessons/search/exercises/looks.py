@@ -11,7 +11,7 @@ Outcomes = list[tuple[float, int, float, bool]]
 Model = Mapping[int, list[Outcomes]]
 """The outcomes of each action of each state."""
 LESSONS_DISCOUNT = 0.95
-WITHOUT_CHANCE = ("none", "first", "likely", "best")
+WITHOUT_CHANCE = ("none", "equal", "first", "likely", "best")
 """Mistakes in which no outcome has its probability."""
 
 
@@ -59,7 +59,7 @@ def looked_ahead(
                 if gamma == "all":
                     earned *= discount
                 parts.append(of_reward * earned + of_future * factor(depth) * follows)
-            total = {"best": max(parts), "last": parts[-1]}.get(chance, sum(parts))
+            total = {"best": max(parts), "last": parts[-1], "equal": sum(parts) / len(parts)}.get(chance, sum(parts))
             rewards.append(sum(p * r for p, _, r, _ in outcomes))
             of_actions.append(total)
         return {
@@ -69,6 +69,7 @@ def looked_ahead(
             "worst": min(of_actions),
             "by reward": of_actions[int(np.argmax(rewards))],
             "first": of_actions[0],
+            "last": of_actions[-1],
             "sum": sum(of_actions),
             "from 0": max(0.0, *of_actions),
             "added": max(accumulate(of_actions)),
@@ -84,6 +85,7 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the actions are averaged: that is the value of random play; you will take the best": {"choice": "mean"},
     "the actions are added up; you will take the best": {"choice": "sum"},
     "only action 0 is looked at": {"choice": "first"},
+    "only the last action counts: each one overwrites those before it; keep the best": {"choice": "last"},
     "that is the value of the worst action": {"choice": "worst"},
     "the *number* of the best action is returned; return what it is worth": {"choice": "number"},
     "what follows is that of the same state again; it is that of the *next* state": {"looked_up": "same"},
@@ -93,6 +95,7 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "choice": "by reward"
     },
     "only the last outcome of each action counts: is it `=` in place of `+=`?": {"chance": "last"},
+    "all outcomes of an action count alike; each has its probability": {"chance": "equal"},
     "the probabilities are left out": {"chance": "none"},
     "only the first outcome of each action is looked at": {"chance": "first"},
     "it looks one step too far: with 0 steps left the value is 0": {"count": 1},
