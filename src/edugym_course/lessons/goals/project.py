@@ -37,6 +37,8 @@ class Hindsight:
         reward: whether a step is paid for the "new" goal, or as it was for the "old" one, or "always 0".
         ends: whether a step that achieves the new goal ends the episode.
         state_has, next_state_has: which goal stands beside the state, and beside the next one: "new" or "old".
+        looks_on: whether the maximum is that of the next state, and not that of the state itself.
+        sweeps: how often the steps are learned again.
         own: whether each step is learned at once for the goal of the episode.
         knows_goal: whether values hang on the goal.
         least: whether the lowest value looks best.
@@ -58,6 +60,8 @@ class Hindsight:
         ends: bool = True,
         state_has: str = "new",
         next_state_has: str = "new",
+        looks_on: bool = True,
+        sweeps: int = 1,
         own: bool = True,
         knows_goal: bool = True,
         least: bool = False,
@@ -74,6 +78,7 @@ class Hindsight:
         self._sign = -1.0 if least else 1.0
         self._handicaps = 1e-4 * np.arange(shape[1]) * first
         self._state_has, self._next_state_has = state_has, next_state_has
+        self._looks_on, self._sweeps = looks_on, sweeps
         self._learning_rate, self._discount = learning_rate, discount
 
     def row(self, state: Pattern, goal: Pattern) -> Row:
@@ -118,7 +123,7 @@ class Hindsight:
             "same": old,
         }.get(self._goal)
         chosen = {"all": steps, "not last": steps[:-1], "only last": steps[-1:]}[self._kept]
-        for s, action, paid, then in chosen[::-1] if self._order == "backwards" else chosen:
+        for s, action, paid, then in self._sweeps * (chosen[::-1] if self._order == "backwards" else chosen):
             goal = then if self._goal == "own" else new
             if goal is None:
                 return
@@ -128,7 +133,7 @@ class Hindsight:
             self._update(self.row(s, goals[self._state_has]), action, reward, after, reached and self._ends)
 
     def _update(self, row: Row, action: int, reward: float, after: Row, ends: bool) -> None:
-        target = reward if ends else reward + self._discount * max(after)
+        target = reward if ends else reward + self._discount * max(after if self._looks_on else row)
         row[action] += self._learning_rate * (target - row[action])
 
     def forget_episode(self) -> None:
@@ -204,6 +209,8 @@ RULE = Rule(
         "the new goal stands beside the next state alone; the value of the state *with it* should move": mistake(
             state_has="old"
         ),
+        "the maximum is that of the state itself: γ max_a Q(S', G, a) asks what comes next": mistake(looks_on=False),
+        "the steps are learned again twice over; once is enough": mistake(sweeps=2),
         "the steps are learned in hindsight only; learn each at once for its own goal too": mistake(own=False),
         "the goal has no part in the values: a row of the table is a pair of a pattern and a goal": mistake(
             knows_goal=False

@@ -227,3 +227,19 @@
 # - o, _ = environment.reset()
 # + episode = [] if terminated else episode
 # + o, _ = environment.reset()
+
+# %% the maximum of the state itself
+# slow
+# says: the maximum is that of the state itself: γ max_a Q(S', G, a) asks what comes next
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r if terminated else r + 0.9 * Q[s, g].max()
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + 0.9 * Q[s, new].max()
+
+# %% two sweeps
+# slow
+# says: the steps are learned again twice over; once is enough
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in 2 * episode[::-1]:
