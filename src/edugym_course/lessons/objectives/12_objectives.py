@@ -163,7 +163,7 @@ sliders(figures.one_weight, concavity=(0.0, 1.0, 0.25), price=(0.5, 8.0, 0.25))
 figures.front(1.0, distance=(1.0, 12.0))
 
 # %% [markdown]
-# Here the lower edge of the box touches treasure 2. A box reaches into a dent, where a line cannot. The agent is Q-learning with a
+# The weights are 1 for the value and 12 for time, and the lower edge of the box touches treasure 2. A box reaches into a dent, where a line cannot. The agent is Q-learning with a
 # vector for each action. Its best action is the closest. (In the code `best_returns` is $\mathbf{z}$, as far as the dives so far have
 # shown it, and `margin`, 0 here, can put it farther out. `total` is what this dive has brought so far, and `closeness` is $-d$ of each action.
 # `vector_of_best` takes the vector of the closest action.)
@@ -174,7 +174,7 @@ source(ChebyshevQLearning, "look_at", "learn")
 # %% [markdown]
 # ## See inside: two ways to take a distance
 #
-# Here are 18 weights of time. The dashed line is the treasure that is closest. "The rest of the dive" is the agent of the paper: it compares
+# Here are 18 weights of time, from 0.15 to 60. The dashed line will be the treasure that is closest. "The rest of the dive" is the agent of the paper: it compares
 # $\mathbf{z}$ with its vectors $\mathbf{Q}(s, a)$. "The whole dive" adds to $\mathbf{Q}(s, a)$ what the dive has brought up to $s$ (in the code, `so_far`).
 #
 # **Predict.** Which of the two picks up the closest treasure for *all* 18 weights?

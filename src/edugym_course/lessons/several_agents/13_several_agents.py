@@ -289,7 +289,7 @@ for name, run in {"both learn": both_learn, "player 1 never learns": one_learns}
     print(f"{name}: in the second half {methods.changes(run):.1f} changes in 1 000 games")
 
 # %% [markdown]
-# On the left both play paper, and so both learn that scissors win. Soon both play scissors, and learn that rock wins. They chase each other for ever, since each step of one makes
+# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. They chase each other for ever, since each step of one makes
 # the other's answer wrong. On the right the world stands still, and the learner comes to rest.
 #
 # The same from within: what do two Q-learners in matching pennies believe? Player 0 wants the same side of the coin as player 1, and player 1 another one.
@@ -355,7 +355,7 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 #
 # **Measured.** Less than 0.1. Both learn, the world changes for each of them, and
 # the other matters: who plays as if there were no contact loses much. But in every state one action by itself is safe.
-# (Minimax Q-learning is not ahead here. A guess: it learns five times as many values.) So learning as if alone is not
+# (In the figure minimax Q-learning is behind. A guess: it learns five times as many values.) So learning as if alone is not
 # wrong in itself: in soccer it fails where only a random choice is safe.
 # </details>
 

@@ -278,3 +278,31 @@ def pareto_optimal(points):
 # in: every pair
 # - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
 # + if any(p[0] >= q[0] and p[1] >= q[1] and p != q for q in points):
+
+
+# %% equal points, told apart by `is`
+# says: two equal points have thrown each other out: one of the two numbers must be *better*
+def pareto_optimal(points):
+    return [p for p in points if not any(q[0] >= p[0] and q[1] >= p[1] for q in points if q is not p)]
+
+
+# %% return as soon as one has gone
+# says: only the first point that others dominate has gone: does `return` stand inside the loop?
+def pareto_optimal(points):
+    for p in points:
+        for q in points:
+            if q[0] >= p[0] and q[1] >= p[1] and q != p:
+                return [other for other in points if other != p]
+    return points
+
+
+# %% appended in the inner loop
+# says: a point is appended in the inner loop, before all others were looked at; append it below that loop
+def pareto_optimal(points):
+    kept = []
+    for p in points:
+        for q in points:
+            if q[0] >= p[0] and q[1] >= p[1] and q != p:
+                break
+            kept.append(p)
+    return kept

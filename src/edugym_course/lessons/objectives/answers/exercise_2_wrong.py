@@ -202,3 +202,15 @@ closest_action = 3
 # in: arrays
 # - return np.argmin(distances.max(axis=1))
 # + return np.argmin(distances.prod(axis=1))
+
+
+# %% the indices of Q
+# says: the indices of Q have changed places: it looks up Q[:, state], and Q[state] has the actions
+def closest_action(Q, state, weights, utopian):
+    return (weights * np.abs(utopian - Q[:, state])).max(axis=1).argmin()
+
+
+# %% the size of Q
+# says: the size of Q is taken, and not that of the distance z − Q
+def closest_action(Q, state, weights, utopian):
+    return (weights * (utopian - np.abs(Q[state]))).max(axis=1).argmin()

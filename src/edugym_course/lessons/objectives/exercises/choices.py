@@ -60,6 +60,12 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the utopian point is left out: the values themselves are compared": lambda Q, s, w, z: (w * np.abs(Q[s])).max(
         axis=1
     ),
+    "the indices of Q have changed places: it looks up Q[:, state], and Q[state] has the actions": lambda Q, s, w, z: (
+        _distances(Q.swapaxes(0, 1), s, w, z).max(axis=1)
+    ),
+    "the size of Q is taken, and not that of the distance z − Q": lambda Q, s, w, z: (w * (z - np.abs(Q[s]))).max(
+        axis=1
+    ),
     "the state is left out: it looks up Q[0]": lambda Q, s, w, z: _distances(Q, 0, w, z).max(axis=1),
 }
 """By what number, the lowest of which wins, each mistake compares the actions."""

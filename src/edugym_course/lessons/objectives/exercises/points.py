@@ -50,6 +50,21 @@ def _changed_on_the_way(points: Points) -> list[Point]:
     return kept
 
 
+def _appended_until_dominated(points: Points) -> list[Point]:
+    kept: list[Point] = []
+    for p in points:
+        for q in points:
+            if _dominates(q, p):
+                break
+            kept.append(p)
+    return kept
+
+
+def _without_the_first(points: Points) -> list[Point]:
+    gone = [p for p in points if p not in right_points(points)][:1]
+    return [p for p in points if p not in gone]
+
+
 POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     "a point goes only if another one is better in *both*; it must go also if one is equal and the other better": (
         lambda points: _kept(points, lambda q, p: q[0] > p[0] and q[1] > p[1])
@@ -98,12 +113,16 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     "a point goes only if *all* others dominate it; a single one is enough": lambda points: [
         p for p in points if not all(_dominates(q, p) for q in points if q != p)
     ],
+    "only the first point that others dominate has gone: does `return` stand inside the loop?": _without_the_first,
     "only the first point is looked at: does `return` stand inside the loop?": lambda points: right_points(points)[
         : points[0] in right_points(points)
     ],
     "a point is appended once for each other one that does not dominate it; look at all of them first": lambda points: [
         p for p in points for q in points if not _dominates(q, p)
     ],
+    "a point is appended in the inner loop, before all others were looked at; append it below that loop": (
+        _appended_until_dominated
+    ),
     "a point is compared with those before it only; compare each with all others": _after_earlier,
     "a point is compared with those after it only; compare each with all others": lambda points: [
         p for i, p in enumerate(points) if not any(_dominates(q, p) for q in points[i + 1 :])

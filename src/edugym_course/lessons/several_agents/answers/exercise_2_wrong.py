@@ -57,14 +57,14 @@ def safe_probability(payoffs):
 
 
 # %% the signs below
-# says: below the line stands a − b − c + d, with these signs
+# says: below the line stands a + b − c − d; it is a − b − c + d
 def safe_probability(payoffs):
     (a, b), (c, d) = payoffs
     return (d - c) / (a + b - c - d) if a + b != c + d else 0.0
 
 
 # %% all below
-# says: below the line all four payoffs are added up; it is a − b − c + d
+# says: below the line stands a + b + c + d; it is a − b − c + d
 def safe_probability(payoffs):
     (a, b), (c, d) = payoffs
     return (d - c) / (a + b + c + d)
@@ -124,3 +124,30 @@ def safe_probability(payoffs):
 def safe_probability(payoffs):
     (a, b), (c, d) = payoffs
     return 1.0 if min(a, b) > min(c, d) else 0.0
+
+
+# %% one sign below
+# says: below the line stands a − b + c + d; it is a − b − c + d
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (d - c) / (a - b + c + d)
+
+
+# %% a sign above
+# says: c and d are added above the line; it is d − c
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (c + d) / (a - b - c + d)
+
+
+# %% two left out below
+# says: b and c are left out below the line; it is a − b − c + d
+def safe_probability(payoffs):
+    return (payoffs[1, 1] - payoffs[1, 0]) / (payoffs[0, 0] + payoffs[1, 1])
+
+
+# %% a and b the wrong way round below
+# says: below the line stands −a + b − c + d; it is a − b − c + d
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (d - c) / (d - c + b - a)

@@ -48,6 +48,14 @@ def learn(Q, V, state, action, other_action, reward, next_state, terminated):
     Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
 
 
+# %% V before Q, and before the target
+# says: V changes before Q does: the game that it is solved for is the old one; first Q, then V
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    V[state] = games.solve_zero_sum(Q[state]).value
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+
+
 # %% columns
 # says: rows and columns have changed places: your actions are the rows of Q[state], and you want a high payoff
 # in: step by step
@@ -281,3 +289,31 @@ learn = games.MinimaxQ
 # in: the solution of learn
 # - target = reward if terminated else reward + 0.9 * V[next_state]
 # + target = reward if terminated else reward - 0.9 * V[next_state]
+
+
+# %% the wrong sign of V
+# says: V has the wrong sign: it is your own value, and your own actions are the rows
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = -games.solve_zero_sum(Q[state]).value
+
+
+# %% best and worst mixed up
+# says: V is min_a max_o Q, with best and worst mixed up; it is the value of the game
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = Q[state].max(axis=1).min()
+
+
+# %% the discount for the learning rate
+# says: the step is 0.9 of the way to the target; α is 0.5
+# in: step by step
+# - Q[state][action][other_action] += 0.5 * error
+# + Q[state][action][other_action] += 0.9 * error
+
+
+# %% the mean of the next state
+# says: the target has the mean of Q[next_state]; it is V[next_state]
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * Q[next_state].mean()

@@ -1,5 +1,6 @@
 """Exercises 1 and 2 of lesson 13: what best answers gain, a safe policy, and the usual mistakes in both."""
 
+import itertools
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -148,8 +149,9 @@ def mixed(payoffs: Reals) -> dict[str, float]:
         / (a - b + c - d),
         "the sign is wrong: p (a − b) = (1 − p)(d − c)": (c - d) / total,
         "that is the ratio p / (1 − p), not p": (d - c) / (a - b),
-        "below the line stands a − b − c + d, with these signs": _over(d - c, a + b - c - d),
-        "below the line all four payoffs are added up; it is a − b − c + d": _over(d - c, a + b + c + d),
+        **_other_signs_below(payoffs),
+        "c and d are added above the line; it is d − c": (d + c) / total,
+        "b and c are left out below the line; it is a − b − c + d": _over(d - c, a + d),
         "the fraction is upside down: a probability is at most 1": total / (d - c),
         "parentheses are missing: Python divides before it subtracts": d - _over(c, a) - b - c + d,
         "that is a percentage; a probability goes from 0 to 1": 100 * (d - c) / total,
@@ -163,6 +165,18 @@ def mixed(payoffs: Reals) -> dict[str, float]:
             min(a, b) > min(c, d)
         ),
     }
+
+
+def _other_signs_below(payoffs: Reals) -> dict[str, float]:
+    """Return what comes out with each other choice of signs below the line, by its sentence."""
+    (a, b), (c, d) = payoffs.tolist()
+    known = {(1, -1, -1, 1), (-1, 1, 1, -1), (1, -1, 1, -1)}  # right, or named otherwise
+    wrong: dict[str, float] = {}
+    for signs in sorted({*itertools.product((1, -1), repeat=4)} - known):
+        first, *others = ("+" if sign > 0 else "−" for sign in signs)
+        below = f"{first.strip('+')}a" + "".join(f" {sign} {name}" for sign, name in zip(others, "bcd", strict=True))
+        wrong[f"below the line stands {below}; it is a − b − c + d"] = _over(d - c, float(np.dot(signs, (a, b, c, d))))
+    return wrong
 
 
 def _over(above: float, below: float) -> float:

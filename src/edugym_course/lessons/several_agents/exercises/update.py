@@ -44,6 +44,8 @@ def updated(
     """Do an update of minimax Q in place, where a step has a cost; other arguments than the defaults are mistakes."""
     s, a, o, reward, then, terminated = step
     before = Q[s].copy()
+    if where == "first":
+        V[s] = solve_zero_sum(before).value
     futures: dict[str, Callable[[], Any]] = {
         "V": lambda: V[then],
         "old": lambda: V[s],
@@ -51,6 +53,7 @@ def updated(
         "own": lambda: Q[then, :, o].max(),
         "safe": lambda: Q[then].min(axis=1).max(),
         "same": lambda: Q[then, a, o],
+        "mean": lambda: Q[then].mean(),
         "solved": lambda: solve_zero_sum(Q[then]).value,
     }
     over = {"never": False, "inverted": not terminated}.get(ends, terminated)
@@ -78,7 +81,7 @@ def updated(
         Q[then, a, o] += learning_rate * (target - Q[then, a, o])
     else:
         Q[s, a, o] = learning_rate * (target - Q[s, a, o])
-    if where == "nowhere" or (where == "not at the end" and terminated):
+    if where in ("nowhere", "first") or (where == "not at the end" and terminated):
         return
     k = then if where == "next" else s
     values: dict[str, Callable[[], Any]] = {
@@ -93,6 +96,8 @@ def updated(
         "axes": lambda: Q[k].min(axis=0).max(),
         "entry": lambda: Q[s, a, o],
         "average": lambda: Q[k].mean(),
+        "negative": lambda: -solve_zero_sum(Q[k]).value,
+        "worst best": lambda: Q[k].max(axis=1).min(),
         "half": lambda: old_V + 0.5 * (solve_zero_sum(Q[k]).value - old_V),
     }
     V[k] = values[value]()
@@ -111,6 +116,7 @@ UPDATE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "V is the best *mean* over the other's actions, as if it tossed a coin": {"value": "mean"},
     "V is set to the target of one step; it is the value of the matrix game Q[state]": {"value": "target"},
     "the game is solved before Q changes; first Q, then V": {"value": "before"},
+    "V changes before Q does: the game that it is solved for is the old one; first Q, then V": {"where": "first"},
     "rows and columns have changed places: your actions are the rows of Q[state], and you want a high payoff": {
         "value": "columns"
     },
@@ -132,6 +138,10 @@ UPDATE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "Q[next_state, ...] changes; the pair of actions was taken in `state`": {"entry": "next"},
     "`=` where `+=` is needed: the old value is lost": {"entry": "lost"},
     "the whole way to the target is gone, as with α = 1; it is 0.5": {"learning_rate": 1.0},
+    "the step is 0.9 of the way to the target; α is 0.5": {"learning_rate": 0.9},
+    "the target has the mean of Q[next_state]; it is V[next_state]": {"future": "mean"},
+    "V has the wrong sign: it is your own value, and your own actions are the rows": {"value": "negative"},
+    "V is min_a max_o Q, with best and worst mixed up; it is the value of the game": {"value": "worst best"},
     "the discount is missing: γ is 0.9": {"discount": 1.0},
     "the value of the next state is missing in the target": {"discount": 0.0},
     "the reward counts with the wrong sign; it is your own": {"sign": -1.0},
