@@ -306,3 +306,15 @@ def pareto_optimal(points):
                 break
             kept.append(p)
     return kept
+
+
+# %% the last comparison
+# says: only the last comparison of each point counts: is what the earlier ones said overwritten in the loop?
+def pareto_optimal(points):
+    kept = []
+    for p in points:
+        for q in points:
+            dominated = q[0] >= p[0] and q[1] >= p[1] and q != p
+        if not dominated:
+            kept.append(p)
+    return kept

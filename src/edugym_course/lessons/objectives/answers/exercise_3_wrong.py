@@ -183,3 +183,15 @@ new_price = 3.0
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return price
+
+
+# %% price for rate
+# says: the price and the rate have changed places
+def new_price(price, steps, limit, rate):
+    return max(0.0, rate + price * (steps - limit))
+
+
+# %% only down
+# says: the price only falls; after a long dive it should rise
+def new_price(price, steps, limit, rate):
+    return max(0.0, price - rate * max(0.0, limit - steps))

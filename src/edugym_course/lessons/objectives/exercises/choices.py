@@ -134,6 +134,10 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
     "a weighted mean of the old price and the excess: the old price counts in full": lambda p, n, most, r: max(
         0.0, (1 - r) * p + r * (n - most)
     ),
+    "the price and the rate have changed places": lambda p, n, most, r: max(0.0, r + p * (n - most)),
+    "the price only falls; after a long dive it should rise": lambda p, n, most, r: max(
+        0.0, p + r * min(0.0, n - most)
+    ),
     "that is the smaller one of 0 and the new price: write max": lambda p, n, most, r: min(0.0, p + r * (n - most)),
     "the excess is a share of the limit; it should be a number of steps": lambda p, n, most, r: max(
         0.0, p + r * (n - most) / most

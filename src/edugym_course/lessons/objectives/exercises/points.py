@@ -123,6 +123,9 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     "a point is appended in the inner loop, before all others were looked at; append it below that loop": (
         _appended_until_dominated
     ),
+    "only the last comparison of each point counts: is what the earlier ones said overwritten in the loop?": (
+        lambda points: [p for p in points if not _dominates(points[-1], p)]
+    ),
     "a point is compared with those before it only; compare each with all others": _after_earlier,
     "a point is compared with those after it only; compare each with all others": lambda points: [
         p for i, p in enumerate(points) if not any(_dominates(q, p) for q in points[i + 1 :])
