@@ -317,3 +317,24 @@ learn = games.MinimaxQ
 # in: step by step
 # - target = reward + 0.9 * V[next_state]
 # + target = reward + 0.9 * Q[next_state].mean()
+
+
+# %% an unusual V
+# says: Q is right in all cases, so look at V: V[state] is the value of the matrix game Q[state]
+# in: step by step
+# - V[state], _, _ = games.solve_zero_sum(Q[state])
+# + V[state] = Q[state].min()
+
+
+# %% an unusual future
+# says: Q is right where the game ends, so look at what follows elsewhere: γ times V[next_state]
+# in: step by step
+# - target = reward + 0.9 * V[next_state]
+# + target = reward + 0.9 * Q[next_state].min()
+
+
+# %% an unusual end
+# says: Q is right where the game goes on, so look at the end: there the target is the reward
+# in: step by step
+# - target = reward
+# + target = V[state]

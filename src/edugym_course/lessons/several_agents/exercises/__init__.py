@@ -114,7 +114,26 @@ def _why(cases: Sequence[Case], found: Sequence[tuple[Reals, Reals]], cost: floa
             for expected, table in zip(_after(case, mistake, cost), mine, strict=True)
         )
 
-    return mistake_that_fits(UPDATE_MISTAKES, everywhere, otherwise=UNUSUAL)
+    return mistake_that_fits(UPDATE_MISTAKES, everywhere, otherwise=_wrong_part(cases, found, cost))
+
+
+def _wrong_part(cases: Sequence[Case], found: Sequence[tuple[Reals, Reals]], cost: float) -> str:
+    """Return which part of an unusual answer is wrong, as far as the right ones tell."""
+    right = {
+        over: all(
+            all_same(_after(case, {}, cost)[0], Q)
+            for case, (Q, _) in zip(cases, found, strict=True)
+            if case.step.terminated == over
+        )
+        for over in (False, True)
+    }
+    if all(right.values()):
+        return "Q is right in all cases, so look at V: V[state] is the value of the matrix game Q[state]"
+    if right[True]:
+        return "Q is right where the game ends, so look at what follows elsewhere: γ times V[next_state]"
+    if right[False]:
+        return "Q is right where the game goes on, so look at the end: there the target is the reward"
+    return UNUSUAL
 
 
 NOTHING = "`learn` changes neither Q nor V: write into the arrays that it is given, Q[...] += ... and V[state] = ..."
