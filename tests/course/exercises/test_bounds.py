@@ -86,7 +86,7 @@ REFUSED = [
     (exploration.exercise_1, 0, "with ε = 0, 100.00% of the climbs reach the top: "),
     (exploration.exercise_1, 1.1, "ε = 1.1 is no probability: "),
     (on_off_policy.exercise_1, 1, "negative_reward = 1: "),
-    (on_off_policy.exercise_1, 0, "with negative_reward = 0 the best run at ε = 0.1 takes 1 step: "),
+    (on_off_policy.exercise_1, 0, "with negative_reward = 0 the best run at ε = 0.1 stalls at once: "),
     (on_off_policy.exercise_1, -1_000_000, "with negative_reward = -1000000 the best run at ε = 0.1 takes 5 steps: "),
     (on_off_policy.exercise_1, -1_000_001, "negative_reward = -1000001 is below -1 000 000: "),
     (own_problem.exercise_1, -1, "late = -1: "),

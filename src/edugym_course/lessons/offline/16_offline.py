@@ -293,6 +293,7 @@ by_nights = {n: methods.learned(n_nights=n, repetitions=20) for n in (300, 1000,
 display(figures.promises(by_nights, "nights of the nearly perfect clock", "by_nights", log=True))
 kept = {n: one.kept["as it is"].mean() for n, one in by_nights.items()}
 print(", ".join(f"{n} nights: kept {worth:.1f}" for n, worth in kept.items()))
+print(f"{methods.N_NIGHTS} nights of the random clock: kept {random_kept:.1f}")
 thousand, gathered = kept[1000], by_nights[1000].gathered.mean()
 more_nights.measured(more_nights.options[2 if thousand < gathered else 1 if thousand < 10.2 else 0])
 
