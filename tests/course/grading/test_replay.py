@@ -12,7 +12,7 @@ from edugym_course.grading import WrongAnswer
 from edugym_course.grading.programs import Program, Step, learn_from, shape_of
 from edugym_course.grading.replay import SWAPPED, Learner, Rule
 from edugym_course.grading.small_world import SmallWorld
-from tests.course.lessons.answers import read_answers, read_exercises
+from tests.course.lessons.answers import LONG, read_answers, read_exercises
 
 RULES: dict[str, Rule] = {
     lesson: project.RULE
@@ -20,6 +20,7 @@ RULES: dict[str, Rule] = {
     if (path.parent / "project.py").exists()
     and hasattr(project := import_module(f"edugym_course.lessons.{path.parent.name}.project"), "RULE")
 }
+QUICK = [pytest.param(lesson, marks=[pytest.mark.slow] * (lesson in LONG)) for lesson in RULES]
 SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
 CASES = [
     pytest.param(lesson, sentence, marks=[pytest.mark.slow] * (lesson != "00_loop"), id=f"{lesson}-{number}")
@@ -72,7 +73,7 @@ def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
         assert words in said
 
 
-@pytest.mark.parametrize("lesson", RULES)
+@pytest.mark.parametrize("lesson", QUICK)
 def test_a_random_action_too_often(lesson: str) -> None:
     """A comparison with ε that is the wrong way round is no other mistake."""
     rule = RULES[lesson]
@@ -80,7 +81,7 @@ def test_a_random_action_too_often(lesson: str) -> None:
         rule.check(program_with(rule.right._replace(swaps=True), rule.epsilon), 0)
 
 
-@pytest.mark.parametrize("lesson", RULES)
+@pytest.mark.parametrize("lesson", QUICK)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_right_program_has_no_surprises(lesson: str, seed: int) -> None:
     """Whatever the seed is."""

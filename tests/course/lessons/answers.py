@@ -22,6 +22,8 @@ SLOW = re.compile(r"^# slow\n", flags=re.MULTILINE)
 SOLUTION = "the solution of "
 TRAINING = {"15_profiles-2"}
 """The exercises whose check trains agents, which takes a second or more."""
+LONG = {"04_dimensionality", "05_memory", "06_signal", "11_goals"}
+"""The lessons in which checking a program takes four seconds or more."""
 EDIT = re.compile(r"((?:^# - .+\n)+)((?:^# \+ .+\n)*)", flags=re.MULTILINE)
 
 

@@ -15,6 +15,7 @@ from edugym.training.train import train
 from edugym_course.grading import agents, choices, curves, mistakes, programs, replay, results, updates, values
 from edugym_course.grading.one_step import Q_LEARNING
 from tests.course.lessons.answers import (
+    LONG,
     Answer,
     Exercise,
     functions_of,
@@ -253,7 +254,14 @@ def test_an_answer_of_another_kind_is_called_by_its_name(lesson: str) -> None:
         assert re.search(named(name), verdict(other, exercise, before))
 
 
-@pytest.mark.parametrize("lesson", [name for name, path in build.lesson_sources().items() if read_project(path)])
+@pytest.mark.parametrize(
+    "lesson",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] * (name in LONG))
+        for name, path in build.lesson_sources().items()
+        if read_project(path)
+    ],
+)
 def test_programs_pass_and_empty_cells_are_not_solved_yet(lesson: str) -> None:
     """The lesson's own program is right; its empty cell is told that it is empty."""
     project = read_project(build.lesson_sources()[lesson])

@@ -1,4 +1,5 @@
 # %% with lists
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     n = int(environment.action_space.n)

@@ -29,6 +29,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a class without NumPy
+# slow
 import math
 import random
 

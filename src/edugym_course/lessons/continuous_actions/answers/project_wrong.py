@@ -1,28 +1,33 @@
 # %% the reward of the step
+# slow
 # says: the reward of a step stands in the place of the return G, which sums up all rewards from it to the end
 # in: lists of an episode
 # - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
 # + G = R[k]
 
 # %% the return so far
+# slow
 # says: the return sums up the rewards up to a step, and it should be those from it to the end
 # in: lists of an episode
 # - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
 # + G = sum(0.8 ** (k - i) * r for i, r in enumerate(R[: k + 1]))
 
 # %% no discount
+# slow
 # says: the return is not discounted: γ is 0.8 in the text
 # in: lists of an episode
 # - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
 # + G = sum(R[k:])
 
 # %% no baseline
+# slow
 # says: there is no baseline: δ = G − V(S), and V is learned too
 # in: lists of an episode
 # - delta = G - V[S[k]]
 # + delta = G
 
 # %% no γ^t
+# slow
 # says: They fit a usual mistake:
 # says: the factor γ^t is missing
 # in: lists of an episode
@@ -30,65 +35,76 @@
 # + step = 0.005 * delta
 
 # %% the other way
+# slow
 # says: the policy moves away from actions that were better than the baseline: is a minus sign too many?
 # in: lists of an episode
 # - step = 0.005 * 0.8**k * delta
 # + step = -0.005 * 0.8**k * delta
 
 # %% a fixed σ
+# slow
 # says: σ is never learned: ln σ has a score, too
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 
 # %% no minus one
+# slow
 # says: the score of ln σ lacks its − 1, so σ grows wherever δ is above 0
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 # + ls[S[k]] += step * z**2 / sigma**2
 
 # %% the score of σ
+# slow
 # says: what is learned is ln σ, with the score of σ: that of ln σ is σ times as large
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 # + ls[S[k]] += step * (z**2 / sigma**3 - 1 / sigma)
 
 # %% not divided
+# slow
 # says: the score of μ is not divided by σ²
 # in: lists of an episode
 # - mu[S[k]] += step * z / sigma**2
 # + mu[S[k]] += step * z
 
 # %% divided by σ
+# slow
 # says: the score of μ is divided by σ, and it should be by σ²
 # in: lists of an episode
 # - mu[S[k]] += step * z / sigma**2
 # + mu[S[k]] += step * z / sigma
 
 # %% the variance
+# slow
 # says: the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
 # + a = rng.normal(mu[s], np.exp(ls[s]) ** 2)
 
 # %% a large rate
+# slow
 # says: the learning rate of the policy is too large: it is 0.005 in the text
 # in: lists of an episode
 # - step = 0.005 * 0.8**k * delta
 # + step = 0.025 * 0.8**k * delta
 
 # %% a small rate
+# slow
 # says: the learning rate of the policy is too small: it is 0.005 in the text
 # in: lists of an episode
 # - step = 0.005 * 0.8**k * delta
 # + step = 0.001 * 0.8**k * delta
 
 # %% values that hardly learn
+# slow
 # says: V hardly learns: α^w is 0.1 in the text, and not α^θ
 # in: lists of an episode
 # - V[S[k]] += 0.1 * delta
 # + V[S[k]] += 0.01 * delta
 
 # %% a wide start
+# slow
 # says:  should lie one σ from μ (the root of the mean square), with the μ and the σ that its own steps give by the equations of this lesson, and they lie
 # says: Compare the rates, γ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once?
 # in: lists of an episode
@@ -96,11 +112,13 @@
 # + mu, ls, V = np.zeros(n), np.full(n, 0.5), np.zeros(n)
 
 # %% no bounds
+# slow
 # says: σ is not kept between 0.2 and 2
 # in: lists of an episode
 # - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
 
 # %% one Gaussian for all states
+# slow
 # says: all states have the same μ and σ, and each should have its own
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
@@ -118,6 +136,7 @@
 # + a = rng.normal([mu[s], mu[s]], np.exp(ls[s]))
 
 # %% a policy that goes elsewhere
+# slow
 # says: the policy that it returns brings
 # in: lists of an episode
 # - return lambda s: mu[s]
@@ -151,12 +170,14 @@
 # + return lambda s: rng.normal(mu[s], np.exp(ls[s]))
 
 # %% the μ that has moved
+# slow
 # says: the score of ln σ is computed with the μ that has just moved: keep A − μ before you change μ
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 # + ls[S[k]] += step * ((A[k] - mu[S[k]]) ** 2 / sigma**2 - 1)
 
 # %% the σ that has changed
+# slow
 # says: the score of μ is computed with the σ that has just changed: keep σ before you change ln σ
 # in: lists of an episode
 # - mu[S[k]] += step * z / sigma**2
@@ -167,18 +188,21 @@
 # + mu[S[k]] += step * z / np.exp(ls[S[k]]) ** 2
 
 # %% all steps but the last
+# slow
 # says: nothing is learned from the last step of an episode: its G is its reward
 # in: lists of an episode
 # - for k in range(len(S)):
 # + for k in range(len(S) - 1):
 
 # %% always σ = 1
+# slow
 # says: the actions are drawn with the standard deviation 1, and it should be the σ that is learned
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
 # + a = rng.normal(mu[s], 1)
 
 # %% the V that has moved
+# slow
 # says: the policy learns from G less the V that has just moved: compute δ before you change V
 # in: lists of an episode
 # - V[S[k]] += 0.1 * delta
@@ -186,60 +210,70 @@
 # + delta = G - V[S[k]]
 
 # %% bounds of ln σ
+# slow
 # says: ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2
 # in: lists of an episode
 # - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
 # + ls[S[k]] = min(max(ls[S[k]], 0.2), 2)
 
 # %% one μ
+# slow
 # says: all states have the same μ: is the index of the state missing where μ changes?
 # in: lists of an episode
 # - mu[S[k]] += step * z / sigma**2
 # + mu += step * z / sigma**2
 
 # %% σ of 0.5 at first
+# slow
 # says: σ is 0.5 at first, and it should be 1
 # in: lists of an episode
 # - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
 # + mu, ls, V = np.zeros(n), np.log(0.5) * np.ones(n), np.zeros(n)
 
 # %% ln σ of 1 at first
+# slow
 # says: ln σ is 1 at first, and it should be 0: then σ is 1
 # in: lists of an episode
 # - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
 # + mu, ls, V = np.zeros(n), np.ones(n), np.zeros(n)
 
 # %% one rate for both
+# slow
 # says: V hardly learns: α^w is 0.1 in the text, and not α^θ
 # in: lists of an episode
 # - V[S[k]] += 0.1 * delta
 # + V[S[k]] += 0.005 * delta
 
 # %% the return of the whole episode
+# slow
 # says: every step gets the return of the whole episode, and it should be the one from this step on
 # in: lists of an episode
 # - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
 # + G = sum(0.8**i * r for i, r in enumerate(R))
 
 # %% the TD error
+# slow
 # says: δ is the TD error R + γ V(S') − V(S), as in the actor-critic; here it is G − V(S)
 # in: lists of an episode
 # - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
 # + G = R[k] + (0.8 * V[S[k + 1]] if k + 1 < len(S) else 0.0)
 
 # %% μ away
+# slow
 # says: the sign of the score of μ is wrong: it is A − μ above the line
 # in: lists of an episode
 # - mu[S[k]] += step * z / sigma**2
 # + mu[S[k]] += step * (mu[S[k]] - A[k]) / sigma**2
 
 # %% σ the other way
+# slow
 # says: the sign of the score of ln σ is wrong: σ should grow where δ and the distance from μ are large
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 # + ls[S[k]] += step * (1 - z**2 / sigma**2)
 
 # %% learned from a cut-off action
+# slow
 # says: it learns from an action that is cut off at −1 and 1, and not from the one that it drew
 # in: lists of an episode
 # - A.append(a)

@@ -27,6 +27,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% three steps later
+# slow
 def choose(values, rng, epsilon=0.1):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -59,6 +60,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a value also where the clock stops
+# slow
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)

@@ -101,6 +101,7 @@
 # + if t == 0:
 
 # %% a random policy
+# slow
 # says: While it learned, it did: does the policy compute the values of the image that it is given, without ε?
 # in: a memory in arrays
 # - return network.best

@@ -172,6 +172,7 @@
 # + Q[s, new, a] += 0.05 * (target - Q[s, new, a])
 
 # %% the least value
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: numbers for patterns
 # - a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].max())))

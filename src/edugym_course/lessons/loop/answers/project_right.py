@@ -32,6 +32,7 @@ def my_program(env, steps, number):
 
 
 # %% episode after episode
+# slow
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng, t, first = np.random.default_rng(seed), 0, True

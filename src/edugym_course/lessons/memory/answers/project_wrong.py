@@ -1,16 +1,19 @@
 # %% beyond the end
+# slow
 # says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone
 # in: tuples in a dictionary
 # - target = r + (not terminated) * 0.8 * values(w2).max()
 # + target = r + 0.8 * values(w2).max()
 
 # %% a truncated end
+# slow
 # says: a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has its value
 # in: tuples in a dictionary
 # - target = r + (not terminated) * 0.8 * values(w2).max()
 # + target = r + (not (terminated or truncated)) * 0.8 * values(w2).max()
 
 # %% no end
+# slow
 # says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
 # in: tuples in a dictionary
 # - values(w)[a] += 0.2 * (target - values(w)[a])
@@ -45,6 +48,7 @@
 # + return lambda history: int(values(history[-1:]).argmax())
 
 # %% no actions
+# slow
 # says: the actions are missing in the window
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
@@ -53,6 +57,7 @@
 # + return lambda history: int(values(history[::2][-3:]).argmax())
 
 # %% two observations
+# slow
 # says: the window has two observations, and it should have three
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
@@ -61,6 +66,7 @@
 # + return lambda history: int(values(history[-3:]).argmax())
 
 # %% four observations
+# slow
 # says: the window has four observations, and it should have three
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
@@ -69,6 +75,7 @@
 # + return lambda history: int(values(history[-7:]).argmax())
 
 # %% the window of the last episode
+# slow
 # says: an episode begins with what is left of the last one in its window: empty it at each reset
 # in: tuples in a dictionary
 # - w = (o,)
@@ -85,24 +92,28 @@
 # +     w = (*w[:-1], o)
 
 # %% the old window in the target
+# slow
 # says: the target has the value of the old window, without what was just done and seen
 # in: tuples in a dictionary
 # - target = r + (not terminated) * 0.8 * values(w2).max()
 # + target = r + (not terminated) * 0.8 * values(w).max()
 
 # %% the reward alone
+# slow
 # says: γ max_a Q(S', a) is missing in the target
 # in: tuples in a dictionary
 # - target = r + (not terminated) * 0.8 * values(w2).max()
 # + target = r
 
 # %% a small rate
+# slow
 # says: the learning rate is much too small: it is 0.2 in the text
 # in: tuples in a dictionary
 # - values(w)[a] += 0.2 * (target - values(w)[a])
 # + values(w)[a] += 0.04 * (target - values(w)[a])
 
 # %% a window without the last action
+# slow
 # says: ; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
@@ -116,12 +127,14 @@
 # + return lambda history: int(values(history[-1:]).argmax())
 
 # %% a policy of the observation
+# slow
 # says: raises TypeError
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return lambda observation: int(values((int(observation),)).argmax())
 
 # %% the value of the next action
+# slow
 # says: Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA
 def my_program(environment, n_steps, seed):
     n = environment.action_space.n

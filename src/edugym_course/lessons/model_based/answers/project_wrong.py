@@ -5,6 +5,7 @@
 # + for _ in range(0):
 
 # %% pairs that nobody tried
+# slow
 # says: pairs are imagined that were never tried: the model knows nothing of them
 # in: a model in arrays
 # - i, j = tried[rng.integers(len(tried))]
@@ -19,6 +20,7 @@
 # + Q[i, j] = R[i, j]
 
 # %% looks beyond the end
+# slow
 # says: the value of a state after the end is looked up
 # in: a model in arrays
 # - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
@@ -48,6 +50,7 @@
 # + environment.reset()
 
 # %% costs
+# slow
 # says: The likely cause: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: a model in arrays
 # - a = rng.choice(np.flatnonzero(Q[s] == Q[s].max()))

@@ -55,6 +55,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% the next action is kept
+# slow
 def choose(values, rng, epsilon=0.1):
     if rng.random() < epsilon:
         return rng.integers(len(values))

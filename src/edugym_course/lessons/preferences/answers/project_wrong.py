@@ -6,6 +6,7 @@
 # + rewards += 0.0 * (differences.T @ (preferred - p) - 0.1 * rewards)
 
 # %% the wrong way round
+# slow
 # says: the middle one of
 # says: runs makes a clock worth
 # says: , and it should be worth
@@ -15,6 +16,7 @@
 # + rewards += 0.02 * (differences.T @ (1 - preferred - p) - 0.1 * rewards)
 
 # %% both nights gain
+# slow
 # says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
 # in: visits as vectors
 # - differences.append(visits(first) - visits(second))
@@ -35,12 +37,14 @@
 # + table[0, depth, action] += 1
 
 # %% few questions
+# slow
 # says: it asks 30 of 300 comparisons; ask them all
 # in: visits as vectors
 # - for _ in range(n_comparisons):
 # + for _ in range(n_comparisons // 10):
 
 # %% the environment's rewards
+# slow
 # says: it chooses action 0 in every state
 # in: visits as vectors
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0

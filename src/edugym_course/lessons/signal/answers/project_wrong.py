@@ -23,6 +23,7 @@
 # + a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmin())
 
 # %% a row for each message
+# slow
 # says: each message is learned for itself, as in a row of a table: share what is learned by words
 def my_program(environment, n_steps, seed):
     Q, rng = {}, np.random.default_rng(seed)
@@ -77,6 +78,7 @@ def my_program(environment, n_steps, seed):
 # + delta = r
 
 # %% all actions
+# slow
 # says: the values of all actions are alike: do the weights of all move, or of none? Learn about the one that was taken
 # in: weights in an array
 # - delta = r - q[a]
@@ -91,6 +93,7 @@ def my_program(environment, n_steps, seed):
 # + theta[:, a] += 0.5 * delta * x
 
 # %% the hit points as a word
+# slow
 # says: ; the first entry of an observation is no word, it is the hit points
 # in: weights in an array
 # - for k in range(1, L + 1):
@@ -120,6 +123,7 @@ def my_program(environment, n_steps, seed):
 # + delta = r - (shares(o2) @ theta)[a]
 
 # %% nothing is learned
+# slow
 # says: the values of all actions are alike: do the weights of all move, or of none? Learn about the one that was taken
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
@@ -143,12 +147,14 @@ def my_program(environment, n_steps, seed):
 # + for k in range(1, L):
 
 # %% ε the wrong way round
+# slow
 # says: ε and 1 − ε have changed places: an action is drawn at random with probability ε
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(rng.integers(N)) if rng.random() > 0.1 else int(q.argmax())
 
 # %% words with a fixed meaning
+# slow
 # says: observations the policy that my_program returns takes another action than the one that the steps of the program make look best
 # in: weights in an array
 # - return lambda o: int((shares(o) @ theta).argmax())

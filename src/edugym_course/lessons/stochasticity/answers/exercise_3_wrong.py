@@ -259,16 +259,6 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * w * delta
 
 
-# %% no brackets in the target
-# says: Python reads `R + a if terminated else b` as `(R + a) if terminated else b`: put brackets around `a if
-#   terminated else b`
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward + 0.0 if terminated else self.discount * max(self.Q[next_state])
-    delta = target - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
 # %% an else is missing
 # says: a good surprise is learned from twice, with both weights: is an `else` missing?
 def learn(self, state, action, reward, next_state, terminated):
@@ -309,7 +299,8 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% a target without brackets
-# says: Python reads `R + a if terminated else b` as `(R + a) if terminated else b`
+# says: Python reads `R + a if terminated else b` as `(R + a) if terminated else b`: put brackets around `a if
+#   terminated else b`
 def learn(self, state, action, reward, next_state, terminated):
     target = reward + 0.0 if terminated else self.discount * max(self.Q[next_state])
     delta = target - self.Q[state, action]
