@@ -1,4 +1,5 @@
 # %% in one line
+# slow
 # says: Right: with 6 joints, 30 cells and 5 bins that are 2.3e+13. A Gaussian has one mean for each joint.
 def preferences(joints, bins, cells):
     return 2 * cells**joints * bins**joints

@@ -215,6 +215,7 @@ def update(self, n):
 
 
 # %% one index
+# slow
 # says: after the episode with states
 # says: that is none of the usual mistakes, so follow this episode by hand
 # in: returns first, then the steps in order

@@ -151,6 +151,7 @@
 # + state, _ = environment.reset()
 
 # %% lists that are never emptied, from the first step
+# slow
 # says:  are those of a program that learns from all earlier episodes again at the end of each: empty the lists of the episode when it has learned from them
 # in: lists of an episode
 # - t, s = 0, environment.reset(seed=seed)[0]

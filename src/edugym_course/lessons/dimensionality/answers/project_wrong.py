@@ -1,4 +1,5 @@
 # %% up the slope
+# slow
 # says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
@@ -7,6 +8,7 @@
 # + self.W[0] += 0.2 * x.T @ back / len(x)
 
 # %% the worst
+# slow
 # says: It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?
 # in: a memory in arrays
 # - return int(self.layers(image.reshape(1, -1))[2].argmax())
@@ -154,6 +156,7 @@ def my_program(environment, n_steps, seed):
 # + g = V[a] * (h > 0)
 
 # %% W2 before W1, in a batch
+# slow
 # says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: a memory in arrays
 # - back = (d @ self.W[1].T * (h > 0))[:, :-1]

@@ -1,4 +1,5 @@
 # %% two tables and a dictionary of names
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     shape = environment.observation_space.n, environment.action_space.n

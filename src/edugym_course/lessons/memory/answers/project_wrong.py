@@ -21,6 +21,7 @@
 # +     values(w)[a] += 0.2 * (target - values(w)[a])
 
 # %% the old window after a reset
+# slow
 # says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
 # in: tuples in a dictionary
 # - o, _ = environment.reset()
@@ -29,6 +30,7 @@
 # + w = (o,)
 
 # %% the first window for ever
+# slow
 # says: the state stays the first one of the episode: is `state = next_state` missing?
 # in: tuples in a dictionary
 # - w = w2
@@ -40,6 +42,7 @@
 # + a = int(values(w).argmin())
 
 # %% no memory
+# slow
 # says: there is no memory: the values hang on the last observation alone
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]

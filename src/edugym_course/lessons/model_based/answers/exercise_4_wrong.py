@@ -51,6 +51,7 @@ lake_results = repeat(
 )
 
 # %% R-max after one try
+# slow
 # says: with known_after=
 # says: it estimates each probability from so few tries; on slippery ice an action needs more
 lake_results = repeat(

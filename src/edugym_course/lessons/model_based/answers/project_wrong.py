@@ -12,6 +12,7 @@
 # + i, j = rng.integers(n_states), rng.integers(n_actions)
 
 # %% rewards alone
+# slow
 # says: γ max_a Q(S', a) is missing in the target
 # in: a model in arrays
 # - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
@@ -29,6 +30,7 @@
 # + Q[i, j] = R[i, j] + 0.95 * Q[S2[i, j]].max()
 
 # %% truncated is terminated
+# slow
 # says: a truncated episode is learned as a terminated one
 # in: a model in arrays
 # - s2, r, terminated, truncated, _ = environment.step(a)
@@ -44,6 +46,7 @@
 # + R[s], S2[s], ends[s] = r, s2, terminated
 
 # %% the old state after a reset
+# slow
 # says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
 # in: a model in arrays
 # - s, _ = environment.reset()

@@ -32,6 +32,7 @@ def switch(model):
 
 
 # %% the ε-soft return of one step more
+# slow
 # says: that is where the ε-soft return falls below that of a run with one step more; the slips lower both
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
@@ -101,6 +102,7 @@ def switch(model):
 
 
 # %% the other probability
+# slow
 # says: that is 1 − ε
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
@@ -114,6 +116,7 @@ def switch(model):
 
 
 # %% below 0
+# slow
 # says: the sign is wrong
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
@@ -127,6 +130,7 @@ def switch(model):
 
 
 # %% half of it
+# slow
 # says: that is none of the usual mistakes, so print the number of steps of the best run for some ε
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
@@ -168,6 +172,7 @@ def switch(model):
 
 
 # %% in percent, by a search
+# slow
 # says: that is in percent
 def switch(model):
     fastest = policy_evaluation(model, value_iteration(model, horizon=50).greedy_policy(), horizon=50).start
@@ -189,6 +194,7 @@ def switch(model):
 
 
 # %% the first one with the run that is safe at 0.1, which is the fast one on a mild road
+# slow
 # says: , but is 0: that is none of the usual mistakes
 def switch(model):
     safe = policy_evaluation(model, value_iteration(model, epsilon=0.1, horizon=50).greedy_policy(), horizon=50).start
@@ -205,6 +211,7 @@ def switch(model):
 
 
 # %% a search that begins too late
+# slow
 # says: switch(model) for W = 15 and negative_reward = -137 should be 0.0224, but is 0.03: that is close: does the search
 #   begin at 0, and go in steps of 0.001 or smaller, and is nothing rounded or discounted?
 def switch(model):
@@ -216,6 +223,7 @@ def switch(model):
 
 
 # %% rounded to two digits, and on the first road the estimate
+# slow
 # says: that is close: does the search begin at 0, and go in steps of 0.001 or smaller, and is nothing rounded or
 #   discounted?
 def switch(model):
@@ -223,6 +231,7 @@ def switch(model):
 
 
 # %% a horizon of five steps
+# slow
 # says: and negative_reward = -1
 # says: that is none of the usual mistakes, so print the number of steps of the best run for some ε
 def switch(model):
@@ -258,6 +267,7 @@ def switch(model):
 
 
 # %% the return of the lesson's fastest run
+# slow
 # says: it is right for the first road of the check only, which is as long as that of the lesson: is the return of its
 #   fastest run, −2, written in?
 def switch(model):
@@ -268,6 +278,7 @@ def switch(model):
 
 
 # %% the return in place of its ε
+# slow
 # says: that is the return of the best run at the ε that is asked for; return this ε
 def switch(model):
     fastest = value_iteration(model, horizon=50).start

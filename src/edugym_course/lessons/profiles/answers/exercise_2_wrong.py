@@ -13,12 +13,14 @@ def make_mine(environment):
 
 
 # %% hardly learns
+# slow
 # says: : it is worse in Tamagotchi, where it should be as good as before
 def make_mine(environment):
     return QLearning.create(environment, learning_rate=0.000001)
 
 
 # %% learns nothing
+# slow
 # says: : it is worse in both, and a hole has ground around it
 def make_mine(environment):
     agent = QLearning.create(environment, discount=0.0, learning_rate=0.000001)

@@ -43,6 +43,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% the places of words
+# slow
 # says: the place of a word in the message counts, and it should not
 # in: weights in an array
 # - theta = np.zeros((W, N))
@@ -72,6 +73,7 @@ def my_program(environment, n_steps, seed):
 # + x[o[k]] += 1
 
 # %% the reward alone
+# slow
 # says: the weights move by R, not by R − q(O, A): without the difference they grow without end
 # in: weights in an array
 # - delta = r - q[a]
@@ -117,6 +119,7 @@ def my_program(environment, n_steps, seed):
 # + listener.learn(words, action, reward)
 
 # %% the value of the next message
+# slow
 # says: the value in R − q(O, A) is that of the *next* message: O is the one before the action
 # in: weights in an array
 # - delta = r - q[a]
@@ -129,6 +132,7 @@ def my_program(environment, n_steps, seed):
 # - theta[:, a] += 0.01 * delta * x
 
 # %% divided by L + 1
+# slow
 # says: the counts are divided by more than L, as by the length L + 1 of the observation: its first entry is no word
 # in: weights in an array
 # - x[o[k]] += 1 / L
@@ -167,18 +171,21 @@ def my_program(environment, n_steps, seed):
 # + theta[:, a] += 0.1 * delta * x
 
 # %% a rate of 0.001
+# slow
 # says: the learning rate is much too small: it is 0.01 in the text
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 # + theta[:, a] += 0.001 * delta * x
 
 # %% one step of Q-learning
+# slow
 # says: γ is 0.5, and it should be 0: the reward stands alone, without the value of the next message
 # in: weights in an array
 # - delta = r - q[a]
 # + delta = r + (0.0 if terminated else 0.5 * (shares(o2) @ theta).max()) - q[a]
 
 # %% Q-learning that looks far ahead
+# slow
 # says: γ is near 1, and it should be 0: the reward stands alone, without the value of the next message
 # in: weights in an array
 # - delta = r - q[a]
