@@ -74,22 +74,22 @@ def install() -> None:
             "set_env": lambda self, name, env: None,  # there is no Python
         },
     )
-    _draw_without_memory()
+    _draw_without_long_numbers()
     config.LOOP_VECTORIZE = config.SLP_VECTORIZE = 0
     context.get_executable = no_entry_point
 
 
-def _draw_without_memory() -> None:
-    """Let `integers` draw one number without an array of its own, for which a kernel has no room.
+def _draw_without_long_numbers() -> None:
+    """Let `integers` draw from more than 2^32 numbers without numbers of 128 bits, which a kernel has not.
 
-    Nor has it numbers of 128 bits, so the draw from more than 2^32 numbers is written out: as NumPy's, by the method of
-    Lemire (2019), Fast random integer generation in an interval.
+    LLVM sees that Numba's own code multiplies two numbers of 64 bits, and would do so in one of 128. So the product is
+    written out in another way. The draws are NumPy's, by the method of Lemire (2019), Fast random integer generation in
+    an interval.
     """
     methods: Any = importlib.import_module("numba.np.random.random_methods")
-    core: Any = importlib.import_module("numba.np.random.generator_core")
+    next_64: Any = methods.next_uint64
     jitable: Any = importlib.import_module("numba.core.extending").register_jitable
-    lemire, next_32, next_64 = methods.buffered_bounded_lemire_uint32, core.next_uint32, core.next_uint64
-    int64, uint64 = types.int64, types.uint64
+    uint64 = types.uint64
 
     @jitable  # type: ignore[untyped-decorator]
     def upper_half(x: Any, y: Any) -> Any:
@@ -104,27 +104,15 @@ def _draw_without_memory() -> None:
         return (a << uint64(16)) + (b >> uint64(16))
 
     @jitable  # type: ignore[untyped-decorator]
-    def below(bits: Any, n: Any) -> Any:
-        drawn = next_64(bits)
+    def up_to(bits: Any, last: Any) -> Any:
+        n, drawn = uint64(last) + uint64(1), next_64(bits)
         if drawn * n < n:
             threshold = (uint64(0) - n) % n
             while drawn * n < threshold:
                 drawn = next_64(bits)
         return upper_half(drawn, n)
 
-    @jitable  # type: ignore[untyped-decorator]
-    def one(bits: Any, low: Any, span: Any, size: Any, dtype: Any) -> Any:
-        if span == 0:
-            drawn = int64(0)
-        elif span < 0xFFFFFFFF:
-            drawn = int64(lemire(bits, span))
-        elif span == 0xFFFFFFFF:
-            drawn = int64(next_32(bits))
-        else:
-            drawn = int64(below(bits, uint64(span) + uint64(1)))
-        return (low + drawn,)
-
-    methods.random_bounded_uint64_fill = one
+    methods.bounded_lemire_uint64 = up_to
 
 
 def _machine() -> Any:

@@ -13,18 +13,10 @@ from typing import Any
 import build
 import pytest
 
-from edugym.training.train import train
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES, STARTS
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.values import same
 from tests.course.lessons.answers import Answer, read_answers, read_exercises, verdict
-
-
-@pytest.fixture(autouse=True)
-def training_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The setup of answers may leave training out; afterwards it is there again."""
-    monkeypatch.setattr("edugym.experiments.repeat.train", train)
-
 
 MAXIMA = {
     ("00_loop", 3): "max(self.Q[next_state])",

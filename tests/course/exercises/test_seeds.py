@@ -6,7 +6,6 @@ import build
 import numpy as np
 import pytest
 
-from edugym.training.train import train
 from tests.course.lessons.answers import TRAINING, Answer, Exercise, read_answers, read_exercises, verdict
 
 WITHOUT_A_GENERATOR = {
@@ -23,9 +22,8 @@ DRAWN = {
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in TRAINING)) for name in DRAWN])
-def test_solutions_are_right_with_other_seeds(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_solutions_are_right_with_other_seeds(name: str) -> None:
     """Cases in which all mistakes differ are found with each of them."""
-    monkeypatch.setattr("edugym.experiments.repeat.train", train)
     exercise, before = DRAWN[name]
     [line] = [line for line in exercise.check.splitlines() if "seed=1" in line]
     for seed in range(2, 8):
@@ -37,7 +35,6 @@ def test_solutions_are_right_with_other_seeds(name: str, monkeypatch: pytest.Mon
 @pytest.mark.parametrize("name", DRAWN)
 def test_another_seed_makes_other_cases(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The first numbers that the check draws are others."""
-    monkeypatch.setattr("edugym.experiments.repeat.train", train)  # the setup of answers may leave training out
     (exercise, before), default_rng = DRAWN[name], np.random.default_rng
     drawn: dict[bool, set[float]] = {}
     for line in exercise.check.splitlines():

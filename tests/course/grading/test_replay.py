@@ -12,7 +12,7 @@ from edugym_course.grading import WrongAnswer
 from edugym_course.grading.programs import Program, Step, learn_from, shape_of
 from edugym_course.grading.replay import SWAPPED, Learner, Rule
 from edugym_course.grading.small_world import SmallWorld
-from tests.course.lessons.answers import LONG, read_answers, read_exercises
+from tests.course.lessons.answers import LONG, namespace_after, read_answers, read_exercises
 
 RULES: dict[str, Rule] = {
     lesson: project.RULE
@@ -97,9 +97,8 @@ def test_right_answers_are_right_whatever_the_seed_is(lesson: str, seed: int) ->
     imports, _ = read_exercises(build.lesson_sources()[lesson])
     for answer in answers:
         if answer.right and answer.exercise == 0:
-            namespace: dict[str, Any] = {}
-            exec(f"{imports}\n{setup}\n{answer.code}", namespace)
-            RULES[lesson].check(namespace["my_program"], seed)
+            with namespace_after(imports, setup, answer.code) as namespace:
+                RULES[lesson].check(namespace["my_program"], seed)
 
 
 @pytest.mark.parametrize("truncates", [False, True])

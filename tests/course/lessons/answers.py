@@ -1,19 +1,22 @@
 """Right and wrong answers to the exercises of a lesson: how they are read, and tried on the lesson's own checks."""
 
 import ast
+import contextlib
 import linecache
 import re
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
+from unittest.mock import patch
 
 import build
 from nbformat import NotebookNode
 from rules import is_check, is_code, is_exercise, is_project, without_marks, without_solutions
 
+from edugym.experiments import repeat as repeating
 from edugym_course.grading import WrongAnswer
 
 NAME = re.compile(r"(exercise_(?P<exercise>\d+)|project)_(?P<verdict>right|wrong)")
@@ -138,21 +141,28 @@ def _checks(cell: NotebookNode) -> str:
 
 def verdict(answer: Answer, exercise: Exercise, before: Sequence[str]) -> str:
     """Return what the check of its exercise says of an answer, "" if it passes; first runs the code `before`."""
-    namespace: dict[str, Any] = {"__name__": "__main__"}
-    for code in before:
-        exec(code, namespace)
-    whole = _with_methods(exercise.solution, answer.code)
+    whole, placeholder = _with_methods(exercise.solution, answer.code), ""
     if whole is None:
-        exec(exercise.placeholder, namespace)
-        whole = answer.code
+        whole, placeholder = answer.code, exercise.placeholder
     file = f"<answer {answer.exercise}, {answer.name}>"
     linecache.cache[file] = (len(whole), None, whole.splitlines(keepends=True), file)
-    exec(compile(whole, file, "exec"), namespace)
-    try:
-        exec(exercise.check, namespace)
-    except WrongAnswer as wrong:
-        return str(wrong)
+    with namespace_after(*before, placeholder) as namespace:
+        exec(compile(whole, file, "exec"), namespace)
+        try:
+            exec(exercise.check, namespace)
+        except WrongAnswer as wrong:
+            return str(wrong)
     return ""
+
+
+@contextlib.contextmanager
+def namespace_after(*before: str) -> Iterator[dict[str, Any]]:
+    """Yield the names that such code defines. Its setup may leave out training in `repeat`, which then comes back."""
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    with patch.dict(vars(repeating)):
+        for code in before:
+            exec(code, namespace)
+        yield namespace
 
 
 def _with_methods(solution: str, answer: str) -> str | None:

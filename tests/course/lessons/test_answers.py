@@ -11,7 +11,7 @@ from types import ModuleType
 import build
 import pytest
 
-from edugym.training.train import train
+from edugym.experiments import repeat as repeating
 from edugym_course.grading import agents, choices, curves, mistakes, programs, replay, results, updates, values
 from edugym_course.grading.one_step import Q_LEARNING
 from tests.course.lessons.answers import (
@@ -19,6 +19,7 @@ from tests.course.lessons.answers import (
     Answer,
     Exercise,
     functions_of,
+    namespace_after,
     read_answers,
     read_exercises,
     read_project,
@@ -68,12 +69,6 @@ def _no_hints(node: ast.AST) -> Iterator[ast.AST]:
             yield from ast.walk(node)
         case ast.Call(func=ast.Name("Own" | "step_cost" | "use_your_own")):
             yield from ast.walk(node)
-
-
-@pytest.fixture(autouse=True)
-def training_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The setup of answers may leave training out; afterwards it is there again."""
-    monkeypatch.setattr("edugym.experiments.repeat.train", train)
 
 
 @cache
@@ -242,6 +237,15 @@ def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeyp
         said = verdict(empty, exercise, before)
         assert "Not solved yet" in said or "began" in said
         assert ({*counted}, len(counted)) == ({(lesson.partition("_")[2], number)}, n_counted)  # the empty one does not
+
+
+def test_answers_leave_nothing_behind() -> None:
+    """The setup of some leaves training out, which later tests need."""
+    trains = vars(repeating)["train"]
+    for lesson in LESSONS:
+        with namespace_after(*exercises_of(lesson)[0]):
+            pass
+        assert vars(repeating)["train"] is trains, lesson
 
 
 @pytest.mark.parametrize("lesson", LESSONS)
