@@ -20,9 +20,12 @@ myst_heading_anchors = 3
 suppress_warnings = ["myst.header"]
 
 html_theme = "furo"
-html_title = f"EduGym {VERSION}"
+html_title = "EduGym"  # the version stands below, where `versions.py` finds it
 html_favicon = "playground/favicon.svg"
 html_static_path = ["static"]
+templates_path = ["templates"]
+_PARTS = "brand versions search scroll-start navigation scroll-end"
+html_sidebars = {"**": [f"sidebar/{part}.html" for part in _PARTS.split()]}
 html_css_files = ["site.css"]
 html_js_files = [("site.js", {"defer": "defer"})]
 html_math_renderer = "mathml"

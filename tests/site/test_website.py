@@ -14,6 +14,8 @@ from urllib.parse import unquote, urlsplit
 import playground
 import previews
 import pytest
+import repository
+import versions
 
 from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
 from tests.site.serving import served
@@ -79,26 +81,59 @@ class Found(HTMLParser):
 @pytest.fixture(scope="module")
 def pages(site: Path) -> dict[Path, Found]:
     """All pages of the website, without those of the playground."""
-    files = [file for file in site.rglob("*.html") if "playground" not in file.parts]
+    return found_in(site)
+
+
+def found_in(folder: Path) -> dict[Path, Found]:
+    """What the pages in a folder name, without those of a playground."""
+    files = [file for file in folder.rglob("*.html") if "playground" not in file.parts]
     return {file: Found(file.read_text(encoding="utf-8")) for file in files}
 
 
-def test_every_link_within_the_website_leads_somewhere(site: Path, pages: dict[Path, Found]) -> None:
-    """Files and anchors."""
-    broken = []
+def broken(pages: dict[Path, Found]) -> list[str]:
+    """Links to files and anchors that are not there."""
+    wrong = []
     for file, found in pages.items():
         for link in found.links + found.loads:
             parts = urlsplit(link)
             if parts.scheme in ("http", "https", "data"):
                 continue
             target = (file.parent / unquote(parts.path)).resolve() if parts.path else file
-            if target == site / "playground" / "index.html":  # its fragments are settings
+            if target.parts[-2:] == ("playground", "index.html"):  # its fragments are settings
                 continue
             anchors = pages[target].anchors if target in pages else {parts.fragment}
             if not target.exists() or unquote(parts.fragment) not in anchors:
-                broken.append(f"{file.relative_to(site)}: {link}")
-    assert not broken
+                wrong.append(f"{file}: {link}")
+    return wrong
+
+
+def test_every_link_within_the_website_leads_somewhere(pages: dict[Path, Found]) -> None:
+    """Files and anchors."""
+    assert not broken(pages)
     assert len(pages) > 70
+
+
+@pytest.fixture(scope="module")
+def published(site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The website as three versions, side by side; one has a page that the others lack."""
+    folder = tmp_path_factory.mktemp("published")
+    for name in ("0.0.1", repository.VERSION, "dev"):
+        versions.add(site, folder, name)
+    shutil.copy(folder / "dev" / "survey.html", folder / "dev" / "new.html")
+    versions.write_switches(folder)
+    return folder
+
+
+def test_every_link_between_versions_leads_somewhere(published: Path) -> None:
+    """In the pages of all, and in those that lead to the newest; each page names all versions."""
+    pages = found_in(published)
+    assert not broken(pages)
+    for file, found in pages.items():
+        if file.is_relative_to(published / "stable") or file == published / "index.html":
+            continue
+        leads_to = {(file.parent / link).resolve() for link in found.links if "/" in link}
+        named = {path.relative_to(published).parts[0] for path in leads_to if path.is_relative_to(published)}
+        assert {*versions.versions(published)} <= named | {file.relative_to(published).parts[0]}
 
 
 def test_pages_load_nothing_from_another_host(site: Path, pages: dict[Path, Found]) -> None:
@@ -169,6 +204,27 @@ def test_a_page_can_be_read_by_everybody(browser: Any, address: str, axe: str, p
             browser.execute_script(axe)
             found = browser.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
             assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+
+
+@needs_browser
+def test_a_reader_of_an_old_version_finds_the_newest(browser: Any, published: Path, axe: str) -> None:
+    """The banner and the open switch have no fault and ask no other host; the switch and `stable` keep the page."""
+    with served(published) as address:
+        for width in WIDTHS[:2]:
+            for theme in ("light", "dark"):
+                opened(browser, address, "0.0.1/environments/boulder", width, theme)
+                browser.execute_script("document.querySelector('details.versions').open = true")
+                browser.execute_script(axe)
+                found = browser.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
+                assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+                asked = browser.execute_script("return performance.getEntries().map(entry => entry.name)")
+                assert not [name for name in asked if "://" in name and not name.startswith(address)]
+        browser.execute_script("document.querySelector('.versions li:first-child a').click()")
+        here = f"{address}{repository.VERSION}/environments/boulder.html"
+        until(lambda: browser.current_url == here, "the same page of the newest version")
+        assert browser.execute_script("return document.querySelector('.banner')") is None
+        browser.get(f"{address}stable/environments/boulder.html#reward")
+        until(lambda: browser.current_url == f"{here}#reward", "the page that stable leads to")
 
 
 @needs_browser
