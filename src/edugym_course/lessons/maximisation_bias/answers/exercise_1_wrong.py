@@ -228,3 +228,21 @@ def largest_promise(n_machines, n_tries, win, lose):
 # in: the solution of largest_promise
 # - F += comb(n_tries, wins) * 0.5**n_tries
 # + F += comb(n_tries, wins) * 0.5**n_machines
+
+# %% the index before the first
+# says: F before the first value is 0; in Python the index -1 is that of the *last* entry
+# in: with differences of F to the power of k
+# - return (x * np.diff(at_most, prepend=0)).sum()
+# + return sum(x[w] * (at_most[w] - at_most[w - 1]) for w in range(n_tries + 1))
+
+# %% the power rule
+# says: k p F(x)^(k - 1) is right for a density; F grows in steps here, so take differences of F(x)^k
+# in: with differences of F to the power of k
+# - return (x * np.diff(at_most, prepend=0)).sum()
+# + return (x * n_machines * p * np.cumsum(p) ** (n_machines - 1)).sum()
+
+# %% machines and tries swapped
+# says: the number of machines and that of tries are swapped
+# in: with differences of F to the power of k
+# - def largest_promise(n_machines, n_tries, win, lose):
+# + def largest_promise(n_tries, n_machines, win, lose):

@@ -1,14 +1,21 @@
 # %% Q-learning
-# says: in a casino that does not pay,
-# says: of episodes 31 to 100 lead into it; with double Q-learning
-# says: do, with Q-learning
-# says: : what does the table that learns ask the *other* table? Its own argmax chooses the action in the next state, and the other table says what that action is worth
+# says: in an environment of 2 steps the first step pays 1 and ends its episode, and the same action then pays -0.92 and
+#   ends one too: a loss if one table has learned both, and a gain if each has learned one; after that the policy takes
+#   this action again in
+# says: runs, and it should in about 50%: in each step *one* table learns, and a coin says which, each time anew
 # in: two tables and a dictionary of names
 # - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
 # + own = other = Q1
 
+# %% one table learns nearly always
+# says: in each step *one* table learns, and a coin says which, each time anew
+# in: two tables and a dictionary of names
+# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + own, other = (Q1, Q2) if rng.random() < 0.1 else (Q2, Q1)
+
 # %% both by the table that learns
-# says: what does the table that learns ask the *other* table?
+# says: what does the table that learns ask the *other* table? Its own argmax chooses the action in the next state, and
+#   the other table says what that action is worth
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += own[after].max()
@@ -19,17 +26,66 @@
 # - target += other[after, own[after].argmax()]
 # + target += other[after].max()
 
-# %% one table keeps its zeros
+# %% the mean of the other's values
+# says: what does the table that learns ask the *other* table?
+# says: It counts where the episode goes on, with γ = 1
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += other[after].mean()
+
+# %% the roles swapped
+# says: are the two swapped?
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += own[after, other[after].argmax()]
+
+# %% a discount
+# says: the discount is 1, and α is 0.1: what follows in state 0 is worth 0.1, or 0
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += 0.9 * other[after, own[after].argmax()]
+
+# %% cut off is not ended
+# says: only `terminated` means that nothing follows; a step that is truncated has its future
+# in: two tables and a dictionary of names
+# - if not terminated:
+# + if not (terminated or truncated):
+
+# %% the end has a future
+# says: where `terminated` is True, nothing follows: the target is the reward
+# in: two tables and a dictionary of names
+# - if not terminated:
+# + if True:
+
+# %% the other's action 0
 # says: in a casino that pays, where one of
 # says: machines wins 1 on average, the policy goes in and plays it in
 # says: runs, and it should in
-# says: it has learned little; are *both* tables changed, each in about half of the steps (one that keeps its zeros says 0 of everything)? Does the target count what follows in the *next* state, and only where `terminated` is False? Is Q(S, A) changed, and is the next step begun in the next state?
+# says: : it has learned little; is the next step begun in the next state, and is the other table asked about the
+#   *best* action there?
 # in: two tables and a dictionary of names
-# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
-# + own, other = Q1, Q2
+# - target += other[after, own[after].argmax()]
+# + target += other[after, 0]
+
+# %% the policy of one table
+# says: in an environment of 1 step a first step has paid 1, and all else is still 0; after that the policy takes this
+#   action again in
+# says: the policy takes the *best* action, by the sum of both tables, and never a random one
+# in: two tables and a dictionary of names
+# - return lambda state: int((Q1 + Q2)[state].argmax())
+# + return lambda state: int(Q1[state].argmax())
+
+# %% Q-learning as soon as both tables know something
+# says: in a casino that does not pay,
+# says: of episodes 31 to 100 lead into it; with double Q-learning
+# says: do, with Q-learning
+# says: : what does the table that learns ask the *other* table? Its own argmax chooses the action in the next state, and the other table says what that action is worth
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += (own if Q1.any() and Q2.any() else other)[after, own[after].argmax()]
 
 # %% the worst action
-# says: while it learns, it goes in; does the policy take the best action, of the state that it is given, by the sum of both tables, and is the state that reset() gives the next one?
+# says: the policy takes the *best* action, by the sum of both tables, and never a random one
 # in: two tables and a dictionary of names
 # - return lambda state: int((Q1 + Q2)[state].argmax())
 # + return lambda state: int((Q1 + Q2)[state].argmin())
@@ -41,7 +97,7 @@
 # + own[state, action] += 0.1 * (own[state, action] - target)
 
 # %% always random
-# says: is ε 0.1, and not 0.9? Are the first values 0?
+# says: is ε 0.1, are the first values 0, and is the best action that with the largest *sum* of both tables?
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
 # + if True:
@@ -69,8 +125,7 @@
 # + action = int(total.argmax())
 
 # %% all at once
-# says: an action that has paid 1 four times and then -1 is mostly left at once: is α 0.1? A value moves a tenth of
-#   the way to its target
+# says: a value moves a *tenth* of the way to its target (α = 0.1), and only that of the table that learns
 # in: two tables and a dictionary of names
 # - own[state, action] += 0.1 * (target - own[state, action])
 # + own[state, action] = target

@@ -25,10 +25,11 @@ def promised(
     kept: str = "all",
     pays: str = "mean",
     times: str = "one",
+    exchanged: bool = False,
     chance: float = 0.5,
 ) -> float:
     """Return what the largest mean is on average; other arguments than the defaults are mistakes."""
-    k, n, win, lose = case
+    k, n, win, lose = case if not exchanged else Machines(case.n, case.k, case.win, case.lose)
     w, orders = np.arange(n + 1), np.array([comb(n, wins) for wins in range(n + 1)])
     p = {
         "binomial": orders * chance**w * (1 - chance) ** (n - w),
@@ -59,6 +60,8 @@ def promised(
         "not added up": np.diff(p**k, prepend=0.0),
         "late": np.diff(np.append(0.0, at_most[:-1]), prepend=0.0),
         "backwards": -np.diff(at_most, prepend=0.0),
+        "wrapped": at_most - np.roll(at_most, 1),
+        "density": k * p * at_most ** ((k - 1) / k),
         "at most": at_most,
         "of one": p**k,
         "times k": k * p,
@@ -90,6 +93,11 @@ PROMISE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the sign is wrong: F(x)^k less what it was for the value before, and not the other way round": {
         "over": "backwards"
     },
+    "F before the first value is 0; in Python the index -1 is that of the *last* entry": {"over": "wrapped"},
+    "k p F(x)^(k - 1) is right for a density; F grows in steps here, so take differences of F(x)^k": {
+        "over": "density"
+    },
+    "the number of machines and that of tries are swapped": {"exchanged": True},
     "F is added up after the term; for x it must hold the probability of *at most* x": {"over": "late"},
     "the means are divided by n + 1; there are n tries": {"pays": "too many"},
     "parentheses are missing: the whole sum of payoffs is divided by n": {"pays": "lost share"},

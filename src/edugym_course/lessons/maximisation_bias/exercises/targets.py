@@ -256,7 +256,7 @@ def aims(rng: np.random.Generator) -> list[Aim]:
     """Make up tables, two, three or four, and outcomes of which one ends."""
     return [
         Aim(
-            rng.integers(-9, 10, (n, N_STATES, N_ACTIONS)).astype(float),
+            rng.integers(-9, 9, (n, N_STATES, N_ACTIONS)).astype(float) + 0.5,
             _reward(rng),
             int(rng.integers(N_STATES)),
             terminated,

@@ -1,0 +1,178 @@
+"""Environments of two steps, in which each part of double Q-learning shows in what the policy says of the second one.
+
+The first step begins in state 0, pays 1 and ends its episode: the value of its action is 0.1 in one table, and all
+others are 0. Whether the second step leaves its own action better than the other one, whose value is still 0, hangs on
+two coins (which table learned, and whether action 0 or 1 was the first) and on nothing else. So the share of runs in
+which it does is known exactly.
+"""
+
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym_course.grading.choices import action_of
+from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
+from edugym_course.grading.programs import POLICY, run_program
+from edugym_course.grading.student_code import student_code
+
+RUNS = 200
+SLACK = 0.13
+"""How far the share may be from what it is for double Q-learning: four standard errors of a quarter."""
+
+
+class Riddle(NamedTuple):
+    """What the second step is like, and what comes of it.
+
+    Attributes:
+        share: of the runs, those in which the policy takes the action of the second step again.
+        shows: what happens, for the sentence.
+        fewer: what is amiss where the share is smaller.
+        more: the same where it is larger.
+        begins: the state of the second step; it leads to state 0.
+        reward: what it pays.
+        terminated: whether it ends its episode.
+        truncated: whether its episode is cut off there.
+        n_steps: how many steps there are in all; with 1 the policy is asked about the first.
+    """
+
+    share: float
+    shows: str
+    fewer: str
+    more: str = ""
+    begins: int = 0
+    reward: float = 0.0
+    terminated: bool = False
+    truncated: bool = False
+    n_steps: int = 2
+
+
+_RATE = "a value moves a *tenth* of the way to its target (α = 0.1), and only that of the table that learns"
+_OTHER = (
+    "what does the table that learns ask the *other* table? Its own argmax chooses the action in the next state, and"
+    " the other table says what that action is worth"
+)
+_ONCE = "the first step pays 1 and ends its episode"
+RIDDLES = (
+    Riddle(
+        1.0,
+        "a first step has paid 1, and all else is still 0",
+        "the policy takes the *best* action, by the sum of both tables, and never a random one",
+        n_steps=1,
+    ),
+    Riddle(
+        0.5,
+        f"{_ONCE}, and the same action then pays -0.92 and ends one too: a loss if one table has learned both, and a"
+        " gain if each has learned one",
+        "in each step *one* table learns, and a coin says which, each time anew",
+        "a coin says which table learns, each time anew; a value moves a *tenth* of the way to its target (α = 0.1)",
+        reward=-0.92,
+        terminated=True,
+    ),
+    Riddle(
+        1.0,
+        f"{_ONCE}, and the same action then pays -0.88 and ends one too",
+        _RATE,
+        reward=-0.88,
+        terminated=True,
+    ),
+    Riddle(
+        0.25,
+        f"{_ONCE}, and then an action in state 1 pays -0.07 and leads to state 0, where the episode goes on",
+        f"{_OTHER}. It counts where the episode goes on, with γ = 1",
+        _OTHER,
+        begins=1,
+        reward=-0.07,
+    ),
+    Riddle(
+        0.25,
+        f"{_ONCE}, and then an action in state 1 pays -0.07 and leads to state 0, where the episode is truncated",
+        "only `terminated` means that nothing follows; a step that is truncated has its future",
+        _OTHER,
+        begins=1,
+        reward=-0.07,
+        truncated=True,
+    ),
+    Riddle(
+        0.0,
+        f"{_ONCE}, and then an action in state 1 pays -0.07 and leads to state 0, where it terminates",
+        "",
+        "where `terminated` is True, nothing follows: the target is the reward",
+        begins=1,
+        reward=-0.07,
+        terminated=True,
+    ),
+    Riddle(
+        0.25,
+        f"{_ONCE}, and then an action in state 1 pays -0.095 and leads to state 0, where the episode goes on",
+        "the discount is 1, and α is 0.1: what follows in state 0 is worth 0.1, or 0",
+        _OTHER,
+        begins=1,
+        reward=-0.095,
+    ),
+    Riddle(
+        0.25,
+        f"{_ONCE}, and the same action then pays -1.07 and leads to state 0 again, where the episode is truncated",
+        "the table that *learns* chooses the action in the next state, and the *other* one says what it is worth: are"
+        " the two swapped?",
+        _OTHER,
+        reward=-1.07,
+        truncated=True,
+    ),
+)
+
+
+class Twice(gymnasium.Env[Any, Any]):
+    """The two steps of a riddle; those after them pay nothing, and end their episodes.
+
+    Args:
+        riddle: the riddle.
+    """
+
+    observation_space, action_space = spaces.Discrete(2), spaces.Discrete(2)
+
+    def __init__(self, riddle: Riddle) -> None:
+        """No step was taken."""
+        self._riddle, self._taken = riddle, 0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin the next of the steps."""
+        super().reset(seed=seed)
+        return self._riddle.begins if self._taken == 1 else 0, {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Take one of the steps."""
+        self._taken += 1
+        if self._taken == 2:
+            return 0, self._riddle.reward, self._riddle.terminated, self._riddle.truncated, {}
+        return 0, float(self._taken == 1), True, False, {}
+
+
+def require_riddles(answer: Any, seed: int) -> None:
+    """Refuse a program that leaves out a part of double Q-learning, or does it in another way.
+
+    Raises:
+        WrongAnswer: it does.
+    """
+    for riddle in RIDDLES:
+        kept = _kept(answer, riddle, seed)
+        if abs(kept - riddle.share) > (SLACK if 0 < riddle.share < 1 else 0):
+            why = riddle.fewer if kept < riddle.share else riddle.more
+            raise WrongAnswer(
+                f"in an environment of {riddle.n_steps} step{'s'[: riddle.n_steps - 1]} {riddle.shows}; after that the"
+                f" policy takes this action again in {kept:.0%} of {RUNS} runs, and it should in"
+                f" {'about ' * (0 < riddle.share < 1)}{riddle.share:.0%}{'' if nobody_asks_why() else f': {why}'}"
+            )
+
+
+def _kept(answer: Any, riddle: Riddle, seed: int) -> float:
+    """Return the share of runs in which the policy takes the action of the last step of a riddle again."""
+    again = []
+    for number in range(RUNS * seed, RUNS * (seed + 1)):
+        run = run_program(answer, Twice(riddle), riddle.n_steps, number)
+        *before, last = run.steps[: riddle.n_steps]
+        if not before or riddle.begins or last.action == before[0].action:
+            with student_code(POLICY):
+                again.append(action_of(POLICY, run.policy(last.state), 2) == last.action)
+    return float(np.mean(again))
