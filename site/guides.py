@@ -15,7 +15,15 @@ GROUPS = {
         "preferences",
         "offline",
     ),
-    "For teachers": ("teaching", "course-plans", "assessment", "statements", "license", "writing-lessons"),
+    "For teachers": (
+        "teaching",
+        "own-numbers",
+        "course-plans",
+        "assessment",
+        "statements",
+        "license",
+        "writing-lessons",
+    ),
     "For engineers": (
         "machine-code",
         "speed",
