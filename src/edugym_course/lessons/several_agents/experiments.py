@@ -20,6 +20,7 @@ from edugym.experiments.figures.sheet import Sheet, in_pairs
 from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.experiments.results.statistics import exactly, mean_interval
 from edugym.experiments.results.tables import Results
+from edugym.training.learned_policy import learned_policy
 from edugym_course.lessons.several_agents.figures import exploited, learning
 from edugym_course.lessons.several_agents.methods import (
     ALONE,
@@ -27,6 +28,7 @@ from edugym_course.lessons.several_agents.methods import (
     DISCOUNT,
     DOMINANT,
     FICTITIOUS,
+    IN_TURNS,
     LEARNERS,
     MINIMAX,
     N_CONTROL,
@@ -35,8 +37,10 @@ from edugym_course.lessons.several_agents.methods import (
     NO_SAFE_ACTION,
     REPETITIONS,
     TAUGHT,
+    TOLD,
     against_each_other,
     blind_to_contact,
+    can_lose,
     changes,
     choosing,
     compare,
@@ -48,6 +52,7 @@ from edugym_course.lessons.several_agents.methods import (
     random_states,
     soccer,
     taught,
+    with_best_answers,
 )
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
@@ -100,7 +105,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     control = compare(soccer(0.0), BOTH, N_CONTROL, **how("no_contact"))
     lesson = compare(soccer(), {TAUGHT: taught}, N_STEPS, measure=losses, **how("taught"))
     by_turns = {
-        name: compare(in_turns(contact), BOTH, N_STEPS, discount=discount, **how(f"turns_{i}"))
+        name: compare(in_turns(contact), IN_TURNS, N_STEPS, discount=discount, **how(f"turns_{i}"))
         for i, (name, (contact, discount)) in enumerate(TURNS.items())
     }
     return by_matrix, by_field, changed, control, lesson, by_turns, torn, near
@@ -261,11 +266,31 @@ def soccer_claims(by_field: Mapping[str, Results], control: Results, lesson: Res
         Above(0.3),
         remark="So it is not only that the other learns: here nobody else does.",
     )
+    yield from pupil_claims(lesson)
     yield Claim(
         "In soccer the average play of two fictitious players is still exploitable by 0.2 or more",
         f"exploitability after {N_STEPS} steps",
         mean_interval(by_field["soccer"].final(FICTITIOUS)),
         Above(0.2),
+    )
+
+
+def pupil_claims(lesson: Results) -> Iterator[Claim]:
+    """Yield the claims on what makes one weak who has learned from a safe opponent."""
+    known = soccer()
+    pupils = [learned_policy(known.game, 0, players[0]) for players in lesson.agents[TAUGHT].values()]
+    shares, corrected = zip(*(with_best_answers(known, pupil) for pupil in pupils), strict=True)
+    yield Claim(
+        "In a third of the states or more it takes no best answer to this opponent",
+        "share of the states, computed from what it has learned",
+        mean_interval([1 - share for share in shares]),
+        Above(1 / 3),
+    )
+    yield Claim(
+        "With best answers there, too, it can be beaten by less than 0.2",
+        "what its best opponent wins from it then, computed",
+        mean_interval([can_lose(known, 0, policy) for policy in corrected]),
+        Below(0.2),
     )
 
 
@@ -279,6 +304,13 @@ def turn_claims(by_turns: Mapping[str, Results]) -> Iterator[Claim]:
             f"{quantity}, Q-learning less minimax Q-learning",
             results.difference(ALONE, MINIMAX),
             Below(0.01),
+        )
+        yield Claim(
+            f"In {name} minimax Q-learning that is told whose action counts is less exploitable than without",
+            f"{quantity}, minimax Q-learning told less minimax Q-learning",
+            results.difference(TOLD, MINIMAX),
+            Below(-0.01),
+            remark="What it learns is shared by five values; without, each of them is learned by itself.",
         )
 
 

@@ -23,9 +23,10 @@ from edugym.experiments.results.tables import Results
 from edugym.mdp.markov_game import table_shape
 from edugym.mdp.protocol import Random, Reals
 from edugym.training.train_players import train_players
-from edugym_course.lessons.several_agents.turns import SoccerInTurns
+from edugym_course.lessons.several_agents.turns import SoccerInTurns, ToldWhoseTurn
 
 ALONE, MINIMAX, FICTITIOUS, TAUGHT = "Q-learning, each alone", "minimax Q-learning", "fictitious play", "taught"
+TOLD = "minimax Q, told whose turn it is"
 EPSILON, DISCOUNT = 0.2, 0.9
 LEFT = 0.01
 """What is left of the learning rate at the end: it falls from 1 to 0.01, as Littman's."""
@@ -100,6 +101,15 @@ BOTH: Mapping[str, Maker] = MappingProxyType({ALONE: independent, MINIMAX: minim
 LEARNERS: Mapping[str, Maker] = MappingProxyType({**BOTH, FICTITIOUS: fictitious})
 
 
+def told(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> ToldWhoseTurn:
+    """Return a minimax Q-learner that is told whose action counts, with the same learning rate at each step."""
+    updates = n_steps * int(game.action_space(player).n)
+    return ToldWhoseTurn(minimax(game, player, updates, discount), player)
+
+
+IN_TURNS: Mapping[str, Maker] = MappingProxyType({**BOTH, TOLD: told})
+
+
 class Known(NamedTuple):
     """A game with its exact model."""
 
@@ -155,6 +165,27 @@ def taught(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> 
     if player == 0:
         return independent(game, player, n_steps, discount)
     return FixedPlayer.create(game, player, solution(game.contact, discount).policies[player])
+
+
+def with_best_answers(known: Known, policy: Any, discount: float = DISCOUNT) -> tuple[float, Reals]:
+    """Correct a policy of player 0 in soccer where it is no best answer to a safe player 1.
+
+    Returns:
+        The share of the states of the game in which its action is a best answer, and the policy with a best answer in
+        the others, too.
+    """
+    model = known.model.against(0, solution(known.game.contact, discount).policies[1])
+    solved, corrected = value_iteration(model, discount), np.array(policy)
+    states = known.model.joint[0].states
+    playing = [row for row, state in enumerate(states) if not known.game.terminal(state)]
+    best = known.model.by_observation(0, solved.greedy_policy())
+    wrong = []
+    for row in playing:
+        seen = known.game.observation(states[row], 0, None)
+        if solved.Q[row].max() - corrected[seen] @ solved.Q[row] > EXACT:
+            wrong.append(seen)
+    corrected[wrong] = best[wrong]
+    return 1 - len(wrong) / len(playing), corrected
 
 
 def random_states(known: Known, discount: float = DISCOUNT) -> int:

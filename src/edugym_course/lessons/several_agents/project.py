@@ -35,8 +35,12 @@ N_ACTIONS, HALL, OVER = 3, 0, 100
 SAFE = ((3.0, 2.0, 4.0), (0.0, -1.0, 1.0), (-2.0, -3.0, -1.0))
 """What player 0 gets in a room in which its first action is best whatever the other does."""
 ROCK = np.array(DARING)
-WILD = (0.1, 0.2, 0.3, 0.4, 0.5)
-"""How much hangs on the actions in each room: so the best that may happen there does not say what it is worth."""
+WILD = (0.1, 1.5, 0.5, 0.1, 0.5)
+"""How much hangs on the actions in each room, from the one that is worth least on.
+
+So neither the best that may happen there nor what one action by itself guarantees says what it is worth, and who goes
+by them takes wrong ways.
+"""
 
 
 class House(NamedTuple):
@@ -119,7 +123,8 @@ def _way(rng: Random, seen_at_end: Sequence[int] = (HALL,) * N_ACTIONS**2, max_s
     """Five rooms that are worth -3, -1, 0, 1 and 3, and a hall in which the way must be chosen at random."""
     worth = rng.permutation(np.unique(ROCK))
     hall = _turned(ROCK, rng)
-    rooms = np.stack([_turned(ROCK, rng) * wild + one for one, wild in zip(worth, rng.permutation(WILD), strict=True)])
+    wild = dict(zip(np.unique(ROCK), WILD, strict=True))
+    rooms = np.stack([_turned(ROCK, rng) * wild[one] + one for one in worth])
     places = np.array([[1 + int(np.flatnonzero(worth == one)[0]) for one in row] for row in hall])
     return House(places, rooms, tuple(seen_at_end), max_steps)
 

@@ -215,3 +215,10 @@ def exploitability(payoffs, first, second):
 def exploitability(payoffs, first, second):
     rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
     return (rows.min() - now + now - columns.min()) / 2
+
+
+# %% the table is shifted in place
+# says: changes its array `payoffs`; make a new one, for the caller still needs the old one
+def exploitability(payoffs, first, second):
+    payoffs -= first @ payoffs @ second
+    return ((payoffs @ second).max() - (first @ payoffs).min()) / 2

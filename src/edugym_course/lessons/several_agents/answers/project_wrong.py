@@ -141,3 +141,11 @@
 # %% an agent for a program
 # says: environment, n_steps and seed
 my_program = games.MinimaxQ
+
+
+# %% one action by itself is what a place is worth
+# slow
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# in: all pairs at random
+# - return solved[state].value if state in solved else 0.0
+# + return Q[state].min(axis=1).max()

@@ -9,8 +9,8 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
 from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
-from edugym_course.lessons.several_agents.exercises.gains import exploitability, games_of, mixed, pairs
+from edugym_course.grading.values import all_same, differing, digits, in_brackets, number, require_unchanged
+from edugym_course.lessons.several_agents.exercises.gains import Pair, exploitability, games_of, mixed, pairs
 from edugym_course.lessons.several_agents.exercises.update import UPDATE_MISTAKES, Case, Step, cases_of, updated
 
 Weight = Annotated[
@@ -29,8 +29,11 @@ def exercise_1(answer: Any, seed: int, weight: Weight = 1.0) -> str:
     cases = []
     for pair in pairs(seed):
         call = f"exploitability({_rows(pair.payoffs)}, {in_brackets(pair.first)}, {in_brackets(pair.second)})"
+        mine = Pair(*(part.copy() for part in pair))
         with student_code(call):
-            found = answer(*(part.copy() for part in pair))
+            found = answer(*mine)
+        for name, given, before in zip(Pair._fields, mine, pair, strict=True):
+            require_unchanged(call, name, given, before)
         wrong = exploitability(pair, weight)
         cases.append(NumberCase(call, number(call, found), wrong.pop(""), wrong))
     compare_all(cases)
@@ -59,7 +62,8 @@ def exercise_2(answer: Any, seed: int, share: Share = 1.0) -> str:
     for payoffs in games_of(seed):
         call = f"safe_probability({_rows(payoffs)})"
         with student_code(call):
-            found = answer(payoffs.copy())
+            found = answer(mine := payoffs.copy())
+        require_unchanged(call, "payoffs", mine, payoffs)
         wrong = mixed(payoffs * (1.0, share))
         cases.append(NumberCase(call, number(call, found), wrong.pop(""), wrong))
     compare_all(cases)
