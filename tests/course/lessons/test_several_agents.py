@@ -137,7 +137,40 @@ def test_claims() -> None:
     lesson = made_up({methods.TAUGHT: [{10: 0.5}] * 2})
     found = measured(experiments.soccer_claims(by_field, control, lesson))
     assert found == [0.1, 0.3, 0.1, 1.3, 0.1, 2.3, 0.01, 0.02, 0.5, 0.3]
-    assert measured(experiments.turn_claims({"in turns": control})) == [0.01, -0.01]
+    turns = finals({methods.ALONE: [0.01] * 2, methods.MINIMAX: [0.02] * 2, methods.TOLD: [0.0] * 2})
+    assert measured(experiments.turn_claims({"in turns": turns})) == [0.01, -0.01, -0.02]
+
+
+def test_pupil() -> None:
+    """A safe policy is a best answer to a safe opponent everywhere; where another is not, it gets one."""
+    known, safe = methods.soccer(), methods.solution().policies[0]
+    share, corrected = methods.with_best_answers(known, safe)
+    assert share == 1.0
+    assert (corrected == safe).all()
+    never_moves = np.eye(5)[[STAND] * len(safe)]
+    share, corrected = methods.with_best_answers(known, never_moves)
+    assert 0 < share < 1
+    assert methods.with_best_answers(known, corrected)[0] == 1.0
+    assert methods.can_lose(known, 0, corrected) < methods.can_lose(known, 0, never_moves)
+    agents = {methods.TAUGHT: [(methods.independent(known.game, 0, 10),)] * 2}
+    pupils = made_up({methods.TAUGHT: [{10: 0.5}] * 2}, agents=agents)
+    wrong, lost = measured(experiments.pupil_claims(pupils))
+    assert 0 < wrong < 1
+    assert 0 < lost < 1
+
+
+def test_told_whose_turn() -> None:
+    """What one action of the player who moves brings is learned for all actions of the other, and nothing else."""
+    game = methods.in_turns().game
+    for player in (0, 1):
+        learner = methods.told(game, player, 1_000)
+        learner.learn(player, 2, 3, 0.5, 4, True)  # the state of this number is one in which this player moves
+        learner.learn(1 - player, 2, 3, 0.5, 4, True)
+        Q = learner.learner.Q
+        assert (Q[player, 2] < 1).all()
+        assert (np.delete(Q[player], 2, axis=0) == 1).all()
+        assert (Q[1 - player, :, 3] < 1).all()
+        assert (np.delete(Q[1 - player], 3, axis=1) == 1).all()
 
 
 def test_soccer_in_turns() -> None:

@@ -346,8 +346,9 @@ for name, known in {"soccer": field, "soccer in turns": turns}.items():
 print(f"exploitability in turns of two who play as if there were no contact: {methods.blind_to_contact():.2f}")
 control = methods.compare(turns, methods.IN_TURNS, 1_000_000, repetitions=3)
 display(figures.learning({"soccer in turns": control}))
-end = control.final("Q-learning, each alone").mean()
-print(f"Q-learning in the end: {end:.3f}")
+ends = {method: control.final(method).mean() for method in control.methods}
+print("in the end:", ", ".join(f"{method} {end:.2f}" for method, end in ends.items()))
+end = ends["Q-learning, each alone"]
 in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 
 # %% [markdown]
@@ -357,7 +358,7 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 # the other matters: who plays as if there were no contact loses much. But in every state one action by itself is safe.
 # So learning as if alone is not wrong in itself: in soccer it fails where only a random choice is safe.
 #
-# In the figure minimax Q-learning levels off at 0.15. Why? It learns the values of 25 pairs of actions, and in turns only five of them differ.
+# In the figure minimax Q-learning levels off at 0.15. Why? It learns the value of each pair of actions, five times five in each state, and in turns only the five of one player count.
 # The green line tests this: here it is told whose turn it is, and learns from each step for all five actions of the one whose action does
 # not count. It comes to 0. So what holds minimax Q-learning back here is that it learns each of these values by itself.
 # </details>

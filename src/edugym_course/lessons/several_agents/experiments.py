@@ -127,6 +127,7 @@ def judge(
         *matrix_claims(by_matrix),
         *change_claims(changed),
         *soccer_claims(by_field, control, lesson),
+        *pupil_claims(lesson),
         *turn_claims(by_turns),
         *torn_claims(torn),
         near_claim(near),
@@ -266,7 +267,6 @@ def soccer_claims(by_field: Mapping[str, Results], control: Results, lesson: Res
         Above(0.3),
         remark="So it is not only that the other learns: here nobody else does.",
     )
-    yield from pupil_claims(lesson)
     yield Claim(
         "In soccer the average play of two fictitious players is still exploitable by 0.2 or more",
         f"exploitability after {N_STEPS} steps",
@@ -281,7 +281,7 @@ def pupil_claims(lesson: Results) -> Iterator[Claim]:
     pupils = [learned_policy(known.game, 0, players[0]) for players in lesson.agents[TAUGHT].values()]
     shares, corrected = zip(*(with_best_answers(known, pupil) for pupil in pupils), strict=True)
     yield Claim(
-        "In a third of the states or more it takes no best answer to this opponent",
+        "In a third of the states or more such a Q-learner takes no best answer to this opponent",
         "share of the states, computed from what it has learned",
         mean_interval([1 - share for share in shares]),
         Above(1 / 3),

@@ -145,7 +145,7 @@ def _soon(rng: Random) -> House:
     hall, pays = np.ones((N_ACTIONS, N_ACTIONS), int), np.zeros(N_ACTIONS)
     hall[order[0]] = 2
     pays[order[1]] = 4.75
-    rooms = np.stack([_turned(ROCK, rng) * rng.choice(WILD) + one for one in (0.0, 5.0)])
+    rooms = np.stack([_turned(ROCK, rng) / 2 + one for one in (0.0, 5.0)])
     return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=tuple(pays.tolist()))
 
 
