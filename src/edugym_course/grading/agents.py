@@ -173,3 +173,30 @@ def learn_step(agent: Any, step: Mapping[str, Any]) -> str:
     with student_code(call):
         agent.learn(**{name: step[name] for name in names})
     return call
+
+
+def table_of(agent: Any, name: str, shape: tuple[int, ...] | None, kind: str = "f") -> Any:
+    """Return a table of a student's agent.
+
+    Args:
+        agent: the agent.
+        name: the field.
+        shape: the shape that it should have; None is any.
+        kind: "f" for real numbers, "i" for whole ones, which may also be stored as real ones.
+
+    Raises:
+        WrongAnswer: it is missing, or is no such array.
+    """
+    table = getattr(agent, name, None)
+    if table is None:
+        raise WrongAnswer(f"the agent should have a table `{name}`, but {type(agent).__name__} has none")
+    if not isinstance(table, np.ndarray):
+        raise WrongAnswer(f"the table `{name}` should be a NumPy array, but is a {type(table).__name__}")
+    if shape is not None and table.shape != shape:
+        raise WrongAnswer(f"the table `{name}` should have the shape {shape}, but has {table.shape}")
+    if table.dtype.kind != "f" and kind == "f":
+        raise WrongAnswer(
+            f"the table `{name}` holds {table.dtype} numbers, so every update loses what is behind the decimal point:"
+            " make it with np.zeros(shape) or np.full(shape, 1.0)"
+        )
+    return table

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.values import ROUNDED, UNUSUAL_NUMBER, digits, rounded_alike, same
+from edugym_course.grading.values import CLOSE, ROUNDED, UNUSUAL_NUMBER, all_near, digits, rounded_alike, same
 
 Mistake = TypeVar("Mistake")
 
@@ -102,6 +102,41 @@ def _explains_most(explained: Sequence[bool], wrong: Sequence[bool]) -> bool:
     return explained[[*wrong].index(True)] and 2 * sum(counted) > len(counted)
 
 
+def with_what_differs(otherwise: str, differs: str) -> str:
+    """Return what to say where no mistake fits: how the numbers differ, after what the lesson has to say."""
+    if not differs:
+        return otherwise
+    return differs if otherwise in (UNUSUAL, UNUSUAL_NUMBER) else f"{otherwise}; {differs}"
+
+
+def how_they_differ(found: Sequence[float], expected: Sequence[float]) -> str:
+    """Return what wrong numbers have in common, "" if it is nothing that is simple.
+
+    Args:
+        found: the numbers of an answer, not all of them right.
+        expected: the right ones.
+    """
+    pairs = [(one, right) for one, right in zip(found, expected, strict=True) if not same(one, right)]
+    n_cases, n_right = len(expected), len(expected) - len(pairs)
+    where = "in all cases" if not n_right else f"it is right in {n_right} of {n_cases} cases, and in the others"
+    if len({right for _, right in pairs}) > 1:
+        one, right = pairs[0]
+        off, factor = one - right, one / right if right else 0.0
+        if all(same(a, b + off) for a, b in pairs):
+            return f"{where} it is {abs(off):.4g} too {'large' if off > 0 else 'small'}"
+        if all(same(a, -b) for a, b in pairs):
+            return f"{where} it has the wrong sign"
+        if factor and all(same(a, factor * b) for a, b in pairs):
+            return f"{where} it is {factor:.4g} times the right number"
+        if all(b and same(a, 1 / b) for a, b in pairs):
+            return f"{where} it is 1 divided by the right number"
+        if all(same(a, 1 - b) for a, b in pairs):
+            return f"{where} it is 1 less the right number"
+        if all(same(a, one) for a, _ in pairs):
+            return f"{where} it is {one:.4g}, whatever it is given"
+    return f"it is right in {n_right} of {n_cases} cases: what is special in this one?" if n_right else ""
+
+
 class NumberCase(NamedTuple):
     """A number that an answer gives.
 
@@ -132,10 +167,12 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
         return [same(case.found, case.mistakes[sentence]) for case in cases]
 
     sentences = {sentence: sentence for sentence in cases[0].mistakes}
-    if rounded_alike([case.found for case in cases], [case.expected for case in cases]):
-        why = mistake_that_fits(sentences, lambda sentence: all(explained(sentence)), ROUNDED)
+    numbers = [case.found for case in cases], [case.expected for case in cases]
+    rounded = rounded_alike(*numbers)
+    if rounded or all_near(*numbers):
+        why = mistake_that_fits(sentences, lambda sentence: all(explained(sentence)), ROUNDED if rounded else CLOSE)
     else:
-        why = mistake_in_cases(sentences, explained, wrong, otherwise)
+        why = mistake_in_cases(sentences, explained, wrong, with_what_differs(otherwise, how_they_differ(*numbers)))
     what, found, expected, _ = cases[wrong.index(True)]
     came = f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(told_wrong(came, why))

@@ -32,6 +32,8 @@ ENOUGH = 0.9
 """The share of the steps that a program must take."""
 APART = 1_000_003
 """How far the seed of an environment is from that of a program: two generators with one seed draw the same numbers."""
+SELDOM = 0.02
+"""The share of the observations in which a policy may draw its action, among equals where ours sees no tie."""
 GYMNASIUM = {
     "only integers|unhashable type: 'dict'": "reset gives two things: state, info = environment.reset()",
     "values to unpack": "step gives five things: state, reward, terminated, truncated, info = environment.step(action)",
@@ -235,18 +237,18 @@ def actions_of(policy: Policy, observations: Iterable[Any], n_actions: int, noun
     Raises:
         WrongAnswer: the policy fails, takes no action that there is, or draws its actions.
     """
-    actions = list[int]()
+    pairs = list[list[int]]()
     for observation in observations:
         what = f"the policy of {NAME}, for the {noun} {observation},"
         with student_code(what):
-            one, again = (action_of(what, policy(observation), n_actions) for _ in range(2))
-        if one != again:
-            raise WrongAnswer(
-                f"{POLICY} draws its actions: asked twice about the {noun} {observation}, it"
-                " gives two of them. It should take the *best* action, and never a random one"
-            )
-        actions.append(one)
-    return actions
+            pairs.append([action_of(what, policy(observation), n_actions) for _ in range(2)])
+    drawn = sum(one != again for one, again in pairs)
+    if drawn > SELDOM * len(pairs):
+        raise WrongAnswer(
+            f"{POLICY} draws its actions: asked twice about one {noun}, it gives two of them in {drawn} of"
+            f" {len(pairs)} cases. It should take the *best* action, and never a random one"
+        )
+    return [one for one, _ in pairs]
 
 
 def returns_of(policy: Policy, environment: Environment, episodes: int, seed: int, remembers: bool = False) -> Reals:

@@ -9,6 +9,8 @@ from gymnasium import spaces
 from edugym_course.grading.programs import APART
 
 LAYERS, WIDTH, ACTIONS = 6, 2, 4
+GOES_ON, ENDS = 0.03, 0.2
+"""The probability that an action ends the episode: small or large. Without chance, one that is large always does."""
 
 
 class SmallWorld(gymnasium.Env[Any, Any]):
@@ -34,7 +36,7 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         self.action_space = spaces.Discrete(n_actions)
         self.states = rng.permutation(n)
         self._rewards = rng.choice([-4.0, -2.0, -1.0, 1.0, 2.0, 3.0], (n, n_actions))
-        self._ends = rng.choice([0.03, 0.2], (n, n_actions))
+        self._ends = rng.choice([GOES_ON, ENDS], (n, n_actions))
         self._next = rng.integers(WIDTH, size=(n, n_actions, 2))
         if not noisy:  # no two actions that were tried are worth the same: which one wins then is up to the program
             self._rewards += rng.random((n, n_actions))
@@ -52,7 +54,7 @@ class SmallWorld(gymnasium.Env[Any, Any]):
         noise, way = (int(self.np_random.integers(*limits)) for limits in ((-2, 3), (0, 2)))
         end = float(self.np_random.random())
         if not self._noisy:
-            noise, end, way = 0, 0.1, 0
+            noise, end, way = 0, (GOES_ON + ENDS) / 2, 0
         reward = float(self._rewards[self._place, action] + noise)
         is_last = self._place >= (LAYERS - 1) * WIDTH
         terminated = bool(is_last or end < self._ends[self._place, action])

@@ -7,8 +7,15 @@ import numpy as np
 
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import UNUSUAL, mistake_in_cases, mistake_that_fits, told_wrong
-from edugym_course.grading.values import all_same, given, rounded_alike
+from edugym_course.grading.mistakes import (
+    UNUSUAL,
+    how_they_differ,
+    mistake_in_cases,
+    mistake_that_fits,
+    told_wrong,
+    with_what_differs,
+)
+from edugym_course.grading.values import CLOSE, all_near, all_same, differing, given, rounded_alike
 
 ROUNDED = (
     "is it rounded, or stored in an array of whole numbers? An array of floats, as of np.zeros(...), keeps what is"
@@ -33,6 +40,23 @@ def table_of(call: str, value: Any, shape: tuple[int, ...], *, finite: bool = Tr
     if finite and not np.isfinite(table).all():
         raise WrongAnswer(f"{call} should give finite numbers, but gives {table.tolist()}: is something divided by 0?")
     return table
+
+
+MOST_ENTRIES = 3
+"""So many entries that differ are named."""
+
+
+def entries_that_differ(right: Reals, found: Reals, n_wrong: int, n_cases: int) -> str:
+    """Return which entries of an array differ, or how all of them do, and in how many cases the answer is right."""
+    entries = differing(right, found).tolist()
+    told = how_they_differ(found.ravel().tolist(), right.ravel().tolist()).replace(" cases", " entries")
+    if len(entries) <= MOST_ENTRIES and len(entries) < right.size:
+        told = "; ".join(
+            f"entry [{', '.join(map(str, at))}] should be {right[tuple(at)]:.4g}, and is {found[tuple(at)]:.4g}"
+            for at in entries
+        )
+    others = f"it is right in {n_cases - n_wrong} of {n_cases} cases; here " if n_wrong < n_cases else ""
+    return f"{others}{told}" if told else ""
 
 
 def compare_tables(
@@ -66,10 +90,13 @@ def compare_tables(
     def explained(change: Mapping[str, Any]) -> list[bool]:
         return [all_same(rule(case, **change), mine) for case, mine in zip(cases, found, strict=True)]
 
-    if rounded_alike(*(np.concatenate([table.ravel() for table in tables]).tolist() for tables in (found, right))):
-        why = mistake_that_fits(mistakes, lambda change: all(explained(change)), ROUNDED)
-    else:
-        why = mistake_in_cases(mistakes, explained, wrong, otherwise(wrong))
     first = wrong.index(True)
+    numbers = [np.concatenate([table.ravel() for table in tables]).tolist() for tables in (found, right)]
+    rounded = rounded_alike(*numbers)
+    if rounded or all_near(*numbers):
+        why = mistake_that_fits(mistakes, lambda change: all(explained(change)), ROUNDED if rounded else CLOSE)
+    else:
+        where = entries_that_differ(right[first], found[first], sum(wrong), len(cases))
+        why = mistake_in_cases(mistakes, explained, wrong, with_what_differs(otherwise(wrong), where))
     told, came = (np.round(table[first], 4).tolist() for table in (right, found))
     raise WrongAnswer(told_wrong(f"{calls[first]} should {verb} {told}, but {verb}s {came}", why))

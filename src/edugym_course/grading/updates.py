@@ -24,6 +24,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.checks.contract import learns_from
+from edugym_course.grading.agents import table_of
+from edugym_course.grading.effects import otherwise_counted
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.mistakes import UNUSUAL, what_it_looks_like
 from edugym_course.grading.student_code import student_code
@@ -117,6 +119,8 @@ class Update:
             if nobody_asks_why():  # to find the mistake takes longer than to see that there is one
                 raise WrongAnswer(UNUSUAL)
             why = self._diagnosis(cases, right, found, settings, difference, returned)
+            if why == UNUSUAL:
+                why = self._effects(make, cases, found, settings, difference) or UNUSUAL
             if _first_difference(found, _run_student(make, cases)[0]) is not None:
                 why = "a second time it gives something else: `learn` needs no random numbers"
             numbers = {name: settings[name] for name in self.numbers}
@@ -174,7 +178,7 @@ class Update:
         tried = {why: [*self._explained(cases, found, {**settings, **change})] for why, change in singles.items()}
         if likely := what_it_looks_like(tried, is_wrong):
             return likely
-        before = _before(cases, found, difference)
+        before = _before(cases, found, difference)[difference.table]
         changed, right_ones = (differing(before, after[difference.table]).tolist() for after in (student, expected))
         if len(changed) > len(right_ones):
             return f"{len(changed)} entries of `{difference.table}` change, and only one should"
@@ -183,6 +187,22 @@ class Update:
             name = difference.table
             return f"another entry changes than should, {name}[{moved}] and not {name}[{entry}]"
         return UNUSUAL
+
+    def _effects(
+        self, make: Callable[[], Any], cases: list[Case], found: Outcomes, settings: Settings, difference: Difference
+    ) -> str:
+        """Return which number counts otherwise than it should in the entry that differs first."""
+        before, now = _before(cases, found, difference), cases[difference.case].transitions[difference.step]
+
+        def by_the_rule(tables: Tables, reward: float) -> float:
+            (after,) = self._outcome(Case(tables, [now._replace(reward=reward)]), settings)
+            return float(after[difference.table][difference.entry])
+
+        def by_the_answer(tables: Tables, reward: float) -> float:
+            (((after,),), _, _) = _run_student(make, [Case(tables, [now._replace(reward=reward)])])
+            return float(after[difference.table][difference.entry])
+
+        return otherwise_counted(before, now.reward, by_the_rule, by_the_answer)
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
         """Whether the rule with these settings does what the answer does, in every case."""
@@ -233,7 +253,7 @@ class Update:
 def _miscounted(cases: list[Case], right: Outcomes, found: Outcomes, difference: Difference) -> str:
     """Return what is wrong with a count that should have grown by one, or ""."""
     case, step, table, entry = difference
-    before = _before(cases, found, difference)
+    before = _before(cases, found, difference)[table]
     if before.dtype.kind != "i" or right[case][step][table][entry] != before[entry] + 1:
         return ""
     now = found[case][step][table][entry]
@@ -245,10 +265,9 @@ def _miscounted(cases: list[Case], right: Outcomes, found: Outcomes, difference:
     return f"`{table}` changes by {now - before[entry]:+g} there, and every time it should be one more"
 
 
-def _before(cases: list[Case], found: Outcomes, difference: Difference) -> Any:
-    """Return a table of the answer before the transition that made the difference."""
-    case, step, table, _ = difference
-    return (found[case][step - 1] if step else cases[case].tables)[table]
+def _before(cases: list[Case], found: Outcomes, difference: Difference) -> Tables:
+    """Return the tables of the answer before the transition that made the difference."""
+    return found[difference.case][difference.step - 1] if difference.step else cases[difference.case].tables
 
 
 def _entries(outcomes: Outcomes) -> Any:
@@ -307,33 +326,6 @@ def _run_student(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, 
             )
         outcomes.append(after)
     return outcomes, names, returned
-
-
-def table_of(agent: Any, name: str, shape: tuple[int, ...] | None, kind: str = "f") -> Any:
-    """Return a table of a student's agent.
-
-    Args:
-        agent: the agent.
-        name: the field.
-        shape: the shape that it should have; None is any.
-        kind: "f" for real numbers, "i" for whole ones, which may also be stored as real ones.
-
-    Raises:
-        WrongAnswer: it is missing, or is no such array.
-    """
-    table = getattr(agent, name, None)
-    if table is None:
-        raise WrongAnswer(f"the agent should have a table `{name}`, but {type(agent).__name__} has none")
-    if not isinstance(table, np.ndarray):
-        raise WrongAnswer(f"the table `{name}` should be a NumPy array, but is a {type(table).__name__}")
-    if shape is not None and table.shape != shape:
-        raise WrongAnswer(f"the table `{name}` should have the shape {shape}, but has {table.shape}")
-    if table.dtype.kind != "f" and kind == "f":
-        raise WrongAnswer(
-            f"the table `{name}` holds {table.dtype} numbers, so every update loses what is behind the decimal point:"
-            " make it with np.zeros(shape) or np.full(shape, 1.0)"
-        )
-    return table
 
 
 def _first_difference(right: Outcomes, found: Outcomes) -> Difference | None:

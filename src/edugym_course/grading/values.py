@@ -16,6 +16,12 @@ TOLERANCE = 1e-9
 CARET = "`^` is no power in Python, that is `**`"
 """The hint for a number that comes out if `^` is written for `**`."""
 ROUNDED = "is it rounded? Give the number as it is, without round(), int() or //"
+CLOSE = (
+    "that is close, but not exact: is a search or a sum stopped too early, or a number in it rounded? There is room for"
+    " nine digits"
+)
+"""The hint for numbers that are all within `NEARBY` of the right ones, and no rounding of them to a few digits."""
+NEARBY = 1e-4
 UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
@@ -160,9 +166,16 @@ def _looks_like(found: float, wrong: float, expected: float) -> bool:
     return abs(found - wrong) <= close and abs(found - wrong) < abs(found - expected)
 
 
+def all_near(found: Sequence[float], expected: Sequence[float]) -> bool:
+    """Whether numbers are all close to the right ones."""
+    return all(
+        abs(one - right) <= NEARBY * max(1.0, abs(right)) < math.inf for one, right in zip(found, expected, strict=True)
+    )
+
+
 def rounded_alike(found: Sequence[float], expected: Sequence[float]) -> bool:
-    """Whether numbers are the right ones, all rounded alike: to whole numbers towards 0, or to some decimal places."""
-    roundings: list[Callable[[float], float]] = [math.trunc, *(partial(round, ndigits=places) for places in range(7))]
+    """Whether numbers are the right ones, all rounded alike: to whole numbers towards 0, or to a few decimal places."""
+    roundings: list[Callable[[float], float]] = [math.trunc, *(partial(round, ndigits=places) for places in range(5))]
     return any(all(map(same, found, map(rounding, expected))) for rounding in roundings)
 
 

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from edugym_course.grading import WrongAnswer
+from edugym_course.grading.agents import table_of
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.updates import Case, Tables, Transition, Update, table_of
+from edugym_course.grading.updates import Case, Tables, Transition, Update
 from tests.messages import named
 
 SIZE = (5, 3)
@@ -72,7 +73,7 @@ def test_two_mistakes_at_once_and_wrong_numbers() -> None:
 def test_what_fits_by_accident_is_not_named() -> None:
     """No discount is above 1; a mistake that fits one case and not most of them is none."""
     said = said_of(by_rule(Q_LEARNING, {**RIGHT, "discount": 2.8}))
-    assert said.endswith("that is none of the usual mistakes, so compare your code with the equation, term by term")
+    assert said.endswith("in your code Q[4, 1] counts 0.7 times, and should count 0.1875 times")
     first = Q_LEARNING.cases(SIZE, 0)[0].transitions[0]
 
     def now_and_then(mistake: str, otherwise: str) -> Callable[..., None]:
@@ -159,7 +160,7 @@ SAID = [
     ([2.0, 2.5], [1, 1], "but is 1: `n` is set to 1 there"),
     ([5 / 3, 19 / 9], [5, 6], "should go from 1 to 2, but is 1.667: a rate of 0.3333, and it should be 0.5"),
     ([1.0, 1.0], [5, 6], "should go from 1 to 2, but is 1: a rate of 0, and it should be 0.5"),
-    ([77.0, 77.0], [5, 6], "should go from 1 to 2, but is 77: that is none of the usual mistakes"),
+    ([77.0, 77.0], [5, 6], "but is 77: in your code the reward counts 0 times, and should count 0.5 times; Q[1, 0] "),
 ]
 """The value and the count after both steps, 2 and 5, 2.5 and 6 if all is right; and what is said of it."""
 

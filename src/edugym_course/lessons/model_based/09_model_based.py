@@ -396,7 +396,7 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 #
 # - $n$: more than 10 updates save few steps more.
 # - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 40 runs all three end
-#   between 85 and 90.)
+#   between 87 and 91.)
 # - $\alpha$: with 0.1 all need more steps, Q-learning three times as many. Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But below 0.95 the way with the highest *discounted*
 #   return leaves an item out, and returns 78. (An agent that has not learned that way may return more.)
@@ -575,7 +575,7 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # return of 59. On its way to the exit it turns to one more item only when it sees that it can have both, the item *and
 # the exit behind it*. For the second item that takes 11 steps (a return of 78), and for the third 12.
 #
-# Good values make a short look enough: Dyna-10 needs none to get its 83. Bad ones can do harm: with a look ahead of 8,
+# Good values make a short look enough: Dyna-10 needs none to get its 82. Bad ones can do harm: with a look ahead of 8,
 # half-learned values of Q-learning lead the agent astray where zeros do not. Up to a look ahead of 10 Dyna-10 gains
 # little. With 11 and 12 it gets items that it has never seen: the *given* model knows them.
 # </details>
@@ -653,7 +653,7 @@ saved.measured(saved.options[slow + 2 * fast])
 # spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often, reality
 # wins: a bump that disappoints again and again is given up. If that is the reason, then more imagined steps should turn
 # it round. They do: with 200 for each real one the wrong model wins in many runs, also with $\alpha = 0.1$. With the right
-# model (left) the small rate is the slowest, and at the end 10 of its 24 runs still leave an item out. What is best
+# model (left) the small rate is the slowest, and at the end 9 of its 24 runs still leave an item out. What is best
 # depends on how far you trust your model.
 # </details>
 

@@ -5,20 +5,31 @@ from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium import spaces
 
 from edugym.agents.dyna_q import DynaQ
 from edugym.agents.q_learning import QLearning
 from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import APART, NAME, run_program
 from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.grading.small_world import ACTIONS, ENDS, GOES_ON, LAYERS, WIDTH, SmallWorld
 from edugym_course.lessons.model_based.methods import EPSILON, LEARNING_RATE
 
 N_STEPS, PLANNING_STEPS, DISCOUNT, SWEEPS = 2_000, 10, 0.95, 8
+OTHER_DISCOUNTS = (1.0, 0.99, 0.9)
 
-CLEARLY = 300.0
-"""How many nats tell that nothing is planned: 445 to 936 where it is so (six seeds), and up to 115 for a program that
+CLEARLY = 200.0
+"""How many nats tell that nothing is planned: 327 to 1535 where it is so (six seeds), and up to 35 for a program that
 draws each pair as often as it was tried, whose rare pairs lag behind ours."""
+
+CELLS, WALK, CORRIDORS = 20, 400, 10
+REACHED = {0: 3.9, 1: 6.1, 2: 8.5, 3: 9.9, 5: 12.0}
+"""How often a program that imagines so few steps gets through a corridor, a mean of 30; with ten it is 13.7."""
+FEWEST = 11.0
+"""How often a program must get there: less than with five imagined steps, for those may be drawn in several ways."""
 
 
 class Planner:
@@ -53,6 +64,83 @@ class Planner:
         return greedy_action(self.Q, state, rng)
 
 
+class Tempting(SmallWorld):
+    """A small world in which patience matters: to end the episode is worth nearly as much as to go on.
+
+    In every state but the last ones an action ends the episode, for a reward that is 2 % more or less than what the
+    best other action is worth with γ. So another γ takes another action in many of the states.
+    """
+
+    def __init__(self, seed: int, truncates: bool = True, noisy: bool = False) -> None:
+        """Draw an MDP without chance."""
+        super().__init__(seed, truncates, noisy)
+        rng = np.random.default_rng(APART + seed)
+        self._rewards, self._ends[:] = rng.uniform(0.5, 3.0, self._rewards.shape), GOES_ON
+        values = np.zeros(LAYERS * WIDTH)
+        for place in reversed(range(LAYERS * WIDTH)):
+            best = self._rewards[place]
+            if place < (LAYERS - 1) * WIDTH:
+                layer = (place // WIDTH + 1) * WIDTH
+                best = best + DISCOUNT * values[layer + self._next[place, :, 0]]
+                stop = rng.integers(ACTIONS)
+                nearly = 1 + (0.02 if place % 2 else -0.02)  # in each layer one of either kind
+                best[stop] = self._rewards[place, stop] = nearly * np.delete(best, stop).max()
+                self._ends[place, stop] = ENDS
+            values[place] = best.max()
+
+
+def small_world(seed: int, truncates: bool = True, noisy: bool = False) -> SmallWorld:
+    """Make a world of either kind."""
+    return (Tempting if seed % 2 else SmallWorld)(seed, truncates, noisy)
+
+
+class Corridor(gymnasium.Env[Any, Any]):
+    """A corridor: one action goes on, one back, and one stays, another one in each cell. Only its end is worth a way.
+
+    How often a program gets there tells how much it plans: the value of the end must come back through all cells.
+    """
+
+    def __init__(self, seed: int) -> None:
+        """Draw the numbers of the cells and the actions."""
+        rng = np.random.default_rng(APART + seed)
+        self.observation_space, self.action_space = spaces.Discrete(CELLS), spaces.Discrete(3)
+        self._names, self._moves = rng.permutation(CELLS), [rng.permutation([-1, 0, 1]) for _ in range(CELLS)]
+        self._cell = 0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin in the first cell."""
+        super().reset(seed=seed)
+        self._cell = 0
+        return int(self._names[0]), {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Move, at a cost of 1; the end brings 10."""
+        self._cell = max(0, self._cell + int(self._moves[self._cell][action]))
+        is_end = self._cell == CELLS - 1
+        return int(self._names[self._cell]), 9.0 if is_end else -1.0, is_end, False, {}
+
+
+def require_plans(program: Any, seed: int) -> None:
+    """Refuse a program that imagines far too few steps.
+
+    Raises:
+        WrongAnswer: it does, or it breaks the contract.
+    """
+    numbers = range(CORRIDORS * seed, CORRIDORS * (seed + 1))
+    ends = [
+        step.terminated for number in numbers for step in run_program(program, Corridor(number), WALK, number).steps
+    ]
+    reached = sum(ends) / CORRIDORS
+    if reached < FEWEST:
+        as_with = min(REACHED, key=lambda n: abs(REACHED[n] - reached))
+        raise WrongAnswer(
+            f"in corridors of {CELLS} cells, {NAME} gets to the end {reached:.1f} times in {WALK} steps, and with"
+            f" {PLANNING_STEPS} imagined steps after each real one it should be some 14 times: with {as_with} it is"
+            f" {REACHED[as_with]:g} times. Count the imagined steps, draw each from *all* pairs that were tried, and"
+            " learn from it as from a real one, with α = 1"
+        )
+
+
 def dyna(shape: tuple[int, int]) -> DynaQ:
     """Make an agent with the settings of the project."""
     return DynaQ.create(shape, planning_steps=PLANNING_STEPS, learning_rate=LEARNING_RATE, discount=DISCOUNT)
@@ -74,6 +162,10 @@ RULE = Rule(
             partial(Planner, untried=True)
         ),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
+    }
+    | {
+        f"γ is about {discount:g}, and it should be {DISCOUNT}": Learner(partial(Planner, discount=discount))
+        for discount in OTHER_DISCOUNTS
     },
     EPSILON,
     otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action, and"
@@ -81,6 +173,7 @@ RULE = Rule(
     noisy=False,
     worlds=8,
     n_steps=500,
+    world=small_world,
 )
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(dyna))
 
@@ -88,4 +181,5 @@ SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_o
 def project_9(answer: Any, seed: int) -> str:
     """Check a program with Dyna."""
     RULE.check(answer, seed)
+    require_plans(answer, seed)
     return f"Right: it plans with what it has seen. {compare_with_ours(answer, SHOP, seed)}"

@@ -8,11 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
-from edugym_course.grading.agents import agent_created_by, learn_step, with_settings
+from edugym_course.grading.agents import agent_created_by, learn_step, table_of, with_settings
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.challenge import Sizes
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing
 from edugym_course.lessons.continuous_actions.exercises.slips import MISTAKES
 

@@ -295,7 +295,7 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 # %% looks for an exploring action among the first ten only
 # says: False, True], 0.3, 5) should be 0, but is
-# says: that is none of the usual mistakes, so work it out once more by hand
+# says: it is right in 11 of 12 cases: what is special in this one?
 def importance_ratio(greedy, epsilon, n_actions):
     if not all(greedy[1:11]):
         return 0.0

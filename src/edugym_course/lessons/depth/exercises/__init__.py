@@ -10,14 +10,20 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
 from edugym.adapters.registration import make_mdp
-from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
+from edugym_course.grading.agents import (
+    agent_created_by,
+    agent_made_by,
+    require_class,
+    require_function,
+    table_of,
+    with_settings,
+)
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge, Sizes
 from edugym_course.grading.choices import ChoiceCase, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.own_numbers import Own, step_cost
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, number, require_unchanged, same
 from edugym_course.lessons.depth.exercises.cutting import cases, explained, outcomes
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, learn_from

@@ -7,13 +7,12 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from edugym_course.grading.agents import agent_with_table, learn_step, require_class
+from edugym_course.grading.agents import agent_with_table, learn_step, require_class, table_of
 from edugym_course.grading.cases import FAR_BELOW, from_a_start, starts, telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_in_cases
 from edugym_course.grading.own_numbers import step_cost, told_less
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
 
 

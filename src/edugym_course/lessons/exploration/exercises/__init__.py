@@ -11,7 +11,14 @@ import numpy as np
 
 from edugym.adapters.registration import make_mdp
 from edugym.agents.q_learning import QLearning
-from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
+from edugym_course.grading.agents import (
+    agent_created_by,
+    agent_made_by,
+    require_class,
+    require_function,
+    table_of,
+    with_settings,
+)
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.choices import ChoiceCase, check_all_choices
@@ -19,7 +26,6 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
 from edugym_course.grading.own_numbers import ExperimentSeed, Own
 from edugym_course.grading.results import check_results
-from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
 from edugym_course.lessons.exploration.exercises.explorer import (
     AT_RANDOM,

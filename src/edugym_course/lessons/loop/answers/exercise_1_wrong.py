@@ -206,7 +206,7 @@ def discounted_return(rewards, discount):
 
 # %% it ends at a reward of 0, and is not taken for the first reward alone
 # says: discounted_return([3.0, 0.0, -4.0, 0.0, 2.0], 0.5)
-# says: that is none of the usual mistakes, so work it out once more by hand
+# says: it is right in 8 of 9 cases: what is special in this one?
 def discounted_return(rewards, discount):
     G, weight = 0.0, 1.0
     for reward in rewards:
@@ -288,7 +288,7 @@ def discounted_return(rewards, discount):
 
 # %% the first ten rewards
 # says: , -4.0], 0.5) should be
-# says: that is none of the usual mistakes, so work it out once more by hand
+# says: it is right in 7 of 9 cases: what is special in this one?
 def discounted_return(rewards, discount):
     return sum(discount**k * reward for k, reward in enumerate(rewards[:10]))
 

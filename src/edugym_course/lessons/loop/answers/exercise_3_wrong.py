@@ -296,7 +296,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% the last reward in full
 # says: terminated=True), where
-# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+# says: in your code the reward counts once, and should count 0.25 times; Q[0, 0] counts 0 times, and should count 0.75 times
 def learn(self, state, action, reward, next_state, terminated):
     if terminated:
         self.Q[state, action] = reward
@@ -306,7 +306,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the second best
-# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+# says: in your code Q[3, 0] counts 0 times, and should count 0.175 times; Q[3, 1] counts 0.175 times, and should count 0
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else sorted(self.Q[next_state])[-2]
     self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

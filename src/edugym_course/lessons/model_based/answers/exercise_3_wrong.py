@@ -406,3 +406,50 @@ def learn(self, state, action, reward, next_state, terminated):
     if terminated:
         self.Q[next_state] = 0.0
     self.plan()
+
+
+# %% the unknown loses value
+# says: , a pair that is not known, should stay 100, but is 75
+# in: the solution of sweep
+# - if self.known[s, a] == 1:
+# + if self.known[s, a] == 0:
+# +     self.Q[s, a] = 75.0
+# + else:
+
+
+# %% only known pairs count in the maximum
+# says: should add up the reward,
+# says: and γ times the largest value of state
+# says: , which is 100 in your table: 74
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                n = self.next_states[s, a]
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[n] * self.known[n])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% the end is that of the next state
+# says: should add up the reward, -1, and there the episode ended
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value * (1 - self.ends[s, 0])
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% a relative change
+# says: , but it returns 4.5: it is that of Q[1, 0], by -2004
+# in: the solution of sweep
+# - largest = max(largest, abs(new - self.Q[s, a]))
+# + largest = max(largest, abs(new - self.Q[s, a]) / max(1.0, abs(new)))

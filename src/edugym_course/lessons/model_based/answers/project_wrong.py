@@ -66,3 +66,28 @@
 # in: a model in arrays
 # - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
 # + Q[i, j] = R[i, j] + 0.95 * Q[S2[i, j]].max()
+
+# %% one imagined step
+# slow
+# says: with 10 imagined steps after each real one it should be some 14 times: with 1 it is 6.1 times
+# in: a model in arrays
+# - for _ in range(10):
+# + for _ in range(1):
+
+# %% no discount
+# slow
+# says: γ is about 1, and it should be 0.95
+# in: a model in arrays
+# - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+# + Q[s, a] = r + (1 - terminated) * Q[s2].max()
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + Q[i, j] = R[i, j] + (1 - ends[i, j]) * Q[S2[i, j]].max()
+
+# %% a discount that is too small
+# slow
+# says: γ is about 0.9, and it should be 0.95
+# in: a model in arrays
+# - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+# + Q[s, a] = r + 0.9 * (1 - terminated) * Q[s2].max()
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + Q[i, j] = R[i, j] + 0.9 * (1 - ends[i, j]) * Q[S2[i, j]].max()

@@ -6,12 +6,12 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from edugym_course.grading.agents import table_of
 from edugym_course.grading.cases import STARTS, from_a_start, starts
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
 from edugym_course.lessons.model_based.exercises.students import SHAPE, Memory, agent_with, memories
 

@@ -7,13 +7,12 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from edugym_course.grading.agents import learn_step
+from edugym_course.grading.agents import learn_step, table_of
 from edugym_course.grading.cases import FAR_BELOW, STARTS, from_a_start, starts
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, mistake_that_fits
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
 from edugym_course.lessons.model_based.exercises.students import SHAPE, agent_with
 
@@ -204,16 +203,40 @@ def _check_values(found: Any, model: Model, rule: Mapping[str, Any]) -> None:
         )
     else:
         untouched = np.flatnonzero((~changed | (model.known == 0)).all(axis=1) & (right != model.Q).any(axis=1))
+        left_out = [state for state in untouched if state in (0, SHAPE[0] - 1)]
         why = mistake_that_fits(
             SWEEP_MISTAKES,
             partial(_sweeps_to, found, model, rule),
-            otherwise=UNUSUAL if not len(untouched) else f"state {untouched[0]} is never swept: are all rows of Q?",
+            otherwise=f"state {left_out[0]} is never swept: are all rows of Q?"
+            if left_out
+            else _by_its_own_values(found, model, rule),
         )
     s, a = wrong[0]
     what = "known" if model.known[s, a] else "not known"
     raise WrongAnswer(
         f"after many sweeps with γ = {rule['discount']:g}, Q[{s}, {a}], a pair that is {what}, should be"
         f" {digits(right[s, a], found[s, a])}, but is {digits(found[s, a], right[s, a])}: {why}"
+    )
+
+
+def _by_its_own_values(found: Any, model: Model, rule: Mapping[str, Any]) -> str:
+    """Return what the first pair should be by the answer's own values, where they do not fit together."""
+    future = np.where(model.ends == 1, 0.0, found.max(axis=1)[model.next_states])
+    targets = np.where(model.known == 1, model.rewards - rule["cost"] + rule["discount"] * future, model.Q)
+    wrong = np.argwhere(~np.isclose(found, targets, atol=1e-6))
+    if not len(wrong):
+        return UNUSUAL
+    s, a = wrong[0]
+    if not model.known[s, a]:
+        return f"Q[{s}, {a}], a pair that is not known, should stay {model.Q[s, a]:g}, but is {found[s, a]:.5g}"
+    reward, n = model.rewards[s, a] - rule["cost"], int(model.next_states[s, a])
+    after = (
+        "and there the episode ended"
+        if model.ends[s, a]
+        else f"and γ times the largest value of state {n}, which is {future[s, a]:.5g} in your table"
+    )
+    return (
+        f"Q[{s}, {a}], which is {found[s, a]:.5g}, should add up the reward, {reward:g}, {after}: {targets[s, a]:.5g}"
     )
 
 
@@ -238,7 +261,8 @@ def _check_largest(found: float, changes: Any, known: Any) -> None:
     largest = sizes.max()
     if same(found, largest):
         return
-    hint = "compare the new value with the old one before you store it, and keep the largest change"
+    s, a = np.unravel_index(sizes.argmax(), sizes.shape)
+    hint = f"it is that of Q[{s}, {a}], by {changes[s, a]:+g}"
     if same(found, max(changes.max(), 0.0)):
         hint = "values fall as well as rise, and a fall counts too: `abs(new - old)`"
     elif same(found, max((-changes).max(), 0.0)):
@@ -247,6 +271,8 @@ def _check_largest(found: float, changes: Any, known: Any) -> None:
         hint = "that is the sum of all changes"
     elif same(found, sizes[known == 1][-1]) or same(found, sizes[-1].max()):
         hint = "that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops"
+    elif same(found, 0.0):
+        hint = "compare the new value with the old one before you store it, and keep the largest change"
     raise WrongAnswer(
         f"the largest change of the first sweep(), without its sign, is {digits(largest, found)}, but it returns"
         f" {digits(found, largest)}: {hint}"

@@ -90,7 +90,7 @@
 
 
 # %% squared
-# says: that is none of the usual mistakes
+# says: it is right in 1 of 5 cases: what is special in this one?
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return max(0.0, price + rate * (steps - limit) ** 2)

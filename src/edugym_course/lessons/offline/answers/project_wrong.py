@@ -100,8 +100,8 @@ my_program = [0, 1, 2]
 # + Q = np.where(counts > 5, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
 
 # %% actions are drawn
-# says: returns draws its actions: asked twice about the state
-# says: , it gives two of them. It should take the *best* action, and never a random one
+# says: returns draws its actions: asked twice about one state
+# says: cases. It should take the *best* action, and never a random one
 # in: sums and counts
 # - return lambda state: int(Q[state].argmax())
 # + rng = np.random.default_rng(seed)

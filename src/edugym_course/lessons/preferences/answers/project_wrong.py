@@ -152,8 +152,8 @@ my_program = [0, 1, 2]
 
 # %% actions are drawn
 # slow
-# says: returns draws its actions: asked twice about the observation
-# says: , it gives two of them. It should take the *best* action, and never a random one
+# says: returns draws its actions: asked twice about one observation
+# says: cases. It should take the *best* action, and never a random one
 # in: visits as vectors
 # - return lambda observation: int(Q[tuple(observation)].argmax())
 # + return lambda observation: int(rng.integers(3))

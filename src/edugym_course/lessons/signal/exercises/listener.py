@@ -8,12 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.mdp.protocol import Integers, Reals
-from edugym_course.grading.agents import agent_created_by
+from edugym_course.grading.agents import agent_created_by, table_of
 from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import LOOKS_LIKE
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.updates import table_of
 
 FOUR_NEEDS = 4
 DRAWS = 300
