@@ -409,7 +409,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the unknown loses value
-# says: , a pair that is not known, should stay 100, but is 75
+# says: ], a pair that is not known, should stay 100, but is 75
 # in: the solution of sweep
 # - if self.known[s, a] == 1:
 # + if self.known[s, a] == 0:
@@ -418,7 +418,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% only known pairs count in the maximum
-# says: should add up the reward,
+# says: , should add up the reward, -1,
 # says: and γ times the largest value of state
 # says: , which is 100 in your table: 74
 def sweep(self):
@@ -435,7 +435,8 @@ def sweep(self):
 
 
 # %% the end is that of the next state
-# says: should add up the reward, -1, and there the episode ended
+# says: , should add up the reward, -1,
+# says: and there the episode ended
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):

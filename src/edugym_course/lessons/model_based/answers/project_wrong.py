@@ -69,7 +69,9 @@
 
 # %% one imagined step
 # slow
-# says: with 10 imagined steps after each real one it should be some 14 times: with 1 it is 6.1 times
+# says: in corridors of 20 cells, my_program gets to the end 6.0 times in 400 steps, and with 10 imagined steps
+# says: imagined steps after each real one it should be some 14 times: with 1 it is 6.1 times
+# says: times. Count the imagined steps, draw each from *all* pairs that were tried, and learn from it as from a real one, with α = 1
 # in: a model in arrays
 # - for _ in range(10):
 # + for _ in range(1):
