@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import groups
 import mathematics
 import previews
 from repository import VERSION
@@ -42,6 +43,7 @@ toc_object_entries_show_parents = "hide"
 
 
 def setup(app: Any) -> None:
-    """Formulas become MathML, which browsers show without any script; and each page says of itself what it is."""
+    """Formulas become MathML, which needs no script; each page says what it is, and its sidebar has headings."""
     app.add_html_math_renderer("mathml", (mathematics.visit_inline, None), (mathematics.visit_block, None))
     app.connect("html-page-context", previews.add)
+    app.connect("html-page-context", groups.add, priority=900)  # after the theme has written the tree

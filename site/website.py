@@ -15,6 +15,7 @@ from pathlib import Path
 
 import accessibility
 import agent_pages
+import groups
 import guides
 import lesson_pages
 import lite
@@ -117,7 +118,7 @@ def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict
         for lesson in lessons
         for folder in ("lessons", "project")
     }
-    in_order = [*(f"environments/{entry.name.lower()}" for entry in in_course_order()), *guides.ORDER]
+    in_order = [*(f"environments/{entry.name.lower()}" for entry in in_course_order()), *guides.ORDER, *groups.ORDER]
     order = {page: number for number, page in enumerate(in_order)}
     folders = sorted({page.partition("/")[0] for page in texts if "/" in page} - {"reference"})
     return {

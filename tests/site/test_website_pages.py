@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 import agent_pages
 import docstrings
+import groups
 import guides
 import lesson_pages
 import previews
@@ -20,7 +21,7 @@ from races import RACES
 from repository import ROOT
 
 import edugym
-from edugym.adapters.registration import find
+from edugym.adapters.registration import find, in_course_order
 from edugym_course import agent_profiles
 from edugym_course.lab.records import number_of
 
@@ -228,6 +229,21 @@ def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[le
     assert signs - {0xA0, 0x2009} <= set(mathematics.CHARACTERS)
     with pytest.raises(ValueError, match="unheard"):
         mathematics.mathml(r"\unheard{x}")
+
+
+def test_headings_of_the_sidebar_have_their_pages(lessons: list[lesson_pages.Lesson]) -> None:
+    """Each agent is below one; each heading stands before a page that is there, also where that is the present one."""
+    named = [name for names in groups.AGENT_GROUPS.values() for name in names]
+    assert sorted(named) == sorted(agent_pages.AGENTS), "name each agent once in site/groups.py"
+    there = {f"{folder}/{lesson.name}" for folder in ("lessons", "project") for lesson in lessons}
+    there |= {f"environments/{entry.name.lower()}" for entry in in_course_order()}
+    assert groups.FIRST.keys() <= there | {*guides.ORDER, *groups.ORDER}
+    entry = '<li class="toctree-l2"><a class="reference internal" href="{}">it</a></li>'
+    for page, links in {"lessons/01_exploration": ["00_loop.html", "#"], "index": ["lessons/00_loop.html"]}.items():
+        context = {"furo_navigation_tree": "".join(map(entry.format, links))}
+        groups.add(None, page, "page.html", context, None)
+        headings = re.findall(r'<li class="group">(.*?)</li>', context["furo_navigation_tree"])
+        assert headings == ["To begin", "The paper's nine challenges"][: len(links)]
 
 
 def test_the_survey_has_the_statements_of_the_lessons(lessons: list[lesson_pages.Lesson]) -> None:
