@@ -324,7 +324,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
             turned = [path for source in sources for path in flipbooks.outdated(source.stem, notebooks)]
             for path in turned:
                 again = f"python lessons/build.py --flipbooks {path.parent.name}"
-                print(f"of a cell that has changed: {path.relative_to(root)}; {again}", file=sys.stderr)
+                print(f"missing, or of a cell that has changed: {path.relative_to(root)}; {again}", file=sys.stderr)
             return 1 if stale or turned else 0
         if options.flipbooks:
             faults = [

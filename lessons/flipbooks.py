@@ -36,7 +36,7 @@ def make(name: str, notebooks: Path) -> list[str]:
         notebooks: The folder of the notebooks; none of them changes.
 
     Returns:
-        What went wrong; nothing is written then.
+        What went wrong; the older ones stay then.
     """
     cells = list(filter(is_code, _executed(name, notebooks).cells))
     with tempfile.TemporaryDirectory() as folder:
@@ -59,24 +59,69 @@ def make(name: str, notebooks: Path) -> list[str]:
             resources={"metadata": {"path": str(empty)}},
         ).run()
         if not faults:
-            shutil.rmtree(place(name, notebooks), ignore_errors=True)
-            if any(made.iterdir()):
-                shutil.copytree(made, place(name, notebooks))
+            try:
+                replace(place(name, notebooks), made, notebooks / f".{name}.unfinished")
+            except OSError as error:
+                faults.append(f"the pictures cannot be written: {error}")
     return faults
 
 
+def replace(folder: Path, made: Path, unfinished: Path) -> None:
+    """Puts all files of the folder `made` in the place of those of another one; where that fails, the old ones stay.
+
+    Raises:
+        OSError: they cannot be written.
+    """
+    new, old = unfinished / "new", unfinished / "old"
+    if old.exists() and not folder.exists():  # somebody was killed between the two steps
+        old.rename(folder)
+    shutil.rmtree(unfinished, ignore_errors=True)
+    try:
+        new.mkdir(parents=True)
+        for file in made.iterdir():
+            shutil.copy(file, new)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        if folder.exists():
+            folder.rename(old)
+        if any(new.iterdir()):
+            new.rename(folder)
+    except BaseException:
+        if old.exists() and not folder.exists():
+            old.rename(folder)
+        raise
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+
+
 def outdated(name: str, notebooks: Path) -> Iterator[Path]:
-    """The flipbooks of a lesson that belong to no cell of its executed notebook as it is now."""
-    if found := flipbooks(place(name, notebooks)):
-        current = {fingerprint(cell.source, cell.outputs) for cell in filter(is_code, _executed(name, notebooks).cells)}
-        for book in found:
-            if book.fingerprint not in current:
-                yield place(name, notebooks) / f"{book.function}.json"
+    """The flipbooks that a lesson's executed notebook lacks or has no cell for, and pictures that others lack."""
+    folder = place(name, notebooks)
+    books = {book.function: book for book in flipbooks(folder)}
+    if not books and not (notebooks / "solutions" / f"{name}.ipynb").exists():
+        return
+    current = dict[str, str]()  # fingerprints of all cells, and the functions of sliders that show a picture
+    for cell in filter(is_code, _executed(name, notebooks).cells):
+        pictured = any(kind.startswith("image/") for output in cell.outputs for kind in output.get("data", {}))
+        function = _function(cell.source) if pictured else ""
+        current[fingerprint(cell.source, cell.outputs)] = function
+        if function and function not in books:
+            yield folder / f"{function}.json"
+    for book in books.values():
+        if book.fingerprint not in current:
+            yield folder / f"{book.function}.json"
+        else:
+            yield from (folder / file for file in book.files if not (folder / file).exists())
 
 
 def has_sliders(source: str) -> bool:
     """Whether a cell makes sliders."""
-    return re.search(r"^sliders\(", source, re.MULTILINE) is not None
+    return bool(_function(source))
+
+
+def _function(source: str) -> str:
+    """The name of the function for which a cell makes sliders, "" if it makes none."""
+    found = re.search(r"^sliders\(\s*(?:\w+\.)*(\w+)", source, re.MULTILINE)
+    return found[1] if found else ""
 
 
 def _executed(name: str, notebooks: Path) -> NotebookNode:

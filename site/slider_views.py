@@ -5,7 +5,6 @@
 
 import html
 import json
-from collections.abc import Mapping
 
 from accessibility import alternative
 from repository import ROOT
@@ -52,18 +51,18 @@ def shown(book: Flipbook, lesson: str, name: str, heading: str) -> str:
         wide=' class="wide"' if book.size[0] > ONE_PANEL else "",
         width=book.size[0],
         height=book.size[1],
-        says=html.escape(_settings(book.others)),
+        says=html.escape(_settings(book)),
     )
 
 
-def _settings(others: Mapping[str, str]) -> str:
-    """Return a sentence on what does not change here, and on where it does."""
-    if not others:
-        return "In JupyterLab each picture is computed when you move the slider."
-    *first, last = [f"{spoken(name)} = {value}" for name, value in others.items()]
-    return (
-        f"Drawn with {' and '.join([*filter(None, [', '.join(first)]), last])}. In JupyterLab you can move all sliders."
-    )
+def _settings(book: Flipbook) -> str:
+    """Return sentences on what does not change here, what does besides, and where one can change all."""
+    axes = "The axes change too: read their numbers. " if book.axes_differ else ""
+    if not book.others:
+        return f"{axes}In JupyterLab each picture is computed when you move the slider."
+    *first, last = [f"{spoken(name)} = {value}" for name, value in book.others.items()]
+    drawn = " and ".join([*filter(None, [", ".join(first)]), last])
+    return f"Drawn with {drawn}. {axes}In JupyterLab you can move all sliders."
 
 
 def spoken(parameter: str) -> str:

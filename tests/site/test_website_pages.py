@@ -205,6 +205,8 @@ def test_sliders_turn_pictures(lessons: list[lesson_pages.Lesson], monkeypatch: 
             assert len({alternative for _, _, alternative in pictures}) == len(pictures)
             for _, path, _ in pictures:
                 assert (ROOT / path.removeprefix("../")).exists()
+            [book] = [one for one in books.values() if f"/{one.function}-" in pictures[0][1]]
+            assert ("axes change" in "".join(view.itertext())) == book.axes_differ
     assert n_books > 0
     monkeypatch.setattr(slider_views, "views", lambda lesson: {})
     without = lesson_pages.lesson(ROOT / "notebooks" / "00_loop.ipynb")

@@ -153,6 +153,11 @@ def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
 
 def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
     """Call a function and prepare its result; figures that it made in Matplotlib are closed again."""
+    return shown(result_of(function, arguments), function.__name__)
+
+
+def result_of(function: Callable[..., Any], arguments: dict[str, Any]) -> Any:
+    """Call a function and return its result, or the Matplotlib figure in it; what it has opened is closed again."""
     before = set(_open_figures())
     try:
         result = function(**arguments)
@@ -160,7 +165,7 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
         figure = figure_of(result)
         if result is None and made:
             figure = sys.modules["matplotlib.pyplot"].figure(made[-1])
-        return shown(result if figure is None else figure, function.__name__)
+        return result if figure is None else figure
     finally:
         for number in set(_open_figures()) - before:
             sys.modules["matplotlib.pyplot"].close(number)

@@ -12,11 +12,17 @@ import time
 from collections.abc import Mapping, Sequence
 from numbers import Real
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from PIL import Image
 
-from edugym_course.notebook.controls import Shown, Sliders, call
+from edugym.experiments.figures.sheet import SCREEN_DPI, Sheet
+from edugym.experiments.figures.style import to_bytes
+from edugym_course.notebook.common_axes import share_axes
+from edugym_course.notebook.controls import Shown, Sliders, figure_of, result_of, shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 ALL = 15
 """A control with so many values at most has a picture of each, and so has a menu of names, of any length."""
@@ -41,6 +47,7 @@ class Flipbook(NamedTuple):
         files: the pictures, one for each value.
         descriptions: what is on them, for readers who cannot see them.
         size: width and height of every picture, in pixels.
+        axes_differ: whether some axis has another range in another picture.
     """
 
     function: str
@@ -52,6 +59,7 @@ class Flipbook(NamedTuple):
     files: Sequence[str]
     descriptions: Sequence[str]
     size: Sequence[int]
+    axes_differ: bool = False
 
 
 def fingerprint(source: str, outputs: Sequence[Mapping[str, Any]]) -> str:
@@ -73,7 +81,8 @@ def flipbooks(folder: Path) -> list[Flipbook]:
 def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
     """Call the function of sliders with several values of the first one, and write what it shows into a folder.
 
-    Nothing is written if the first control has no fixed values, if a result is no picture, or if one takes too long.
+    Its figures get common axes where they can be read so (see `share_axes`). Nothing is written if a result is no
+    picture.
 
     Args:
         panel: the sliders, none of them moved.
@@ -81,22 +90,28 @@ def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
         fingerprint: of the cell that has made the sliders.
 
     Raises:
-        ValueError: the folder has a flipbook of a function with this name.
+        ValueError: the folder has a flipbook of a function with this name, the first control has no fixed values, or
+            a picture takes too long.
     """
     (parameter, control), *others = panel.controls.items()
-    values = _values(control)
-    pictures = list[Shown]()
-    for value in values:
-        began = time.process_time()
-        pictures.append(call(panel.function, {name: one.value for name, one in others} | {parameter: value}))
-        if time.process_time() - began > LONGEST:
-            return
-    kinds = {picture.mime_type for picture in pictures}
-    if kinds not in ({"image/png"}, {"image/svg+xml"}):
-        return
     name = panel.function.__name__
     if (path := folder / f"{name}.json").exists():
         raise ValueError(f"two cells have sliders for a function with the name {name}: give them names of their own")
+    values = _values(control)
+    if not values:
+        raise ValueError(f"the first control of {name} must be a slider, a menu or a box to tick: name another first")
+    results = []
+    for value in values:
+        began = time.process_time()
+        results.append(result_of(panel.function, {name: one.value for name, one in others} | {parameter: value}))
+        if time.process_time() - began > LONGEST:
+            raise ValueError(f"{name} takes over {LONGEST:g} s for {parameter} = {value}: name another control first")
+    figures = [_figure(result) for result in results]
+    differ = share_axes([figure for figure in figures if figure is not None])
+    pictures = [_picture(result, figure, name) for result, figure in zip(results, figures, strict=True)]
+    kinds = {picture.mime_type for picture in pictures}
+    if kinds not in ({"image/png"}, {"image/svg+xml"}):
+        return
     contents, size = _files([picture.data for picture in pictures], kinds.pop())
     ending = "svg" if contents[0].startswith(b"<svg") else "png"
     files = [f"{name}-{number}.{ending}" for number in range(len(contents))]
@@ -112,12 +127,27 @@ def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
         files=files,
         descriptions=["" if picture.description == name else picture.description for picture in pictures],
         size=size,
+        axes_differ=differ,
     )
     path.write_text(json.dumps(book._asdict(), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
+def _figure(result: Any) -> "Figure | None":
+    """The Matplotlib figure of a result, or None if it has none."""
+    return result.draw() if isinstance(result, Sheet) else figure_of(result)
+
+
+def _picture(result: Any, figure: "Figure | None", name: str) -> Shown:
+    """A result as a cell shows it, with its figure as it is now."""
+    if not isinstance(result, Sheet):
+        return shown(result, name)
+    assert figure is not None
+    contents = base64.b64encode(to_bytes(figure, "png", dpi=SCREEN_DPI)).decode()
+    return Shown("image/png", contents, result.titles or name)
+
+
 def _values(control: Any) -> list[Any]:
-    """The values of a control to draw, among them its present one and both ends: some of many numbers, or all."""
+    """The values of a control to draw, its present one and both ends among them; none of a control without any."""
     if hasattr(control, "options"):
         values = list(control.options)
     elif hasattr(control, "step"):
@@ -125,7 +155,7 @@ def _values(control: Any) -> list[Any]:
         values = [round(control.min + step * control.step, 9) for step in range(n_steps + 1)]
     else:
         values = [False, True] if isinstance(control.value, bool) else []
-    if control.value not in values:  # between two steps
+    if values and control.value not in values:  # between two steps
         values = sorted([*values, control.value])
     if len(values) <= ALL or not all(isinstance(value, Real) for value in values):
         return values

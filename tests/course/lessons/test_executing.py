@@ -1,5 +1,7 @@
 """Tests of what executes a lesson's cells: errors that fail the build, and pictures for its sliders."""
 
+import shutil
+from contextlib import nullcontext
 from pathlib import Path
 
 import build
@@ -75,3 +77,53 @@ def test_flipbooks_belong_to_a_cell_as_it_is(tmp_path: Path) -> None:
     ):
         nbformat.write(new_notebook(cells=[changed]), path)
         assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot.json"]
+    path.write_bytes(before)
+    (folder / "dot-1.svg").unlink()
+    assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot-1.svg"]
+    (folder / "dot.json").unlink()
+    assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot.json"]
+    nbformat.write(new_notebook(cells=[new_code_cell(SLIDERS)]), path)  # which shows no picture, so needs none
+    assert [*flipbooks.outdated("01_dots", tmp_path)] == []
+
+
+FULL = OSError(28, "No space left on device")
+
+
+@pytest.mark.parametrize("fault", [FULL, KeyboardInterrupt()])
+@pytest.mark.parametrize("step", ["copy", "rename 0", "rename 1", None])
+def test_pictures_are_replaced_all_or_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str | None, fault: BaseException
+) -> None:
+    """A full disk or Ctrl-C at any step leaves the old ones, and nothing else."""
+    folder, made, unfinished = tmp_path / "book", tmp_path / "made", tmp_path / ".unfinished"
+    for place, text in ((folder, "old"), (made, "new")):
+        place.mkdir()
+        (place / text).write_text(text)
+    renamed: list[Path] = []
+    real_copy, real_rename = shutil.copy, Path.rename
+
+    def copy(source: Path, target: Path) -> None:
+        real_copy(source, target)
+        if step == "copy":
+            raise fault
+
+    def rename(source: Path, target: Path) -> Path:
+        renamed.append(source)
+        if step == f"rename {len(renamed) - 1}":
+            raise fault
+        return real_rename(source, target)
+
+    monkeypatch.setattr(shutil, "copy", copy)
+    monkeypatch.setattr(Path, "rename", rename)
+    with pytest.raises(type(fault)) if step else nullcontext():
+        flipbooks.replace(folder, made, unfinished)
+    assert [path.name for path in folder.iterdir()] == ["old" if step else "new"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["book", "made"]
+
+
+def test_who_was_killed_between_two_steps_loses_nothing(tmp_path: Path) -> None:
+    """The old pictures come back before anything else happens."""
+    (tmp_path / ".unfinished" / "old").mkdir(parents=True)
+    with pytest.raises(FileNotFoundError):
+        flipbooks.replace(tmp_path / "book", tmp_path / "nothing", tmp_path / ".unfinished")
+    assert [path.name for path in tmp_path.iterdir()] == ["book"]

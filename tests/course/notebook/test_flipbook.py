@@ -1,14 +1,19 @@
 """Pictures of a slider for pages behind which no kernel stands: which values, and what is written."""
 
-import time
+import base64
+import io
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from ipywidgets import Text
 from PIL import Image
 
+from edugym.experiments.figures import Lines, Sheet
 from edugym.rendering.scene import Circle, Scene
 from edugym_course.notebook import flipbook, sliders
+from edugym_course.notebook.common_axes import share_axes
 from edugym_course.notebook.controls import call
 
 
@@ -69,16 +74,96 @@ def test_pictures_are_small_of_one_size_and_the_same_each_time(tmp_path: Path) -
         flipbook.keep(sliders(graph, x=(1, 3)), tmp_path / "first", "mark")
 
 
-@pytest.mark.parametrize("reason", ["text", "slow"])
-def test_what_has_no_flipbook(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reason: str) -> None:
-    """A result that is no picture, or takes too long: nothing is written."""
+def test_a_result_that_is_no_picture_has_no_flipbook(tmp_path: Path) -> None:
+    """Nothing is written."""
 
-    def slow(x: int = 1) -> Any:
-        end = time.process_time() + 0.02
-        while time.process_time() < end:
-            pass
-        return str(x) if reason == "text" else dot(x)
+    def said(x: int = 1) -> str:
+        return str(x)
 
-    monkeypatch.setattr(flipbook, "LONGEST", 0.01 if reason == "slow" else 20.0)
-    flipbook.keep(sliders(slow, x=(1, 3)), tmp_path, "mark")
+    flipbook.keep(sliders(said, x=(1, 3)), tmp_path, "mark")
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize(
+    ("control", "longest", "names"), [((1, 3), 0.0, "dot takes over 0 s for x = 1"), (Text("a"), 20.0, "first control")]
+)
+def test_what_cannot_be_turned_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, control: Any, longest: float, names: str
+) -> None:
+    """A picture that takes too long, and a control without fixed values: nothing is written."""
+    monkeypatch.setattr(flipbook, "LONGEST", longest)
+    with pytest.raises(ValueError, match=names):
+        flipbook.keep(sliders(dot, x=control), tmp_path, "mark")
+    assert not [*tmp_path.iterdir()]
+
+
+def plotted(draw: str, top: float) -> Any:
+    """A figure with one axis up to `top`."""
+    from matplotlib.figure import Figure
+
+    figure = Figure()
+    axes = figure.subplots()
+    if draw == "picture":
+        axes.imshow(np.ones((round(top), 2)))
+    elif draw == "names":
+        axes.plot([1, 2], [0, 1])
+        axes.set_yticks(range(round(top)))
+        axes.set_ylim(0, top)
+    elif draw == "colours":
+        figure.colorbar(axes.pcolormesh(np.array([[0, top]])))
+    elif draw == "down":
+        axes.set_ylim(top, 0)
+    elif draw == "two":
+        axes.plot([1, 2], [0, 1])
+        figure.add_subplot() if top > 1 else None
+    else:
+        axes.set_yscale(draw.partition(" ")[0])
+        axes.set_ylim(1 if draw == "log" else 0, top)
+    return figure
+
+
+@pytest.mark.parametrize(
+    ("draw", "tops", "common"),
+    [
+        ("linear", (2, 3, 4), True),
+        ("linear", (4, 4), True),
+        ("linear", (1, 4), True),
+        ("linear", (1, 6), False),  # the smallest could not be read any more
+        ("log", (100, 1e4), True),
+        ("log", (1e1, 1e6), False),
+        ("names", (3, 4), False),
+        ("picture", (3, 4), False),
+        ("colours", (3, 4), False),
+        ("down", (3, 4), False),
+        ("down", (4, 4), True),
+        ("two", (1, 4), False),
+    ],
+)
+def test_figures_get_common_axes_where_they_can_be_read(draw: str, tops: tuple[float, ...], common: bool) -> None:
+    """What cannot be compared keeps its range, and it is told that ranges differ."""
+    figures = [plotted(draw, top) for top in tops]
+    before = [axes.get_ylim() for figure in figures for axes in figure.axes]
+    assert share_axes(figures) == (not common)
+    after = [axes.get_ylim() for figure in figures for axes in figure.axes]
+    assert after == ([max(before, key=max)] * len(tops) if common else before)
+
+
+def test_a_flipbook_has_common_axes_and_says_where_they_differ(tmp_path: Path) -> None:
+    """Of figures and of sheets; one picture that has all of the range stays as the cell shows it."""
+
+    def sheet(x: int = 2) -> Sheet:
+        return Sheet("one", [[Lines(np.arange(3.0), {"": np.arange(3.0) * x}, f"{x}", "x", "y")]])
+
+    for most, differ in ((3, False), (12, True)):
+        flipbook.keep(sliders(sheet, x=[2, most]), tmp_path, "mark")
+        [book] = flipbook.flipbooks(tmp_path)
+        assert book.axes_differ == differ
+        assert book.descriptions == ["2", str(most)]
+        kept, alone = (tmp_path / file for file in book.files), [call(sheet, {"x": x}).data for x in (2, most)]
+        same = [np.asarray(Image.open(io.BytesIO(base64.b64decode(picture))).convert("L")) for picture in alone]
+        close = [
+            np.abs(np.asarray(Image.open(a).convert("L")).astype(int) - b).max() < 30
+            for a, b in zip(kept, same, strict=True)
+        ]
+        assert close == [differ, True]
+        (tmp_path / "sheet.json").unlink()
