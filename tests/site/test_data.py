@@ -74,14 +74,16 @@ def test_simple_players_get_what_is_known(race: Race, k: int, expected: list[flo
 
 @each_race
 def test_the_code_for_readers_makes_the_agents(race: Race) -> None:
-    """Who pastes it gets the agent that races: the code is run here, and compared."""
-    mdp = race.mdp(race.strength.first)
+    """Who pastes it gets the task and the agent that race, at the last strength: the code is run here, and compared."""
+    mdp = race.mdp(len(race.strength.values) - 1)
     for agent, shown in zip(race.agents, playground.menu(race)["agents"], strict=True):
         names: dict[str, Any] = {"edugym": edugym, "math": math, "mdp": mdp}
         names["mdp"] = eval(shown["seen"] or "mdp", names)
         listed = "".join(f", {name}={value}" for name, value in shown["settings"])
         pasted = eval(f"edugym.{shown['kind']}.create(mdp{listed})", names)
-        raced = agent.make(agent.view.seen(mdp))
+        seen = agent.view.seen(mdp)
+        raced = agent.make(seen)
+        assert repr(names["mdp"]) in repr(seen)  # which may be within a table
         assert repr(pasted) == repr(raced)
         assert np.shape(pasted.Q) == np.shape(raced.Q)
 

@@ -149,6 +149,10 @@ def test_lessons_ask_before_they_show(lessons: list[lesson_pages.Lesson]) -> Non
         assert lesson.text.count('<fieldset class="prediction">') >= folded > 0
         assert made >= folded
         assert "You made no prediction" not in lesson.text
+        for asked, ways in re.findall(r"<legend>Your prediction\. (.*?)</legend>(.*?)</fieldset>", lesson.text, re.DOTALL):
+            assert " " in asked
+            assert "<br>" not in asked
+            assert ways.count('type="radio"') > 1 or ways.count('type="text"') == 1
         assert lesson_pages.WIDGET not in lesson.text
         pictures = re.findall(r"!\[(.*?)\]\((figures/.*?)\)", lesson.text)
         assert {f"lessons/{path}" for _, path in pictures} == lesson.figures.keys()

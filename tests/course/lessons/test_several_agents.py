@@ -48,7 +48,7 @@ def test_what_a_policy_loses() -> None:
 
 
 def test_where_a_policy_is_weak() -> None:
-    """The state needs a random choice, and the solution guarantees more there than the policy."""
+    """The state needs a random choice, and the solution guarantees more there than the policy; itself, no more."""
     game, solved = methods.soccer().game, methods.solution()
     certain = np.eye(5)[solved.policies[0].argmax(axis=1)]
     state, possible, guaranteed = methods.weakest_state(certain)
@@ -56,6 +56,8 @@ def test_where_a_policy_is_weak() -> None:
     assert possible == pytest.approx(solved.value(state))
     assert guaranteed < possible - 0.01
     assert 0 < solved.policies[0][game.observation(state, 0, np.random.default_rng(0))].max() < 1
+    _, possible, guaranteed = methods.weakest_state(solved.policies[0])
+    assert guaranteed == pytest.approx(possible)
 
 
 def test_players_are_compared(tmp_path: Any) -> None:
