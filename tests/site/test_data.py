@@ -44,7 +44,10 @@ def test_the_menu_can_be_shown(race: Race) -> None:
 
 @each_race
 def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
-    """No sign of mathematics; a name for every action, and a letter for each value of a code, at every strength."""
+    """No mathematics; for every action a name and a sign, with the same number, and a letter for each value of a code.
+
+    A sign stands in the middle of its cell, but where it is that of a thing beside it: an arm, or a grip.
+    """
     words = WORDS[race.environment]
     assert words.strength
     assert not re.search(r"[$\\{}*^_]|[α-ω]", words.why)
@@ -56,6 +59,10 @@ def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
         assert len(shown) in (1, seen.observation_space.n)
         sizes = dict(zip(race.numbers, table_sizes(race.agents[0].view.places(mdp).observation_space), strict=False))
         assert {name: len(letters) for name, letters in words.codes(mdp).items()}.items() <= sizes.items()
+        signs = MAPS[race.environment].marks(mdp)
+        assert len(signs) in (0, seen.action_space.n)
+        for (x, y, sign), name in zip(signs, shown[0], strict=False):
+            assert name.endswith(f" {sign}") if sign.isdigit() else sign == "○" or x == y == 0
 
 
 @pytest.mark.parametrize(

@@ -108,10 +108,11 @@ def test_docstrings_become_markdown() -> None:
 
 
 def test_every_public_name_is_described() -> None:
-    """Each name of the one list is on a page of the reference or, if it is an agent, on its own."""
+    """Each name of the one list is on a page of the reference or, if it is an agent, on its own, in our words."""
     pages = "\n".join([*reference_pages.pages().values(), *agent_pages.pages([]).values()])
     described = re.findall(r"^:+\{py:(?:class|function|data)\} (\w+)", pages, re.MULTILINE)
     assert sorted(described) == sorted(name.name for name in reference_pages.public_names())
+    assert (tuple.__doc__ or "").partition("\n")[0] not in pages
 
 
 def test_lessons_show_no_solutions(lessons: list[lesson_pages.Lesson]) -> None:
