@@ -39,7 +39,7 @@ COMPILED = {
     "whole at first": program(
         "self.Q[int(rng.random() * 4)] *= 0.5\nreturn self.m(k=s, s=max(int(rng.integers(0, 5)), -1))",
         start="1", more="def m(self, s, k, beta=0.5): return s * beta + k", **Q),
-    "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1]", **Q),
+    "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1] + (s in [1.0, 0.5])", **Q),
     "parts in place": program(
         "i = int(s) % 9\nself.Q[i] *= 0.5\nself.Q[i:, 1] += s\nself.Q[::-2, ::-1] -= 1\nself.Q[-1][:] /= 4\nself.Q[i], i = self.Q[3], 2\n"
         "row = self.Q[i]\nrow += 1\nself.Q[i + 1] = row\nrow -= 2\nself.Q[i] = row\nreturn (s + abs(self.Q[4, 1])) % 100", **Q),
@@ -238,6 +238,7 @@ REFUSED = {
     "product of flags": (program("a = np.array([s > 3, True])\nreturn s + 1 + (a * a)[0]"), "True and False"),
     "is True": (program("return s + 1 if (self.Q[0, 0] > -1) is True else s + 2", **Q), "is"),
     "round to decimals": (program("return round(s + 0.15, 1)"), "decimals"),
+    "a draw of another kind": (program("return s + rng.gamma(2.0)"), "it uses rng's gamma"),
     "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), "it calls itself"),
     "two that call each other": (
         program("return g(int(s) % 9) + s + 1", before="def g(n): return 0 if n == 0 else h(n - 1)\ndef h(n): return 1 if n == 0 else g(n - 1)"), ""),

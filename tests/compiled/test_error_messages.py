@@ -70,6 +70,12 @@ def test_the_innermost_line(built_once: None) -> None:
         compiled(plain_loop, 1, thing, np.random.default_rng(0))
 
 
+def test_a_value_that_numba_does_not_know() -> None:
+    """It is said what it is: here numbers in another order of bytes."""
+    with pytest.raises(CompilationError, match="array dtype: >f8"):
+        compiled(plain_loop, 1, np.zeros(2, ">f8"), np.random.default_rng(0))
+
+
 ARRAYS = {
     "return 0\n": "return (0,)\n",
     "return max(0, state + 2 * action - 1)": "return np.array([max(0, state[0] + 2 * action - 1)])",

@@ -85,6 +85,9 @@ TRAPS = {
     "four dimensions": program("x = np.zeros((2, 3, 4, 2))\nx[1, 0, 1, 1] += s\nreturn 0.5 * x[1, 0, 1, 1] + 1"),
     "values of and": program("k = int(s) % 3 and 7\nj = int(s) % 2 or 5\nreturn 0.5 * s + k + j"),
     "memory of another shape": program("x = self.Q.shape[0] + len(self.Q[0]) + self.Q.size + self.Q[2:].shape[0]\nreturn 0.5 * s + x", **Q),
+    "numbers of NumPy, and less than what is less than 0": program(
+        "x = np.floor(0.3 * s-K) + np.sqrt(s-K) + np.trunc(-s) * 1e-3 + np.ceil(s-K) * 1e-2\nreturn 0.5 * s + x + (1 if np.isnan(x) else 0)",
+        before="K = -0.5"),
     "two rows at once": program("self.Q[0], self.Q[1] = self.Q[1] + 1, self.Q[0] * 0.5\nreturn (s + self.Q[0, 1]) % 50", **Q),
 }  # fmt: skip
 """Programs in which JavaScript, left to itself, would do something else."""
