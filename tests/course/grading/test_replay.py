@@ -1,5 +1,6 @@
 """Which equation explains the actions of a program: every mistake of a lesson, done on purpose, is told as this one."""
 
+from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
@@ -8,8 +9,8 @@ import numpy as np
 import pytest
 
 from edugym.checks.contract import learns_from
-from edugym_course.grading import WrongAnswer
-from edugym_course.grading.programs import Program, Step, learn_from, shape_of
+from edugym_course.grading import WrongAnswer, replay
+from edugym_course.grading.programs import Program, Step, learn_from, run_program, shape_of
 from edugym_course.grading.replay import SWAPPED, Learner, Rule
 from edugym_course.grading.small_world import SmallWorld
 from tests.course.lessons.answers import LONG, namespace_after, read_answers, read_exercises
@@ -61,6 +62,15 @@ def program_with(learner: Learner, epsilon: float) -> Program:
     return program
 
 
+def values_on_the_way(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -> list[list[float]]:
+    """Those of the state that was met, before each step."""
+    on_the_way = replay._learning(steps, learner, shape)
+    return [
+        np.round(agent.values(step.state) if hasattr(agent, "values") else agent.Q[step.state], 9).tolist()
+        for agent, step in on_the_way
+    ]
+
+
 @pytest.mark.parametrize(("lesson", "sentence"), CASES)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
@@ -71,6 +81,19 @@ def test_a_mistake_is_recognised(lesson: str, sentence: str, seed: int) -> None:
     assert said.endswith(f"They fit a usual mistake: {sentence}")
     for words in ("in small worlds with ", "it should be some ", " make look best by the equation of this"):
         assert words in said
+
+
+@pytest.mark.parametrize("lesson", RULES)
+def test_every_mistake_learns_something_else(lesson: str) -> None:
+    """From the steps of a right program: other values than the right equation, and than every other mistake."""
+    rule = RULES[lesson]
+    world = rule.world(3, rule.truncates, rule.noisy)
+    steps = run_program(program_with(rule.right, rule.epsilon), world, 400, 3).steps
+    learned = {"right": values_on_the_way(steps, rule.right, shape_of(world))}
+    for sentence, mistake in rule.mistakes.items():
+        values = values_on_the_way(steps, mistake, shape_of(world))
+        assert [sentence, *(other for other, found in learned.items() if found == values)] == [sentence]
+        learned[sentence] = values
 
 
 @pytest.mark.parametrize("lesson", QUICK)
