@@ -34,6 +34,12 @@ def test_advantages_by_hand() -> None:
     assert advantages_of(rewards, going_on, V, 0.5, 0.5).T.tolist() == [[1.125, 0.5, 2.0], [0.5, -2.0, 2.0]]
 
 
+def test_defaults() -> None:
+    """γ is that of all agents; λ and ε are those of the paper's table 3."""
+    defaults = PPO._field_defaults
+    assert [defaults[name] for name in ("discount", "trace_decay", "clip")] == [0.99, 0.95, 0.2]
+
+
 def test_weights_begin_orthogonal() -> None:
     """W Wᵀ = 2 I in hidden layers; the last one is small in the actor, and of norm 1 in the critic; σ is e^-0.5."""
     net = ActorCritic(spaces.Discrete(7), spaces.Box(-1.0, 1.0, (2,)), 6)

@@ -62,6 +62,26 @@ def test_every_kernel_does_what_python_does(race: Race, agent: Agent) -> None:
     check_same(race, agent)
 
 
+NOTED = [
+    pytest.param(race, agent, id=f"{race.environment}-{agent.label}")
+    for race in RACES
+    for agent in race.agents
+    if first_call(race, agent).loop is kernels.race_noted
+]
+
+
+@pytest.mark.parametrize(("race", "agent"), NOTED)
+def test_what_an_agent_knows_of_a_place_is_asked_of_it(race: Race, agent: Agent) -> None:
+    """Of all places that were seen, and of no others; not of all the same."""
+    call = first_call(race, agent)
+    _, _, training, evaluation, values, carry = call.arguments
+    for n_steps in (kernels.BEGIN, 60, kernels.SHOW):
+        carry = call.loop(n_steps, 0, training, evaluation, values, carry)
+    seen = training.mdp.visits[0] > 0
+    assert not values[~seen].any()
+    assert len({*map(tuple, values[seen])}) > 2
+
+
 POWERS = """
 const { power } = await import(process.argv[1])
 const bases = process.argv.slice(3).map(Number), n = Number(process.argv[2])

@@ -8,7 +8,9 @@ import pytest
 from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
 from edugym_course.grading import WrongAnswer
+from edugym_course.grading.programs import run_program
 from edugym_course.lessons.continuous_actions import exact, experiments, methods, ppo, project, release
+from edugym_course.lessons.continuous_actions.exercises.boxes import Boxes, Gaussians
 from tests.course.lessons.made_up import made_up, measured
 
 
@@ -85,6 +87,14 @@ def test_a_program_that_draws_its_actions(sentence: str, seed: int) -> None:
     with pytest.raises(WrongAnswer) as refused:
         project.check_equations(partial(project.reinforce, make=project.MISTAKES[sentence]), seed)
     assert str(refused.value).endswith(f"They fit a usual mistake: {sentence}")
+
+
+def test_every_mistake_learns_something_else() -> None:
+    """From the steps of a right program; σ comes to its bounds in longer runs only."""
+    program, world = partial(project.reinforce, make=Gaussians), Boxes(3, truncates=True)
+    steps = run_program(program, world, 300, 3).steps
+    makers = [Gaussians, *project.MISTAKES.values(), *project.KEPT, *project.FOLLOWERS]
+    assert len({round(project.fit([steps], make).log, 6) for make in makers}) == len(makers) - 1
 
 
 def test_continuous_actions() -> None:
