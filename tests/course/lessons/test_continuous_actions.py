@@ -93,7 +93,7 @@ def test_every_mistake_learns_something_else() -> None:
     """From the steps of a right program; σ comes to its bounds in longer runs only."""
     program, world = partial(project.reinforce, make=Gaussians), Boxes(3, truncates=True)
     steps = run_program(program, world, 300, 3).steps
-    makers = [Gaussians, *project.MISTAKES.values(), *project.KEPT, *project.FOLLOWERS]
+    makers: list[project.Maker] = [Gaussians, *project.MISTAKES.values(), *project.KEPT, *project.FOLLOWERS]
     assert len({round(project.fit([steps], make).log, 6) for make in makers}) == len(makers) - 1
 
 
