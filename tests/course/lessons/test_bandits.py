@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import finite_model, make_mdp, mean_interval, paired_difference, regret
+from edugym import UCB, finite_model, make_mdp, mean_interval, paired_difference, regret
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.bandits import methods, project
 from edugym_course.lessons.bandits.methods import Pulls
@@ -51,6 +51,15 @@ def test_strategies_of_the_lesson() -> None:
     Q = np.array([[0.1, 0.3, 0.2]])
     assert sorted(strategy.choose(Q, 0, rng) for _ in range(6)) == [0, 0, 1, 1, 2, 2]
     assert [strategy.choose(Q, 0, rng) for _ in range(5)] == [1] * 5
+
+
+def test_bonus_at_first() -> None:
+    """It is UCB at first, and then goes by the means alone."""
+    strategy, rng = methods.BonusAtFirst(UCB.create((1, 3)), 4), np.random.default_rng(0)
+    Q = np.array([[0.1, 0.3, 0.2]])
+    assert sorted(strategy.choose(Q, 0, rng) for _ in range(3)) == [0, 1, 2]
+    assert [strategy.choose(Q, 0, rng) for _ in range(50)] == [1] * 50
+    assert strategy.ucb.counts.sum() == 4
 
 
 def test_exact_shares() -> None:

@@ -18,6 +18,7 @@ from edugym.experiments.results.statistics import mean_interval, paired_differen
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.bandits.figures import GAPS, by_arm, drifting, measure_gaps, over_gaps, regrets
 from edugym_course.lessons.bandits.methods import (
+    AT_FIRST,
     BOUNDS,
     DECAY,
     EPSILON,
@@ -26,6 +27,7 @@ from edugym_course.lessons.bandits.methods import (
     GREEDY,
     IN_THE_FIGURE,
     N_ARMS,
+    N_FIRST,
     N_PULLS,
     REPETITIONS,
     SHORT,
@@ -111,7 +113,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     return found, (tried, thompson), gaps, drift
 
 
-MOVING = (SLIPS, STEADY, BOUNDS, THOMPSON)
+MOVING = (SLIPS, STEADY, BOUNDS, THOMPSON, AT_FIRST)
 
 
 def judge(
@@ -276,6 +278,7 @@ def gap_claims(n_arms: int, found: Mapping[str, Sequence[Reals]]) -> list[Claim]
 
 def drift_claims(name: str, moving: Mapping[str, Pulls], still: Mapping[str, Pulls]) -> list[Claim]:
     """Return the claims on arms that drift."""
+    at_first = f"Where arms drift, {name}, UCB has more if its bonus ends after {N_FIRST} pulls"
     without = f"Without drift, {name}, sample averages are ahead of a constant learning rate"
 
     def behind(found: Mapping[str, Pulls], other: str) -> Any:
@@ -297,5 +300,13 @@ def drift_claims(name: str, moving: Mapping[str, Pulls], still: Mapping[str, Pul
             f"{REGRET}, less that of Thompson sampling",
             paired_difference(moving[BOUNDS].regret(), moving[THOMPSON].regret()),
             Below(-100),
+            "its bonus goes on sending it to arms that it seldom pulled",
+            (at_first,),
+        ),
+        Claim(
+            at_first,
+            f"{REGRET}, less that of Thompson sampling",
+            paired_difference(moving[AT_FIRST].regret(), moving[THOMPSON].regret()),
+            Above(100),
         ),
     ]

@@ -46,6 +46,24 @@ class TryFirst(NamedTuple):
         return chosen
 
 
+class BonusAtFirst(NamedTuple):
+    """UCB that loses its bonus after some pulls, and takes the best mean from then on.
+
+    Attributes:
+        ucb: which chooses at first.
+        pulls: how many pulls it chooses.
+    """
+
+    ucb: UCB
+    pulls: int
+
+    def choose(self, Q: Reals, state: int, rng: Random) -> int:
+        """The action with the highest upper bound, and later that with the best mean, ties at random."""
+        if self.ucb.counts[state].sum() < self.pulls:
+            return self.ucb.choose(Q, state, rng)
+        return greedy_action(Q, state, rng)
+
+
 class OneOverT(NamedTuple):
     """An ε that falls as 1/t: min(1, first / t) at pull t.
 
@@ -72,7 +90,9 @@ def constant(**settings: Any) -> Callable[[Any], Any]:
 
 RANDOM, GREEDY, SLIPS, DECAY = "random", "greedy", "ε-greedy", "falling ε"
 HOPE, BOUNDS, THOMPSON, GRADIENT = "optimistic", "UCB", "Thompson sampling", "gradient bandit"
-STEADY = "ε-greedy, constant α"
+STEADY, AT_FIRST = "ε-greedy, constant α", "UCB, bonus at first"
+N_FIRST = 1000
+"""For so many pulls UCB has its bonus, in the control."""
 METHODS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(
     {
         RANDOM: averages(lambda mdp: EpsilonGreedy(1.0)),
@@ -84,6 +104,7 @@ METHODS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(
         THOMPSON: averages(partial(ThompsonSampling.create, spread=SPREAD)),
         GRADIENT: partial(GradientBandit.create, learning_rate=LEARNING_RATE),
         STEADY: constant(exploration=EpsilonGreedy(EPSILON)),
+        AT_FIRST: averages(lambda mdp: BonusAtFirst(UCB.create(mdp, c=C), N_FIRST)),
     }
 )
 IN_THE_FIGURE = (GREEDY, SLIPS, DECAY, HOPE, BOUNDS, THOMPSON, GRADIENT)

@@ -161,3 +161,11 @@ total_regret = 0.6
 # in: a sum of differences
 # - return sum(max(p) - p[arm] for arm in arms)
 # + return sum(p[0] - p[arm] for arm in arms)
+
+
+# %% p is sorted in place
+# says: changes its list `p`; make a new one, for the caller still needs the old one
+def total_regret(p, arms):
+    total = sum(max(p) - p[arm] for arm in arms)
+    p.sort()
+    return total

@@ -15,7 +15,7 @@ from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables, table_of
-from edugym_course.grading.values import UNUSUAL_NUMBER, number, same
+from edugym_course.grading.values import UNUSUAL_NUMBER, number, require_unchanged, same
 from edugym_course.lessons.bandits.exercises.bounds import BOUND_MISTAKES, Known, bounds, made_up_arms
 from edugym_course.lessons.bandits.exercises.gradient import GRADIENT_MISTAKES, made_up_pulls, preferred
 
@@ -154,7 +154,9 @@ def exercise_1(answer: Any, seed: int, cost: Fee = 0.0) -> str:
     for case in made:
         call = f"total_regret({case.p}, {case.arms})"
         with student_code(call):
-            found = answer(list(case.p), list(case.arms))
+            found = answer(p := list(case.p), arms := list(case.arms))
+        require_unchanged(call, "p", p, case.p)
+        require_unchanged(call, "arms", arms, case.arms)
         mistakes = {why: right(case, **change) for why, change in REGRET_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases, DRAWN if cost == 0 and _are_drawn(made, [case.found for case in cases]) else UNUSUAL_NUMBER)
