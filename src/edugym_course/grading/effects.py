@@ -44,7 +44,7 @@ def otherwise_counted(tables: Mapping[str, Any], reward: float, rule: Result, an
                 for result, old in ((answer, start), (rule, right))
             )
             if abs(yours - should) > CLEARLY * max(1.0, abs(should)):
-                told.append(f"{name} counts {_times(yours)}, and should count {_times(should)}")
+                told.append(f"{name} counts {times(yours)}, and should count {times(should)}")
     except WrongAnswer:
         return ""
     if not told:
@@ -57,5 +57,6 @@ def _copied(tables: Mapping[str, Any]) -> dict[str, Any]:
     return {name: table.copy() for name, table in tables.items()}
 
 
-def _times(factor: float) -> str:
+def times(factor: float) -> str:
+    """Return how often a number counts, in words."""
     return "once" if round(factor, 4) == 1 else f"{round(factor, 4) + 0.0:g} times"

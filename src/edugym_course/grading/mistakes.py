@@ -6,8 +6,12 @@ two mistakes: neither is named then.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple, TypeVar
 
+import numpy as np
+
+from edugym_course.grading.effects import times
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.values import CLOSE, ROUNDED, UNUSUAL_NUMBER, all_near, digits, rounded_alike, same
 
@@ -137,6 +141,27 @@ def how_they_differ(found: Sequence[float], expected: Sequence[float]) -> str:
     return f"it is right in {n_right} of {n_cases} cases: what is special in this one?" if n_right else ""
 
 
+def in_terms(found: Sequence[float], terms: Sequence[Mapping[str, float]], wrong: Sequence[bool]) -> str:
+    """Return which term of a sum counts otherwise than once, or else what the first wrong number should add up.
+
+    Args:
+        found: the numbers of an answer.
+        terms: for each of them, what the right number adds up, by name; the same names in every case.
+        wrong: for each of them, whether it is wrong; one is.
+    """
+    names = [*terms[0]]
+    if not names:
+        return ""
+    table = np.array([[*case.values()] for case in terms])
+    factors, _, rank, _ = np.linalg.lstsq(table, np.array(found), rcond=None)
+    if rank == len(names) < len(found) - 1 and all(map(same, found, table @ factors)):
+        told = [f"{name} counts {times(x)}" for name, x in zip(names, factors, strict=True) if not same(x, 1.0)]
+        return f"in all cases {' and '.join(told)}, and should count once"
+    *first, (name, value) = terms[wrong.index(True)].items()
+    sum_of = ", ".join(f"{one}, {number:.4g}" for one, number in first)
+    return f"it should add up {sum_of}, and {name}, {value:.4g}: which of them is another one in your code?"
+
+
 class NumberCase(NamedTuple):
     """A number that an answer gives.
 
@@ -145,12 +170,14 @@ class NumberCase(NamedTuple):
         found: the answer's number.
         expected: the right one.
         mistakes: by sentence, what each mistake gives; the same sentences in every case.
+        terms: by name, what the right number adds up, if that helps; the same names in every case.
     """
 
     what: str
     found: float
     expected: float
     mistakes: Mapping[str, float]
+    terms: Mapping[str, float] = MappingProxyType({})
 
 
 def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
@@ -172,7 +199,8 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
     if rounded or all_near(*numbers):
         why = mistake_that_fits(sentences, lambda sentence: all(explained(sentence)), ROUNDED if rounded else CLOSE)
     else:
-        why = mistake_in_cases(sentences, explained, wrong, with_what_differs(otherwise, how_they_differ(*numbers)))
-    what, found, expected, _ = cases[wrong.index(True)]
+        differs = in_terms(numbers[0], [case.terms for case in cases], wrong) or how_they_differ(*numbers)
+        why = mistake_in_cases(sentences, explained, wrong, with_what_differs(otherwise, differs))
+    what, found, expected, *_ = cases[wrong.index(True)]
     came = f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(told_wrong(came, why))

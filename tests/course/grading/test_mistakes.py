@@ -60,10 +60,12 @@ def test_a_search_that_stops_too_early_is_not_called_rounded() -> None:
             compare_all([NumberCase("f", one, right, {}) for one, right in zip(found, [1 / 3, 2 / 3], strict=True)])
         return str(caught.value)
 
-    assert "that is close, but not exact: is a search or a sum stopped too early, or a number in it rounded?" in said(
-        [0.333333, 0.666667]
+    close = (
+        "that is close, but not exact: is a search or a sum stopped too early, or a number in it rounded? There is room"
+        " for nine digits"
     )
-    assert " There is room for nine digits" in said([1 / 3 + 1e-6, 2 / 3])
+    assert said([0.333333, 0.666667]).endswith(close)
+    assert said([1 / 3 + 1e-6, 2 / 3]).endswith(close)
     assert "is it rounded?" in said([0.33, 0.67])
 
 

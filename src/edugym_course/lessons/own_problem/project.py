@@ -52,8 +52,11 @@ def project_10(answer: Any, seed: int) -> str:
         raise WrongAnswer("whatever the actions are, the same is observed and paid: what should the agent decide?")
     with student_code("Gymnasium's check_env"):
         check_env(_made(answer), skip_render_check=True)
-    length, total = (float(np.mean([of(one) for one in played])) for of in (len, _total))
-    return f"Right: Gymnasium's checker passes it. Random play takes {length - 1:.1f} steps and gets {total:.4g}."
+    lengths, totals = [len(one) for one in played], [_total(one) for one in played]
+    return (
+        f"Right: Gymnasium's checker passes it. Random play takes {np.mean(lengths) - 1:.1f} steps and gets"
+        f" {np.mean(totals):.4g}{' in every episode: is there something to learn?' if len({*totals}) == 1 else '.'}"
+    )
 
 
 def _made(answer: Any) -> Environment:
@@ -102,6 +105,11 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
                 f" dictionary, but returns {in_short(came)}"
             )
         observation, reward, terminated, truncated, _ = came
+        if not _is_in(environment, observation) and _is_in(environment, reward):
+            raise WrongAnswer(
+                f"step({action}) returns {in_short(came)}: the observation is the first of the five things, and the"
+                " reward the second"
+            )
         if reward is None:
             raise WrongAnswer(f"step({action}) gives None as the reward, the second of the five: it should be a number")
         for name, ended in (("terminated", terminated), ("truncated", truncated)):
@@ -117,11 +125,17 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
     )
 
 
+def _is_in(environment: Environment, observation: Any) -> bool:
+    return observation is not None and bool(environment.observation_space.contains(observation))
+
+
 def _observed(environment: Environment, observation: Any, call: str) -> Any:
     """Return a copy of an observation that lies in its space."""
     if not environment.observation_space.contains(observation):
         space, hint = environment.observation_space, ""
-        if isinstance(space, spaces.Box | spaces.MultiDiscrete) and getattr(observation, "dtype", None) != space.dtype:
+        if np.shape(observation) != (space.shape or ()):
+            hint = f": it has the shape {np.shape(observation)}, and an element of the space has {space.shape or ()}"
+        elif isinstance(space, spaces.Box | spaces.MultiDiscrete) and getattr(observation, "dtype", 0) != space.dtype:
             hint = f": make an array of its kind of numbers, np.array(..., dtype=np.{space.dtype})"
         raise WrongAnswer(
             f"{call} gives the observation {in_short(observation)}, which is not in the observation space {space}{hint}"

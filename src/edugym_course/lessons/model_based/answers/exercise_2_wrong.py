@@ -241,7 +241,9 @@ class DynaPlus(NamedTuple):
 
 
 # %% one more, another way
-# says: : which of the three is another one in your code?
+# says: the reward
+# says: the discounted value that follows
+# says: : which of them is another one in your code?
 def imagine(self, s, a):
     return self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * self.Q[s].max() + 1.0
 
@@ -285,7 +287,9 @@ def imagine(self, s, a):
 # says: it should add up the reward,
 # says: , the bonus,
 # says: , and the discounted value that follows,
-# says: : which of the three is another one in your code?
+# says: the reward
+# says: the discounted value that follows
+# says: : which of them is another one in your code?
 # in: the solution of imagine
 # - bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
 # + bonus = self.kappa * np.log(1 + self.clock[0] - self.last[s, a])

@@ -9,7 +9,7 @@ import numpy as np
 from edugym_course.grading.agents import table_of
 from edugym_course.grading.cases import STARTS, from_a_start, starts
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.mistakes import in_terms, mistake_that_fits
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, number, same
@@ -160,7 +160,7 @@ def exercise_2(answer: Any, seed: int, power: Power = 0.5) -> str:
             lambda change: all(
                 same(imagined(case, **{**rule, **change}), mine) for case, mine in zip(cases, found, strict=True)
             ),
-            otherwise=_terms(cases[wrong[0]], rule),
+            otherwise=in_terms(found, [_terms(case, rule) for case in cases], [k in wrong for k in range(len(cases))]),
         )
         case, mine, expected = cases[wrong[0]], found[wrong[0]], right[wrong[0]]
         s, a = case.state, case.action
@@ -181,15 +181,12 @@ def exercise_2(answer: Any, seed: int, power: Power = 0.5) -> str:
     )
 
 
-def _terms(case: Memory, rule: Mapping[str, Any]) -> str:
-    """Return the three numbers that an imagined target adds up, to look for the one that is wrong."""
+def _terms(case: Memory, rule: Mapping[str, Any]) -> dict[str, float]:
+    """Return the three numbers that an imagined target adds up."""
     bonus = imagined(case, **{**rule, "target": "no reward", "backup": "none"})
     rest = imagined(case, **{**rule, "target": "no reward"}) - bonus
     reward = imagined(case, **rule) - bonus - rest
-    return (
-        f"it should add up the reward, {reward:g}, the bonus, {bonus:.4g}, and the discounted value that follows,"
-        f" {rest:.4g}: which of the three is another one in your code?"
-    )
+    return {"the reward": reward, "the bonus": bonus, "the discounted value that follows": rest}
 
 
 def _imagined_by(agent: Any, case: Memory) -> float:

@@ -205,3 +205,26 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 #   put the part with `if` in parentheses
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential(next_state) if not terminated else 0.0 - potential(state)
+
+
+# %% half of what is gained
+# says: in all cases γ φ(s') counts 0.5 times and −φ(s) counts 0.5 times, and should count once
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else potential(next_state)
+    return reward + 0.5 * (discount * after - potential(state))
+
+
+# %% sizes of potentials
+# says: a potential may be below 0, and then it counts as it is
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0.0 if terminated else abs(potential(next_state))
+    return reward + discount * after - abs(potential(state))
+
+
+# %% nothing where the state stays
+# says: should be 17, but is 20: it should add up the reward, 20, γ φ(s'), 9, and −φ(s), -12: which of them is another
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    if state == next_state:
+        return reward
+    after = 0.0 if terminated else potential(next_state)
+    return reward + discount * after - potential(state)

@@ -264,3 +264,10 @@ def transition(self, state, action, rng):
 # - if action == 1:
 # -     chimes = min(chimes + 1, 2)
 # + chimes = min(chimes + (action == 1 and luck < 0.3), 2)
+
+
+# %% the last chime is not heard
+# says: transition((7, 0, 0), 1, rng) should lead to (8, 0, 1) (p = 1), but leads to
+# in: the solution of transition
+# - elif action == 1 and chimes < 2:
+# + elif action == 1 and chimes < 2 and time < self.length - 1:

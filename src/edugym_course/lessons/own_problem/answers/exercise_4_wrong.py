@@ -242,3 +242,35 @@ class Dishes(NamedTuple):
 
 
 my_problem = Dishes()
+
+
+# %% charging takes no time
+# says: an episode of my_problem may go on for ever, for example by
+# says: : an end should come whatever the actions are, so keep a deadline in the state, like the time of the morning
+class Lazy(Plant):
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        day, water = state
+        if action == 1:
+            return day, min(water + 2, 3)
+        return day + 1, max(water - int(rng.random() < 0.6), 0)
+
+    def reward(self, state, action, next_state, rng):
+        return (1.0 if 0 < next_state[1] < 3 and action == 0 else 0.0) - 0.2 * action
+
+
+my_problem = Lazy()
+
+
+# %% observations that are no whole numbers
+# says: a table needs observations that are whole numbers, but the observation space is Box
+class Measured(Plant):
+    __slots__ = ()
+    observation_space = property(lambda self: Box(0.0, 100.0, (2,)))
+
+    def observation(self, state, rng):
+        return np.array(state, np.float32)
+
+
+my_problem = Measured()

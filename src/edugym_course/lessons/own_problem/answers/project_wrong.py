@@ -45,7 +45,7 @@
 # + self.observation_space = spaces.Discrete(8)
 
 # %% a list
-# says: : make an array of its kind of numbers, np.array(..., dtype=np.
+# says: : it has the shape (), and an element of the space has (1,)
 # in: a walk in the wind
 # - self.observation_space = spaces.Discrete(9)
 # + self.observation_space = spaces.MultiDiscrete([9])
@@ -144,3 +144,10 @@ class MyEnvironment(gymnasium.Env):
         wind = self.np_random.random() < 0.2
         self.place += -1 if (action == 0) != wind else 1
         return self.place, np.array([-1.0]), self.place in (0, 8), False, {}
+
+
+# %% the reward first
+# says: : the observation is the first of the five things, and the reward the second
+# in: a walk in the wind
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return -1.0, self.place, over, self.steps == 50, {}

@@ -7,6 +7,8 @@ import numpy as np
 from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.mdps import CheckedMDP
 from edugym.exact.model import finite_model
+from edugym.exact.tables import FiniteModel
+from edugym.mdp.tabular import table_sizes
 from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.own_numbers import Own, use_your_own
@@ -103,6 +105,27 @@ def _require_small(mdp: Any) -> None:
         ) from None
 
 
+def _require_an_end(model: FiniteModel) -> None:
+    """Refuse a problem in which some policy never comes to an end.
+
+    Left are the states in which an action leads to such states alone, and that is found by taking away all others.
+    """
+    endless = ~model.terminal
+    stays = np.zeros(model.successors.shape[:2], bool)
+    while True:
+        stays = (endless[model.successors] | (model.probabilities == 0)).all(axis=2) & endless[:, None]
+        if np.array_equal(stays.any(axis=1), endless):
+            break
+        endless = stays.any(axis=1)
+    if endless.any():
+        row = int(endless.argmax())
+        name = names_of(model.mdp)[int(stays[row].argmax())]
+        raise WrongAnswer(
+            f"an episode of my_problem may go on for ever, for example by {name!r} in state {model.states[row]}: an end"
+            " should come whatever the actions are, so keep a deadline in the state, like the time of the morning"
+        )
+
+
 def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
     """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best.
 
@@ -134,6 +157,8 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
             CheckedMDP(answer).observation(state, np.random.default_rng(seed))
     model = values.model
     policy, live = values.greedy_policy(), ~model.terminal
+    with told_as_wrong():
+        table_sizes(answer.observation_space)
     if len(model.states) < 4 or policy.shape[1] < 2:
         raise WrongAnswer(
             f"my_problem should have two actions and four states or more, but has {policy.shape[1]} and"
@@ -146,6 +171,7 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
     gap = values.start - random_return(answer)
     if gap < 1e-6 * max(1.0, abs(values.start)):
         raise WrongAnswer("the best policy of my_problem earns no more than random actions: do the actions matter?")
+    _require_an_end(model)
     best_always = (policy[live] > 0).all(axis=0)
     if best_always.any():
         name = names_of(answer)[int(best_always.argmax())]

@@ -55,6 +55,9 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "F may be below 0, and its absolute value is not asked for": lambda r, a, b, end, g: r + abs(g * b * (not end) - a),
     "φ(s) is subtracted and not added, and γ φ(s') is missing": lambda r, a, b, end, g: r + a,
     "only φ(s') is discounted, and not all of it": lambda r, a, b, end, g: g * (r + b * (not end) - a),
+    "a potential may be below 0, and then it counts as it is": lambda r, a, b, end, g: (
+        r + g * abs(b) * (not end) - abs(a)
+    ),
     "F is added to the reward and not multiplied by it": lambda r, a, b, end, g: r * (g * b * (not end) - a),
     "that is the reward alone, without shaping": lambda r, a, b, end, g: r,
     "only φ(s') is discounted, not φ(s)": lambda r, a, b, end, g: r + g * (b * (not end) - a),
@@ -87,11 +90,18 @@ def exercise_2(answer: Any, seed: int, weight: Weight = 1.0) -> str:
                 *_shaped_by(answer, told),
                 _by_rule(_shaped, weight, told),
                 {why: _by_rule(mistake, weight, told) for why, mistake in SHAPING_MISTAKES.items()},
+                _terms(weight, told),
             )
             for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))
         ]
     )
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
+
+
+def _terms(weight: float, told: Numbers) -> dict[str, float]:
+    reward, before, after, terminated, discount = told
+    gained = 0.0 if terminated else weight * discount * after
+    return {"the reward": reward, "γ φ(s')": gained, "−φ(s)": -weight * before}
 
 
 def _by_rule(rule: Callable[..., float], weight: float, told: Numbers) -> float:
@@ -100,25 +110,31 @@ def _by_rule(rule: Callable[..., float], weight: float, told: Numbers) -> float:
 
 
 def shaping_numbers(rng: Random) -> list[Numbers]:
-    """Make numbers up for three steps; the second one is the last of its episode."""
-    made = []
+    """Make numbers up for five steps.
+
+    The second one is the last of its episode. In the fourth both potentials are below 0, and the last one stays in its
+    state.
+    """
+    made = list[Numbers]()
     for terminated, discount in ((False, 0.5), (True, 0.75), (False, 0.75)):
         before, after = float(rng.integers(2, 9)), 11.0 + 2.0 * float(rng.integers(4))
         made.append((40.0 + float(rng.integers(1, 6)), before, after, terminated, discount))
-    return made
+    stays = float(rng.integers(12, 19))
+    return [*made, (30.0, -float(rng.integers(2, 9)), -12.0, False, 0.5), (20.0, stays, stays, False, 0.75)]
 
 
 def _shaped_by(answer: Callable[..., Any], told: Numbers) -> tuple[str, float]:
     """Call a student's function on made-up numbers; return the call, and what came."""
     reward, before, after, terminated, discount = told
+    then = "bed" if before == after else "door"
     call = (
-        f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
-        f" {before:g} and potential('door') = {after:g}"
+        f"shaped_reward({reward:g}, potential, 'bed', {then!r}, {terminated}, {discount:g}) with potential('bed') ="
+        f" {before:g}" + ("" if then == "bed" else f" and potential('door') = {after:g}")
     )
 
     def potential(state: str) -> float:
         return {"bed": before, "door": after}[state]
 
     with student_code(call):
-        found = answer(reward, potential, "bed", "door", terminated, discount)
+        found = answer(reward, potential, "bed", then, terminated, discount)
     return call, number(call, found)
