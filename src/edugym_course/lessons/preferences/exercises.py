@@ -140,6 +140,7 @@ def stepped(
         "hard": float(whole[0] > whole[1]),
         "difference": whole[0] - whole[1],
         "means": _p(whole[0] / LENGTH, whole[1] / LENGTH, 1.0),
+        "moving": 0.0,
         "share": whole[0] / sum(whole) if sum(whole) else 0.0,
     }[p_of]
     y = {
@@ -148,6 +149,13 @@ def stepped(
         "never": 1 - sure,
         "signs": sure if prefers_first else -sure,
     }[target]
+    if p_of == "moving":
+        table = rewards.copy()
+        for night, way in ((one, 1.0), (other, -1.0)):
+            for pair in night:
+                now = _p(sum(float(table[at]) for at in one), sum(float(table[at]) for at in other), 1.0)
+                table[pair] += way * learning_rate * (y - now)
+        return table
     error = sign * (y - p) * (p * (1 - p) if slope else 1.0)
     error *= {"right": learning_rate, "none": 1.0, "by length": learning_rate / LENGTH}[rate]
     away = {"subtracted": -1.0, "added": 1.0, "left out": 0.0, "winner": 0.0}[second]
@@ -168,6 +176,7 @@ STEP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "p is 1 or 0, as if the teacher never erred: it is σ of the difference": {"p_of": "hard"},
     "p is the difference of the returns itself, and σ is missing": {"p_of": "difference"},
     "p follows from mean rewards; a return is a sum": {"p_of": "means"},
+    "p changes on the way, with every entry: work it out once, from the old rewards": {"p_of": "moving"},
     "p is a share of the returns; it is σ of their difference": {"p_of": "share"},
     "only the night that she prefers has changed; the other one loses as much": {"second": "winner"},
     "all actions of a state have changed; only the one that was taken does": {"rows": True},
@@ -326,6 +335,7 @@ def _choices(rng: np.random.Generator) -> list[Choice]:
 EXTREMES: tuple[Choice, ...] = (
     (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 0.25]), 0.01),
     (np.array([3_000.0, 1.0, 0.0]), np.array([0.0, 0.5, 0.5]), 0.01),  # the best action is never taken
+    (np.array([3_000.0, 1.0, 1.0]), np.array([0.0, 0.25, 0.75]), 0.0001),  # the two best that are taken are equal
 )
 
 
@@ -343,6 +353,8 @@ def _odds(
 ) -> str:
     """Return what an unusual policy has in the place of e^(Q / β), by the first case that is wrong."""
     at = [*wrong].index(True)
+    if at == len(cases) - 1:  # the best two are equal
+        return "where two values are equal the reference decides, however small the penalty is"
     if not same(float(found[at].sum()), 1.0):
         return "they do not sum to 1: divide by their sum, last of all"
     if not (found[at][:2] > 0).all() or not (cases[at][1][:2] > 0).all():
@@ -369,7 +381,7 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
             policy = answer(*mine, penalty)
         if not (np.array_equal(mine[0], values) and np.array_equal(mine[1], reference)):
             raise WrongAnswer(f"{call} changes one of the arrays that it is given: make a new one")
-        table = table_of(call, policy, values.shape, finite=penalty != EXTREMES[0][2])
+        table = table_of(call, policy, values.shape, finite=penalty > EXTREMES[0][2])
         if not np.isfinite(table).all():
             raise WrongAnswer(
                 f"{call} should give {in_brackets(weighed((values, reference, penalty), times=times))}, but gives"

@@ -43,15 +43,50 @@ class Wish(NamedTuple):
         return self.depths[next_state[1]] - self.costs[action]
 
 
-WISHES = (
-    Wish(TASK, depths=(0.0, 3.0, 0.0), costs=(0.0, 0.5, 1.0)),
-    Wish(TASK, depths=(0.0, 3.0, -1.0), costs=(0.5, 2.0, 0.0)),
+class Other(NamedTuple):
+    """Another teacher, to whom only a part of what can be had is nothing.
+
+    Attributes:
+        wish: the morning, as she means it.
+        who: what she likes, for the sentence.
+        fewest: of the way from random buttons to the best clock, the share that the middle run must go.
+        why: which part of the method it takes.
+    """
+
+    wish: Wish
+    who: str
+    fewest: float
+    why: str
+
+
+_ONLY_HERS = "only her answers tell what is wanted, so nothing that *you* know of good nights may be in the program"
+DOZERS = (
+    Other(Wish(TASK, (0.0, 3.0, 0.0), (0.0, 0.5, 1.0)), "likes to doze", 0.4, _ONLY_HERS),
+    Other(Wish(TASK, (0.0, 3.0, -1.0), (0.5, 2.0, 0.0)), "likes to doze", 0.4, _ONLY_HERS),
 )
-"""She likes to doze, all the time. A clock that was written by hand for the other teacher is worth nothing to her."""
+"""A clock that was written by hand for the teacher of the text is worth little to them; each check asks one of them."""
+PARTS = (
+    Other(
+        Wish(TASK, (0.0, -6.0, 3.0), (0.0, 0.0, 4.0)),
+        "hates to doze",
+        0.65,
+        "after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the"
+        " error y - p that is learned from, with p by the rewards as they are then, and in many passes?",
+    ),
+    Other(
+        Wish(TASK, (-6.0, 0.0, 8.0), (8.0, 0.0, 0.0)),
+        "pays for silence at once, and is paid for it later",
+        0.65,
+        "is all that follows a step counted, in full and by the best action, with 0 after the end?",
+    ),
+)
+"""Wishes that mislead whoever leaves out a part. Of 18 right programs (tables of other kinds, planning, Q-learning,
+policy gradients, rounds, more and less of a prior) the middle run goes 0.8 of the way or more. Without p, or with its
+sign wrong, it goes 0.5 with the first; with γ = 0.5, it goes 0.34 with the second."""
 N_COMPARISONS = 300
 FEWEST = 20
 SEEDS, OTHER_SEEDS = 5, 3
-"""Runs with the teacher of the text, and with one who wants something else."""
+"""Runs with the teacher of the text, and with each who wants something else."""
 OUR_SEEDS = range(100, 140)
 LOW, SLACK = 0.1, 0.5
 """The middle run must reach this quantile of our returns, less the slack: ours hardly ever misses it."""
@@ -178,12 +213,12 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
 
 
 @cache
-def our_returns(mdp: Any = TASK) -> tuple[float, ...]:
+def our_returns() -> tuple[float, ...]:
     """Return the meant returns of our policies: planning on rewards that were learned from random nights."""
-    model = model_of(mdp)
+    model = model_of(TASK)
     returns = []
     for seed in OUR_SEEDS:
-        rewards = learned_rewards(mdp, N_COMPARISONS, NOISE, PRIOR, np.random.default_rng(seed), at_random=True)
+        rewards = learned_rewards(TASK, N_COMPARISONS, NOISE, PRIOR, np.random.default_rng(seed), at_random=True)
         learned = with_rewards(model, rewards)
         reference = np.full_like(rewards, 1 / 3)
         returns.append(policy_evaluation(model, tuned(learned, reference, 0.0)).start)
@@ -202,25 +237,25 @@ def project_14(answer: Any, seed: int) -> str:
     if not middle.meant >= lowest:
         why = "" if nobody_asks_why() else f": {symptom(middle)}"
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
-    _check_another_wish(answer, seed)
+    _check_other_wishes(answer, seed)
     return f"Right: {told} (ours {np.median(ours):.1f}); random buttons {_random():.1f}, the best clock {_best():.1f}."
 
 
-def _check_another_wish(answer: Any, seed: int) -> None:
-    """Check that a program learns what another teacher wants, who tells it by her answers alone.
+def _check_other_wishes(answer: Any, seed: int) -> None:
+    """Check that a program learns what other teachers want, who tell it by their answers alone.
 
     Raises:
-        WrongAnswer: its middle run is closer to random buttons than to ours.
+        WrongAnswer: its middle run is too close to random buttons for one of them.
     """
-    wish = WISHES[seed % len(WISHES)]
-    found = [judged(answer, SEEDS * seed + number, wish).meant for number in range(OTHER_SEEDS)]
-    middle, ours = sorted(found)[OTHER_SEEDS // 2], float(np.median(our_returns(wish)))
-    if middle < (lowest := (_random(wish) + ours) / 2):
-        raise WrongAnswer(
-            f"With a teacher who wants something else, the middle one of {OTHER_SEEDS} runs makes a clock worth"
-            f" {middle:.1f} to her, and it should be worth {lowest:.1f} or more (ours {ours:.1f}): only her answers"
-            " tell what is wanted, so nothing that *you* know of good nights may be in the program"
-        )
+    for wish, who, fewest, why in (DOZERS[seed % len(DOZERS)], *PARTS):
+        found = [judged(answer, SEEDS * seed + number, wish).meant for number in range(OTHER_SEEDS)]
+        middle, least, most = sorted(found)[OTHER_SEEDS // 2], _random(wish), _best(wish)
+        if middle < (lowest := least + fewest * (most - least)):
+            raise WrongAnswer(
+                f"With a teacher who {who}, the middle one of {OTHER_SEEDS} runs makes a clock worth {middle:.1f} to"
+                f" her, and it should be worth {lowest:.1f} or more (random buttons {least:.1f}, the best clock"
+                f" {most:.1f}){'' if nobody_asks_why() else f': {why}'}"
+            )
 
 
 def symptom(run: Judged) -> str:
@@ -254,6 +289,7 @@ def _random(mdp: Any = TASK) -> float:
 
 
 @cache
-def _best() -> float:
+def _best(mdp: Any = TASK) -> float:
     """The best return."""
-    return policy_evaluation(model_of(TASK), tuned(model_of(TASK), np.zeros(0), 0.0)).start
+    model = model_of(mdp)
+    return policy_evaluation(model, tuned(model, np.zeros(0), 0.0)).start

@@ -270,3 +270,9 @@ def learn(rewards, first, second, prefers_first, learning_rate):
 # in: with counts
 # - p = 1 / (1 + np.exp(-(rewards * difference).sum()))
 # + p = 1 / (1 + np.exp(-sum(rewards[pair] for pair in first)))
+
+# %% p at every entry
+# says: p changes on the way, with every entry: work it out once, from the old rewards
+# in: step by step
+# - new[s, a] += sign * learning_rate * error
+# + new[s, a] += sign * learning_rate * (prefers_first - 1 / (1 + np.exp(sum(new[q] for q in second) - sum(new[q] for q in first))))

@@ -22,6 +22,30 @@
 # - differences.append(visits(first) - visits(second))
 # + differences.append(visits(first) + visits(second))
 
+# %% no p
+# slow
+# says: With a teacher who
+# says: hates to doze
+# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes?
+# in: visits as vectors
+# - p = 0.5 * (1 + np.tanh(differences @ rewards / 2))
+# + p = 0.5
+
+# %% the sign of p
+# slow
+# says: Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes?
+# in: visits as vectors
+# - p = 0.5 * (1 + np.tanh(differences @ rewards / 2))
+# + p = 0.5 * (1 - np.tanh(differences @ rewards / 2))
+
+# %% a discount
+# slow
+# says: pays for silence at once, and is paid for it later
+# says: is all that follows a step counted, in full and by the best action, with 0 after the end?
+# in: gradient steps and planning by counting
+# - Q = w[time] + p[time] @ V
+# + Q = w[time] + 0.5 * (p[time] @ V)
+
 # %% the last step alone
 # slow
 # says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
@@ -77,10 +101,14 @@ def my_program(environment, compare, n_comparisons, seed):
 
 
 # %% a clock written by hand
-# says: With a teacher who wants something else, the middle one of
+# says: With a teacher who
+# says: likes to doze
+# says: , the middle one of
 # says: runs makes a clock worth
 # says: to her, and it should be worth
-# says: ): only her answers tell what is wanted, so nothing that *you* know of good nights may be in the program
+# says: or more (random buttons
+# says: , the best clock
+# says: only her answers tell what is wanted, so nothing that *you* know of good nights may be in the program
 def my_program(environment, compare, n_comparisons, seed):
     rng = np.random.default_rng(seed)
 
