@@ -108,6 +108,15 @@ def test_claims() -> None:
     assert measured(experiments.value_claims(believed)) == pytest.approx([4 + methods.true_value(4), last, 7.0])
 
 
+def test_far_shares() -> None:
+    """Of what is in the memory only, and by how many switches differ from their goal."""
+    results = methods.networks(3, (methods.NONE,), n_steps=40, repetitions=2, jobs=1)
+    assert methods.far_shares(results, methods.NONE, far=1) == pytest.approx([1.0, 1.0])
+    some, none = (methods.far_shares(results, methods.NONE, far=far) for far in (2, 4))
+    assert ((some > 0) & (some < 1)).all()
+    assert (none == 0).all()
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_cases_tell_all_mistakes_of_future(seed: int) -> None:
     """In the first case no two of them draw alike, by more than chance."""

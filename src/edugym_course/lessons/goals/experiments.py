@@ -1,7 +1,8 @@
 """Goals (lesson 11): universal values and hindsight, for a network and for a table, on Switches.
 
 `HindsightDQN` has its defaults: 64 hidden units, learning rate 0.001, discount 0.99, ε = 0.1. It trains for 15 000
-steps with 7 and 8 switches, and for 25 000 with 9; without hindsight with 8 switches also for 200 000. 'future' draws
+steps with 7 and 8 switches, and for 25 000 with 9; with 8 switches also for 200 000 without hindsight, and for 60 000
+with 'future'. 'future' draws
 k = 4 goals for each step. The table, `HindsightQLearning`, has learning rate 1, discount 0.99 and ε = 0.1; its values
 start at 0, and it trains for 15 000 steps with 4 and 8 switches, and for 50 000 with 6; they start at -n, and it trains
 for 15 000 steps, with n = 7, 8 and 9. 5 repetitions, and twice as many of tables; the seeds are the same for every
@@ -16,7 +17,7 @@ import numpy as np
 
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.results.claims import Above, Below, Claim, Within
-from edugym.experiments.results.statistics import exactly, mean_interval
+from edugym.experiments.results.statistics import exactly, mean_interval, paired_difference
 from edugym.experiments.results.tables import Results
 from edugym_course.lessons.goals.figures import beliefs, curves
 from edugym_course.lessons.goals.methods import (
@@ -30,6 +31,7 @@ from edugym_course.lessons.goals.methods import (
     at_random,
     best_return,
     chance_of_random_play,
+    far_shares,
     networks,
     rewarded_share,
     tables,
@@ -41,7 +43,8 @@ from edugym_course.reporting import SharedArguments, reporting
 
 STEPS = {7: N_STEPS, N_SWITCHES: N_STEPS, 9: 25_000}
 """By the number of switches, how long networks train: the lesson's setting, and two others."""
-LONG = 200_000
+LONG, LONGER = 200_000, 60_000
+"""How long without hindsight, and with 'future', to see whether more time helps."""
 OF_TABLES = {4: N_STEPS, 6: 50_000, N_SWITCHES: N_STEPS}
 """The same for tables."""
 LOW_TABLES = {7: 2.5, N_SWITCHES: 1.5, 9: 0.7}
@@ -62,6 +65,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         for n, steps in STEPS.items()
     }
     long = networks(strategies=(NONE,), n_steps=LONG, **how("long"))
+    longer = networks(strategies=(FUTURE,), n_steps=LONGER, **how("longer"))
     random = at_random(**how("random_flips"))
     more: dict[str, Any] = {"repetitions": 2 * how.repetitions}  # they are quick
     by_table = {n: tables(n, n_steps=steps, **how(f"tables_{n}", **more)) for n, steps in OF_TABLES.items()}
@@ -71,12 +75,13 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         strategy: [rewarded_share(strategy, seed=seed) for seed in seeds if not how.shared["stop"].is_set()]
         for strategy in (NONE, FINAL, FUTURE, OTHERS)
     }
-    return by_size, long, random, by_table, low, shares
+    return by_size, long, longer, random, by_table, low, shares
 
 
 def judge(
     by_size: Mapping[int, Results],
     long: Results,
+    longer: Results,
     random: Results,
     by_table: Mapping[int, Results],
     low: Mapping[int, Results],
@@ -89,6 +94,7 @@ def judge(
         *random_claims(random),
         *memory_claims(shares),
         *value_claims(by_size[N_SWITCHES]),
+        *longer_claims(by_size[N_SWITCHES], longer),
         *table_claims(by_table),
         *low_table_claims(low),
     ]
@@ -245,6 +251,25 @@ def value_claims(eight: Results) -> list[Claim]:
             "value at distance 1, less that at distance 8",
             mean_interval(believed[NONE][0] - believed[NONE][-1]),
             Within(-0.2, 0.2),
+        ),
+    ]
+
+
+def longer_claims(eight: Results, longer: Results) -> list[Claim]:
+    """Return the claims on what networks believe that have trained for longer, and on what they learned from."""
+    errors = values_by_distance(longer, FUTURE)[-1] - true_value(N_SWITCHES)
+    return [
+        Claim(
+            f"After {LONGER} steps far goals are taken for less than 0.8 nearer",
+            "value at distance 8, less the true one",
+            mean_interval(errors),
+            Below(0.8),
+        ),
+        Claim(
+            "Far goals are as rare in the memory then",
+            "share of transitions whose goal is 6 flips away or more, less that after 15000 steps",
+            paired_difference(far_shares(longer, FUTURE), far_shares(eight, FUTURE)),
+            Within(-0.02, 0.02),
         ),
     ]
 

@@ -141,6 +141,16 @@ def rewarded_share(strategy: str, n_switches: int = N_SWITCHES, n_steps: int = 1
     return float(memory.terminated[: int(steps[0])].mean())
 
 
+def far_shares(results: Results, method: str, far: int = 6) -> Reals:
+    """Return the share of transitions in each network's memory whose goal is `far` flips away, or more."""
+    shares = []
+    for agent in results.complete_agents(method).values():
+        held, size = agent.dqn.memory.states[: int(agent.dqn.steps[0])], agent.goal_size
+        wrong = np.abs(held[:, :size] - held[:, size:]).sum(axis=1) / 2  # each switch is seen as two numbers
+        shares.append((wrong > far - 0.5).mean())
+    return np.array(shares)
+
+
 def true_value(distance: int, discount: float = DISCOUNT) -> float:
     """Return the value of the best action, so many flips from the goal."""
     return -sum(discount**k for k in range(distance - 1))
