@@ -125,6 +125,31 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False) -> dict[str, Learner
     }
 
 
+def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Sequence[float]]) -> dict[str, Learner]:
+    """Return agents that take other numbers than those of the text, by their sentences.
+
+    Args:
+        make: makes the right agent, for the shape of a table and with these settings.
+        settings: for each, its symbol, the right number, and others: those of other lessons, and more and less.
+    """
+    return {
+        f"{symbol} is about {other:g}, and it should be {right:g}": Learner(partial(make, **{name: other}))
+        for name, (symbol, right, others) in settings.items()
+        for other in others
+    }
+
+
+def other_first_values(make: Maker, values: Sequence[float] = (1.0, 10.0)) -> dict[str, Learner]:
+    """Return agents whose table `Q` does not begin at 0, by their sentences."""
+
+    def begun(value: float, shape: tuple[int, int]) -> Any:
+        agent = make(shape)
+        agent.Q[...] = value
+        return agent
+
+    return {f"the first values are about {value:g}, and not 0": Learner(partial(begun, value)) for value in values}
+
+
 Row = tuple[bool, float, float]
 """Of one step: whether its action was a surprise, how likely that was by ε, and the logarithm of its probability."""
 

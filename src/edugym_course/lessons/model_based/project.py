@@ -14,12 +14,11 @@ from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import APART, NAME, run_program
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings
 from edugym_course.grading.small_world import ACTIONS, ENDS, GOES_ON, LAYERS, WIDTH, SmallWorld
 from edugym_course.lessons.model_based.methods import EPSILON, LEARNING_RATE
 
 N_STEPS, PLANNING_STEPS, DISCOUNT, SWEEPS = 2_000, 10, 0.95, 8
-OTHER_DISCOUNTS = (1.0, 0.99, 0.9)
 
 CLEARLY = 200.0
 """How many nats tell that nothing is planned: 327 to 1535 where it is so (six seeds), and up to 35 for a program that
@@ -163,10 +162,7 @@ RULE = Rule(
         ),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
     }
-    | {
-        f"γ is about {discount:g}, and it should be {DISCOUNT}": Learner(partial(Planner, discount=discount))
-        for discount in OTHER_DISCOUNTS
-    },
+    | other_settings(Planner, discount=("γ", DISCOUNT, (1.0, 0.99, 0.9))),
     EPSILON,
     otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action, and"
     " where it ended an imagined step has no future either",

@@ -293,7 +293,7 @@ sliders(
 # <details><summary>What was measured</summary>
 #
 # Up to about 0.0075 all three play alike. With $\beta = 5$ the averse player falls to 0.66, and the seeking player
-# gains nothing. With $\alpha = 1$ the averse player falls to 0.71 and the seeking one to 0.64; the neutral one stays at
+# gains nothing. With $\alpha = 1$ the averse player falls to 0.73 and the seeking one to 0.67; the neutral one stays at
 # 0.81. (Why it does, we did not test.)
 # </details>
 

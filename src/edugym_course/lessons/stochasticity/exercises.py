@@ -168,6 +168,9 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
     "these are the players for whom mean divided by spread is largest; that is only one taste": (
         lambda players: {n for n, (m, s) in players.items() if m / s == max(a / b for a, b in players.values())}
     ),
+    "a mean below 0 is left out, and such a player may be one that nobody beats": (
+        lambda players: {name for name in _unbeaten(players, _beats) if players[name][0] > 0}
+    ),
     "of players with the same two numbers only one is left; they do not beat each other": (
         lambda players: {
             name
@@ -183,11 +186,17 @@ FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (18, 11), (18, 11), (20, 15), (9, 5), 
 
 
 def made_up_players(seed: int) -> list[dict[str, Pair]]:
-    """Make players up: a case by hand, again with a player that beats all others, one by chance, and one alone."""
+    """Make players up: a case by hand, again with one who beats all others, by chance, one alone, and means below 0."""
     rng = np.random.default_rng(seed)
     few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
     cases = []
-    for lowest, pairs in ((0.6, FRONTIER_CASE), (0.6, ((22, 1), *FRONTIER_CASE)), (0.3, few), (0.3, few[:1])):
+    for lowest, pairs in (
+        (0.6, FRONTIER_CASE),
+        (0.6, ((22, 1), *FRONTIER_CASE)),
+        (0.3, few),
+        (0.3, few[:1]),
+        (-0.6, FRONTIER_CASE),
+    ):
         scale = float(rng.choice([0.003, 0.004]))  # so small that two digits do not tell them apart
         order = sorted(rng.permutation(len(pairs)), key=lambda k: k > 1)  # the first two in front, not to be beaten
         players = [(round(lowest + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]

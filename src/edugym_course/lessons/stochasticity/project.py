@@ -1,5 +1,6 @@
 """The project of lesson 8: a learner that avoids risk, from a blank file."""
 
+import math
 from functools import partial
 from typing import Any
 
@@ -8,9 +9,10 @@ from gymnasium import spaces
 
 from edugym.agents.q_learning import QLearning
 from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
+from edugym.agents.tables import best_value, one_step_target
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import run_program
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_first_values, other_settings
 
 LEARNING_RATE, DISCOUNT, RISK, EPSILON = 0.4, 0.9, -0.5, 0.1
 N_STEPS, FORKS = 1_000, 5
@@ -60,6 +62,23 @@ def without_brackets(shape: tuple[int, int]) -> RiskSensitiveQLearning:
     return NothingSubtracted.create(shape, risk=RISK, learning_rate=LEARNING_RATE, discount=DISCOUNT)
 
 
+class ByReward(RiskSensitiveQLearning):
+    """The agent with the weight 2σ(βR)."""
+
+    __slots__ = ()
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Move Q(S, A) by δ, weighted by the reward."""
+        target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
+        weight = 1.0 + math.tanh(self.risk * reward / 2.0)
+        self.Q[state, action] += self.learning_rate * weight * (target - self.Q[state, action])
+
+
+def by_reward(shape: tuple[int, int]) -> RiskSensitiveQLearning:
+    """Make this agent with the settings of the project."""
+    return ByReward.create(shape, risk=RISK, learning_rate=LEARNING_RATE, discount=DISCOUNT)
+
+
 def neutral(shape: tuple[int, int]) -> QLearning:
     """Make an agent that does not mind risk."""
     return QLearning.create(shape, learning_rate=LEARNING_RATE, discount=DISCOUNT)
@@ -78,8 +97,15 @@ RULE = Rule(
             without_brackets
         ),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(agent, discount=0.0)),
-        f"α is 0.1, or some other number far below {LEARNING_RATE:g}": Learner(partial(agent, learning_rate=0.1)),
-    },
+        "the weight is made of the reward, and it should be made of δ": Learner(by_reward),
+    }
+    | other_settings(
+        agent,
+        learning_rate=("α", LEARNING_RATE, (0.1, 0.5, 1.0)),
+        discount=("γ", DISCOUNT, (1.0, 0.99, 0.8, 0.5)),
+        risk=("β", RISK, (-2.0, -1.0, -0.1)),
+    )
+    | other_first_values(agent),
     EPSILON,
     otherwise="; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it",
 )

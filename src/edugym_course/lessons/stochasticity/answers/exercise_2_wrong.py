@@ -237,3 +237,15 @@ def frontier(players):
 # - beaten = False
 # - for other, (m, s) in players.items():
 # + for m, s in players.values():
+
+
+# %% who loses is left out
+# says: a mean below 0 is left out, and such a player may be one that nobody beats
+def frontier(players):
+    kept = []
+    for name, (mean, spread) in players.items():
+        others = players.values()
+        beaten = any(m >= mean and s <= spread and (m > mean or s < spread) for m, s in others)
+        if mean > 0 and not beaten:
+            kept.append(name)
+    return kept

@@ -29,7 +29,7 @@
 # + delta = r + 0.9 * Q[s2].max() - Q[s, a]
 
 # %% first values of 10
-# says: ; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
+# says: the first values are about 10, and not 0
 # in: the weight in one line
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # + Q = np.full((environment.observation_space.n, environment.action_space.n), 10.0)
@@ -49,7 +49,25 @@
 # + delta = r if over else r + 0.9 * Q[s2].max() - Q[s, a]
 
 # %% a smaller α
-# says: α is 0.1, or some other number far below 0.4
+# says: α is about 0.1, and it should be 0.4
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.1 * 2 / (1 + np.exp(0.5 * delta)) * delta
+
+# %% a weight without δ
+# says: ; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta))
+
+# %% a weight by the reward
+# says: the weight is made of the reward, and it should be made of δ
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * r)) * delta
+
+# %% another β
+# says: β is about -1, and it should be -0.5
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * 2 / (1 + np.exp(delta)) * delta
