@@ -82,7 +82,18 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @pytest.mark.parametrize("sentence", project.MISTAKES)
 def test_a_program_that_draws_its_actions(sentence: str, seed: int) -> None:
-    """Our program passes; with a mistake it is told as this one. The quick tests are the answers `project_wrong.py`."""
+    """Our program passes; with a mistake it is told as this one."""
+    check_told(sentence, seed)
+
+
+def test_a_program_that_draws_few_actions(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same of one mistake, which a quarter of the steps tell."""
+    monkeypatch.setattr(project, "N_STEPS", 1_500)
+    check_told(next(iter(project.MISTAKES)), seed=1)
+
+
+def check_told(sentence: str, seed: int) -> None:
+    """Our program passes, and one with this mistake is told so."""
     project.check_equations(project.reinforce, seed)
     with pytest.raises(WrongAnswer) as refused:
         project.check_equations(partial(project.reinforce, make=project.MISTAKES[sentence]), seed)
