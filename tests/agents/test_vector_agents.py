@@ -343,6 +343,7 @@ def test_a_task_of_a_student() -> None:
         (lambda: ChebyshevQLearning.create(edugym.make_mdp("Boulder")), ["several objectives"]),
         (lambda: ChebyshevQLearning.create("Diver"), ["environment", "'Diver'"]),
         (lambda: ChebyshevQLearning.create((2, 2)), ["three numbers", "(2, 2)"]),
+        (lambda: ChebyshevQLearning.create((2, 2, 1_001)), ["n_objectives", "1", "1000", "1001"]),
         (lambda: ChebyshevQLearning.create(DIVER, [1, 2, 3]), ["weights", "(2,)"]),
         (lambda: ChebyshevQLearning.create(DIVER, [-1, 2]), ["weights", "0 or more", "[-1, 2]"]),
         (lambda: ChebyshevQLearning.create(DIVER, whole_returns=True), ["discount", "1", "0.99"]),

@@ -19,6 +19,7 @@ import edugym
 import edugym.objectives
 from edugym.adapters.registration import in_course_order
 from edugym.mdp.tabular import table_sizes
+from edugym.rendering.scene import Text
 from edugym.training.trainers import streams
 
 each_race = pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
@@ -42,9 +43,14 @@ def test_the_menu_can_be_shown(race: Race) -> None:
     assert str(race.strength.values[race.strength.first]).startswith(menu["strength"]["values"][race.strength.first])
 
 
+def first_state(mdp: Any) -> Any:
+    """A state in which an episode begins."""
+    return mdp.initial(np.random.default_rng(0))
+
+
 @each_race
 def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
-    """No mathematics; for every action a name and a sign, with the same number, and a letter for each value of a code.
+    """No mathematics; for every action a name and a sign, with the number that the picture has; letters for codes.
 
     A sign stands in the middle of its cell, but where it is that of a thing beside it: an arm, or a grip.
     """
@@ -59,7 +65,9 @@ def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
         assert len(shown) in (1, seen.observation_space.n)
         sizes = dict(zip(race.numbers, table_sizes(race.agents[0].view.places(mdp).observation_space), strict=False))
         assert {name: len(letters) for name, letters in words.codes(mdp).items()}.items() <= sizes.items()
-        signs = MAPS[race.environment].marks(mdp)
+        signs, scene = MAPS[race.environment].marks(mdp), MAPS[race.environment].scene(mdp, first_state(mdp))
+        numbers = {name.split()[-1] for names in shown for name in names if name[-1:].isdigit()}
+        assert numbers <= {shape.content for shape in scene.shapes if isinstance(shape, Text)}
         assert len(signs) in (0, seen.action_space.n)
         for (x, y, sign), name in zip(signs, shown[0], strict=False):
             assert name.endswith(f" {sign}") if sign.isdigit() else sign == "○" or x == y == 0
@@ -117,7 +125,7 @@ def test_every_agent_takes_the_sliders_that_it_says(race: Race) -> None:
 def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
     """And every observation has a cell and a layer."""
     mdp = race.mdp(range(len(race.strength.values))[k])
-    scene = MAPS[race.environment].scene(mdp, mdp.initial(np.random.default_rng(0)))
+    scene = MAPS[race.environment].scene(mdp, first_state(mdp))
     for view in dict.fromkeys(agent.view for agent in race.agents):
         seen = view.places(mdp)
         places = table(MAPS[race.environment], mdp, seen)

@@ -9,6 +9,7 @@ from edugym import QLearning, finite_model, make_mdp, value_iteration
 from edugym.envs.roadrunner import Roadrunner
 from edugym_course.lessons.on_off_policy import exact, experiments, figures, methods
 from tests.course.lessons.made_up import made_up, measured
+from tests.experiments.figures.samples import new_axes
 
 
 def test_exact_returns() -> None:
@@ -35,6 +36,8 @@ def test_best_runs() -> None:
     second = [(0, 0), (1, 1), (3, 2), (4, 1), (6, 2), (9, 3)]
     assert [tuple(state) for state in exact.best_run(0.1, start=fast[2])] == second[2:]
     assert [*figures.in_the_plane().paths.values()] == [[*map(tuple, fast)], [*map(tuple, safe)], second]
+    drawn = figures.in_the_plane().draw(new_axes())
+    assert {text.get_text() for text in drawn.texts} == {"0", "1", "2", "3"}
     deadly = exact.deadly_actions(exact.ROAD)
     assert deadly[3, 6] == 1
     assert deadly[2, 6] == 0
