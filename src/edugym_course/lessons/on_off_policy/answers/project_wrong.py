@@ -23,7 +23,7 @@
 # + target = r
 
 # %% slow
-# says: the learning rate is much too small: it is 0.5 in the text
+# says: α is about 0.1, and it should be 0.5
 # in: the next action is kept
 # - Q[s, a] += 0.5 * (target - Q[s, a])
 # + Q[s, a] += 0.1 * (target - Q[s, a])
@@ -60,7 +60,7 @@
 # + rng = np.random.default_rng(1)
 
 # %% a discount
-# says: something is discounted, and γ is 1 in the text
+# says: γ is about 0.9, and it should be 1
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r if terminated else r + 0.9 * Q[s2, a2]
@@ -90,3 +90,9 @@
 # in: the next action is kept
 # - return lambda s: int(Q[s].argmax())
 # + return lambda s: int(Q[s].argmin())
+
+# %% first values of 1
+# says: the first values are about 1, and not 0
+# in: the next action is kept
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + Q = np.ones((environment.observation_space.n, environment.action_space.n))
