@@ -174,7 +174,7 @@ source(ChebyshevQLearning, "look_at", "learn")
 # %% [markdown]
 # ## See inside: two ways to take a distance
 #
-# Here are 18 weights of time, from 0.15 to 60. The dashed line will be the treasure that is closest. "The rest of the dive" is the agent of the paper: it compares
+# Here are 18 weights of time, from 0.15 to 60. The thin black line will be the treasure that is closest; where you do not see it, it lies under another one. "The rest of the dive" is the agent of the paper: it compares
 # $\mathbf{z}$ with its vectors $\mathbf{Q}(s, a)$. "The whole dive" adds to $\mathbf{Q}(s, a)$ what the dive has brought up to $s$ (in the code, `so_far`).
 #
 # **Predict.** Which of the two picks up the closest treasure for *all* 18 weights?
@@ -331,7 +331,7 @@ costs.measured(costs.options[0 if change < 0.2 else 1 if change < 0.75 else 2])
 # **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30. There are two causes, and either is enough. The
 # first values are too high, so they lead the agent everywhere once. If it begins with the values of an earlier training instead, no dive takes
 # too long with a first price of 30. And a price of 0 rises by small steps: with known values some 95 dives take too long, and some 9 if $\eta$ is
-# five times as large. (With values that are not known, a larger $\eta$ does not help. The same came out at concavity 0.25, and with a limit of 5.)
+# five times as large. (With values that are not known, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with a limit of 5.)
 #
 # So a constraint that was learned was broken while it was learned. Who may not break it even once needs to know something beforehand: a model, or
 # a teacher.

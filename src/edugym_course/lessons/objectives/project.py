@@ -34,6 +34,8 @@ def sea(best: int, rng: np.random.Generator) -> Reals:
     values = np.zeros(N_COLUMNS)
     values[:4] = rng.uniform(5.0, 15.0, 4)
     values[best] = rng.uniform(20.0, 25.0)
+    if best == 3:  # it is not by far the best: who discounts by 0.9 takes the first one, who stops early the second
+        values[:2] = 0.7 * values[best], 0.8 * values[best]
     values[4:] = np.sort(rng.uniform(60.0, 95.0, 5))
     return values.round(1)
 
@@ -55,6 +57,9 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     " count for nothing in what your program learns?": lambda values: int(values.argmax()),
     "that is the best one of those nearer than seven steps, and exactly seven are allowed": lambda values: _best_of(
         values, LIMIT - 1
+    ),
+    "that is what a discount of 0.9 prefers: count the value of a treasure in full, however late it comes": (
+        lambda values: _best_of(values * 0.9**STEPS_TO, LIMIT)
     ),
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?": (
         lambda values: _best_of(values, LIMIT + 2)

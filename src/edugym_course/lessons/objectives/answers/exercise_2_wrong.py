@@ -214,3 +214,17 @@ def closest_action(Q, state, weights, utopian):
 # says: the size of Q is taken, and not that of the distance z − Q
 def closest_action(Q, state, weights, utopian):
     return (weights * (utopian - np.abs(Q[state]))).max(axis=1).argmin()
+
+
+# %% squares
+# says: the difference is squared before it is weighted; take its size
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * (utopian - Q[state]) ** 2
+
+
+# %% nothing beyond the point
+# says: a value beyond the utopian point has no distance, and it should have one: take the size
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.maximum(utopian - Q[state], 0)

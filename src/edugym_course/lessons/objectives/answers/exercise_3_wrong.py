@@ -195,3 +195,9 @@ def new_price(price, steps, limit, rate):
 # says: the price only falls; after a long dive it should rise
 def new_price(price, steps, limit, rate):
     return max(0.0, price - rate * max(0.0, limit - steps))
+
+
+# %% rounded
+# says: is it rounded? Give the number as it is, without round(), int() or //
+def new_price(price, steps, limit, rate):
+    return round(max(0.0, price + rate * (steps - limit)), 2)

@@ -114,3 +114,10 @@
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps <= (7 if seed % 2 else 13) else 0.0
+
+
+# %% a discount
+# says: that is what a discount of 0.9 prefers: count the value of a treasure in full, however late it comes
+# in: late dives count for nothing
+# - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
+# + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.9 * Q[after].max()) - Q[state, action])

@@ -170,7 +170,7 @@ def exercise_3(answer: Any, seed: int, delay: Delay = 0) -> str:
     cases = []
     for price, steps, limit, rate in (
         (2.0, 9 + shift, 5, 0.25),
-        (4.0, 3, 7 + shift, 0.125),
+        (4.0, 3, 7 + shift, 0.03125),
         (0.5, 1, 9 + shift, 0.25),
         (0.0, 15, 11 - shift, 0.5),
         (3.0, 6 + shift, 6 + shift, 0.25),

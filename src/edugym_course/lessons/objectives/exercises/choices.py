@@ -66,6 +66,12 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the size of Q is taken, and not that of the distance z − Q": lambda Q, s, w, z: (w * (z - np.abs(Q[s]))).max(
         axis=1
     ),
+    "the difference is squared before it is weighted; take its size": lambda Q, s, w, z: (w * (z - Q[s]) ** 2).max(
+        axis=1
+    ),
+    "a value beyond the utopian point has no distance, and it should have one: take the size": lambda Q, s, w, z: (
+        w * np.maximum(z - Q[s], 0)
+    ).max(axis=1),
     "the state is left out: it looks up Q[0]": lambda Q, s, w, z: _distances(Q, 0, w, z).max(axis=1),
 }
 """By what number, the lowest of which wins, each mistake compares the actions."""
