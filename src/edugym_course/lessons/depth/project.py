@@ -14,7 +14,16 @@ from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import NAME, Environment, run_program, shape_of
-from edugym_course.grading.replay import NATS, Learner, Rule, Surprises, mistakes_of_loops, replay
+from edugym_course.grading.replay import (
+    NATS,
+    Learner,
+    Rule,
+    Surprises,
+    mistakes_of_loops,
+    other_first_values,
+    other_settings,
+    replay,
+)
 from edugym_course.grading.small_world import SmallWorld
 from edugym_course.lessons.depth.targets import EPSILON
 
@@ -129,9 +138,13 @@ RULE = Rule(
         ),
         "the rewards are discounted from the start of the episode, and they should be from step τ: the first reward of"
         " a target has the weight 1": Learner(partial(FromDefinition, from_start=True)),
-        "nothing is discounted: γ is 0.8 in the text": Learner(partial(agent, discount=1.0)),
-        "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
-    },
+    }
+    | other_settings(
+        agent,
+        discount=("γ", DISCOUNT, (1.0, 0.99, 0.9, 0.7, 0.5)),
+        learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75, 1.0)),
+    )
+    | other_first_values(agent),
     EPSILON,
     truncates=False,
     otherwise="; look at two places: at the end of an episode the targets of *all* pairs that are left are made of"

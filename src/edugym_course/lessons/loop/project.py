@@ -13,7 +13,7 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_first_values, other_settings
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000
@@ -89,11 +89,9 @@ RULE = Rule(
             partial(agent, discount=0.0)
         ),
         "the mean over the actions of the next state stands where the maximum should": Learner(agent_of_the_mean),
-        "the discount is too small: it is 0.99 in the text": Learner(partial(agent, discount=0.9)),
         "the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)": Learner(
             agent, lambda step, before: step._replace(next_state=step.state)
         ),
-        "the learning rate is much too small: it is 0.5 in the text": Learner(partial(agent, learning_rate=0.1)),
         "the old value is lost, as with a learning rate of 1: it should move halfway to the target": Learner(
             partial(agent, learning_rate=1.0)
         ),
@@ -104,7 +102,13 @@ RULE = Rule(
         "Q(S', A), the value of the *same* action, stands where the maximum over all actions should": Learner(
             partial(slips, same_action=True)
         ),
-    },
+    }
+    | other_settings(
+        agent,
+        discount=("γ", DISCOUNT, (1.0, 0.95, 0.9, 0.5)),
+        learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75)),
+    )
+    | other_first_values(agent),
     EPSILON,
 )
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))

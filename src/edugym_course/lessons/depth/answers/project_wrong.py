@@ -31,7 +31,7 @@
 # + G = R[tau]
 
 # %% slow
-# says: the learning rate is much too small: it is 0.5 in the text
+# says: α is about 0.1, and it should be 0.5
 # in: three steps later
 # - Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
 # + Q[S[tau], A[tau]] += 0.1 * (G - Q[S[tau], A[tau]])
@@ -94,7 +94,7 @@
 # + G = sum(0.8 ** (tau + k) * r for k, r in enumerate(R[tau : tau + n]))
 
 # %% no discount
-# says: nothing is discounted: γ is 0.8 in the text
+# says: γ is about 1, and it should be 0.8
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # - if not over:

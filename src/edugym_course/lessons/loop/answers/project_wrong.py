@@ -65,7 +65,7 @@ my_program = ...
 # + target = reward if terminated else reward + 0.99 * Q[state].max()
 
 # %% slow
-# says: the learning rate is much too small: it is 0.5 in the text
+# says: α is about 0.1, and it should be 0.5
 # in: ε-greedy written out
 # - Q[state, action] += 0.5 * (target - Q[state, action])
 # + Q[state, action] += 0.1 * (target - Q[state, action])
@@ -115,7 +115,7 @@ my_program = ...
 # + target = reward if terminated else reward + 0.99 * Q[next_state].mean()
 
 # %% another discount
-# says: the discount is too small: it is 0.99 in the text
+# says: γ is about 0.9, and it should be 0.99
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.9 * Q[next_state].max()
