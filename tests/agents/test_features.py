@@ -66,8 +66,8 @@ ONE_OF_THREE: dict[str, Any] = {"tiles": [1, 4, 1], "tilings": 1, "low": [0, -2,
         (TWO_TILINGS, [0.3], [1, 5 + 1], 2 * 5),  # 1.2 tiles from the start, and displaced by half a tile 1.7
         (TWO_TILINGS, [0.4], [1, 5 + 2], 2 * 5),  # 1.6 and 2.1
         (TWO_TILINGS, [1.0], [4, 5 + 4], 2 * 5),  # 4.0 and 4.5
-        # (1.0, 1.5) tiles, displaced by k (1, 3) mod 4, in quarters: (1.0, 1.5), (1.25, 2.25), (1.5, 2.0), (1.75, 1.75)
-        ({"tiles": [2, 3], "tilings": 4}, [0.5, 0.5], [5, 12 + 6, 24 + 6, 36 + 5], 4 * 3 * 4),
+        # (1.0, 1.5) tiles, displaced by k (1, 3) mod 8, in eighths: the second is 1.5, 1.875, 2.25, 1.625, 2.0, ...
+        ({"tiles": [2, 3], "tilings": 8}, [0.5, 0.5], [12 * k + 5 + (k in (2, 4, 5, 7)) for k in range(8)], 8 * 3 * 4),
         (ONE_OF_THREE, [9.0, -1.5, math.inf], [0], 5),
         (ONE_OF_THREE, [9.0, -0.5, math.inf], [1], 5),
         ({"tiles": 9_999, "tilings": 1_000}, [0.0], [10_000 * k for k in range(1_000)], 10_000_000),  # the most
