@@ -13,8 +13,3 @@ def prefers(first, second, noise):
 # %% by logaddexp
 def prefers(first, second, noise):
     return np.exp(-np.logaddexp(0, -(first - second) / noise))
-
-
-# %% by an exponential that comes to infinity
-def prefers(first, second, noise):
-    return 1 / (1 + np.exp((second - first) / noise))
