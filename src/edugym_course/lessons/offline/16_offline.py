@@ -182,7 +182,7 @@ whose.measured(whose.options[0 if random_kept > good_kept + 0.5 else 1 if good_k
 #
 # **Measured.** From the random clock: what is learned from its nights keeps 10.1, all but the best. The nearly perfect clock, whose nights are
 # worth 9.7, teaches one that keeps 5.8, and promises 13.4, more than any clock can be worth. From a share of
-# 0.6 on, the better the clock, the larger the gap. With pessimism the promise lies a little below what is kept, and what is learned from the good log-book keeps 10.3.
+# 0.6 on, the better the clock, the larger the gap. With pessimism the promise lies below what is kept, most with random nights, and what is learned from the good log-book keeps 10.3.
 #
 # So "data of a better clock are better data" is wrong. It matters *what the data cover*. And the value that offline Q-learning reports is not what
 # you get.

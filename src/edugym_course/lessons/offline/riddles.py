@@ -103,6 +103,12 @@ RIDDLES = (
         asks="every step counts in the mean of its pair, with its own reward and next state (+= adds, and = forgets)",
         at_both_ends=1,
     ),
+    Riddle(
+        ((25, ((FIRST, 0, 3.0),)), (15, ((FIRST, 0, -20.0),)), (40, ((FIRST, 1, 0.0),))),
+        right=1,
+        shows="action 0 brought 3 in 25 nights and cost 20 in 15, and action 1 brought 0 in each of 40",
+        asks="what is seldom counts in the mean, too; a median forgets it",
+    ),
 )
 
 

@@ -72,8 +72,11 @@ def swept(
             "one": penalty,
             "times": penalty * np.sqrt(n),
         }
-        Q[s, a] = fitted - sign * {**size, "none": 0.0}[over]
-        if floor != "none":
+        less = sign * {**size, "none": 0.0}[over]
+        Q[s, a] = fitted - less
+        if floor == "each":
+            Q[s, a] = np.mean([max(lowest, target - less) for target in seen])
+        elif floor != "none":
             Q[s, a] = {"max": max, "min": min}[floor](lowest, Q[s, a])
     return Q
 
@@ -96,6 +99,7 @@ SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "pairs without a step keep their value; a pessimist gives them the lowest value": {"unseen": "before"},
     "pairs without a step get the penalty as a value; a pessimist gives them the lowest value": {"unseen": "penalty"},
     "some values are below the lowest one there is": {"floor": "none"},
+    "each target is held above the lowest value; only their mean, less the penalty, is": {"floor": "each"},
     "of the value and the lowest one it takes the smaller; max(...) takes the larger": {"floor": "min"},
     "what comes after the end is counted: where `terminated` is True the target is the reward alone": {"end": "always"},
     "what comes after a step is left out: where the task goes on, add the largest value of the next state": {

@@ -208,3 +208,9 @@ pessimistic_sweep = np.zeros((3, 2))
 # in: lists of targets
 # - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
 # + new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values) + 1))
+
+# %% each target above the lowest
+# says: each target is held above the lowest value; only their mean, less the penalty, is
+# in: lists of targets
+# - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
+# + new[pair] = np.mean([max(lowest, value - penalty / np.sqrt(len(values))) for value in values])
