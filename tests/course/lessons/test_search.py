@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import finite_model, make_mdp, mean_interval, paired_difference
+from edugym import finite_model, make_mdp, mean_interval, paired_difference, value_iteration
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.search import figures, methods, plans, project
 
@@ -117,3 +117,17 @@ def test_the_model_of_the_project_says_what_may_be_asked() -> None:
     with pytest.raises(WrongAnswer, match="goes on after the end"):
         model(state, into)
     assert "after the end" in model.slip
+
+
+def test_told_what_new_nodes_are_worth() -> None:
+    """The values are those of the model, by what is seen, and the search takes them in place of a roll-out."""
+    model, entrance = methods.model_of_map(), int(methods.shop().initial(np.random.default_rng(0)))
+    well, random = methods.worth("well"), methods.worth("at random")
+    assert well[entrance] == pytest.approx(value_iteration(model, methods.DISCOUNT).start)
+    assert (random <= well + 1e-9).all()
+    agent = methods.KnownLeaves(*methods.searcher(model, simulations=4))
+    agent.Q[:] = well[:, np.newaxis]
+    agent.search(entrance, np.random.default_rng(0))
+    outcomes = [model.outcomes(entrance, action)[0] for action in range(4)]
+    told = [outcome.reward + methods.DISCOUNT * well[int(outcome.next_state)] for outcome in outcomes]
+    assert agent.tree.values[0].tolist() == pytest.approx(told)

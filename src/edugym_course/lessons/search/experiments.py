@@ -7,17 +7,19 @@ number. More actions stand still, or repeat the four directions.
 
 The worth of looking some steps ahead is computed exactly, in the right model and in wrong ones: an old map of the shop,
 which shows a door where there is a wall; soccer against an opponent who does not play as one thinks; and rewards with
-errors, drawn 100 times. Q-learning (learning rate 1, ε = 0.1) takes as many steps as UCT simulates before one step.
+errors, drawn 100 times. What holds UCT back is tried by telling it, in place of roll-outs, what new nodes are
+worth, exactly, and with c = 1. Q-learning (learning rate 1, ε = 0.1) takes as many steps as UCT simulates before one step.
 """
 
 from collections.abc import Mapping
+from itertools import product
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from edugym.experiments.results.claims import Above, Below, Claim
-from edugym.experiments.results.statistics import exactly, paired_difference
+from edugym.experiments.results.statistics import exactly, mean_interval, paired_difference
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.search.figures import COPIES, IDLE, ROLL_OUTS, TREE, over_branches, over_depth
 from edugym_course.lessons.search.figures import over_simulations as simulations_figure
@@ -29,9 +31,11 @@ from edugym_course.lessons.search.methods import (
     LEARNING_STEPS,
     NUMBERS,
     REPETITIONS,
+    C,
     in_crowd,
     learned,
     searched,
+    told,
 )
 from edugym_course.lessons.search.plans import (
     DEPTHS,
@@ -69,6 +73,8 @@ MAPS: Mapping[str, dict[str, Any]] = MappingProxyType(
 USELESS = (7, 6)
 """A wall beside which a door would be no way to anything."""
 CONTACTS = (1.0, 0.75, 0.5)
+SMALL_C = 1.0
+"""With it what is seldom tried counts little."""
 SHALLOW, DEEP = 8, 20
 SOCCER_SHALLOW, SOCCER_DEEP = 3, 8
 
@@ -103,7 +109,10 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     }
     on_maps = {door: searched(door=door, **shared) for door in (None, DOOR, (6, 3))}
     errors = [with_errors(number, (SHALLOW, DEEP)) for number in range(1, 1 + how.repetitions)]
-    return simulated, short, branching, on_maps, np.array(errors), learned(**shared)
+    held_back = {"roll-outs": searched(c=SMALL_C, **shared)}
+    for play, c in product(("at random", "well"), (C, SMALL_C)):
+        held_back[f"{play}, c = {c:g}"] = told(play, c=c, **shared)
+    return simulated, short, branching, on_maps, np.array(errors), learned(**shared), held_back
 
 
 def judge(
@@ -113,6 +122,7 @@ def judge(
     on_maps: Mapping[tuple[int, int] | None, Reals],
     errors: Reals,
     learners: Reals,
+    held_back: Mapping[str, Reals],
 ) -> Report:
     """Return claims and figures."""
     claims = [claim for name, found in simulated.items() for claim in simulation_claims(name, found)]
@@ -122,6 +132,7 @@ def judge(
     claims += [claim for name, case in MAPS.items() for claim in map_claims(name, **case)]
     claims += [claim for contact in CONTACTS for claim in soccer_claims(contact)]
     claims += [error_claim(errors), *searching_claims(on_maps), learning_claim(learners, on_maps[None])]
+    claims += held_back_claims(held_back)
     figure = {label: [*found.values()] for label, found in simulated[LESSON].items()}
     branches = {label: [*found.values()] for label, found in branching[LESSON].items()}
     return Report(claims, [simulations_figure(figure), over_branches(branches), over_depth()])
@@ -135,6 +146,22 @@ def warm_up() -> None:
     """Compile the search, in the shop and where there are more actions."""
     searched(simulations=30, repetitions=1)
     in_crowd(8, simulations=30, repetitions=1)
+
+
+def held_back_claims(got: Mapping[str, Reals]) -> list[Claim]:
+    """Return the claims on what holds UCT back: by what judges a new node, and by c."""
+    random, well = "what random play is worth from there on", "what good play is worth from there on"
+    expected: Mapping[str, tuple[str, Any]] = {
+        "roll-outs": (f"UCT with c = {SMALL_C:g} stays below 85", Below(85)),
+        f"at random, c = {C:g}": (f"UCT that is told {random} stays below 65", Below(65)),
+        f"at random, c = {SMALL_C:g}": (f"UCT that is told {random}, with c = {SMALL_C:g}, does, too", Below(65)),
+        f"well, c = {C:g}": (f"UCT that is told {well} stays below 85", Below(85)),
+        f"well, c = {SMALL_C:g}": (f"UCT that is told {well}, with c = {SMALL_C:g}, comes to 90 or more", Above(90)),
+    }
+    return [
+        Claim(statement, "return", mean_interval(got[name]), threshold)
+        for name, (statement, threshold) in expected.items()
+    ]
 
 
 def short_helps(name: str) -> str:

@@ -12,7 +12,9 @@ from edugym.agents.uct import UCT
 from edugym.compiled.execution import executable
 from edugym.envs.supermarket import FLOOR, Supermarket
 from edugym.exact.model import finite_model
+from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
+from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.protocol import Random, Reals
 from edugym.training.loops import play_episodes
 from edugym.training.train import train
@@ -93,6 +95,14 @@ class Searching(NamedTuple):
         return self.agent.greedy(state, rng)
 
 
+class KnownLeaves(UCT):
+    """UCT that is told what a new node is worth, in place of a roll-out: its Q holds this for each state."""
+
+    def roll_out(self, state: int, steps: int, rng: Random) -> float:
+        """The value that it was told."""
+        return float(self.Q[state, 0])
+
+
 def shop() -> Supermarket:
     """Return the supermarket, with episodes of at most 100 steps."""
     return Supermarket.create(max_steps=MAX_STEPS)
@@ -168,6 +178,29 @@ def searched(*, door: tuple[int, int] | None = None, **settings: Any) -> Reals:
     """
     how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
     return returns(shop(), searcher(model_of_map(door), **settings), **how)
+
+
+@cache
+def worth(play: str) -> Reals:
+    """Return what each state of the supermarket is worth, exactly, if from there on one plays "at random" or "well"."""
+    model = model_of_map()
+    if play == "well":
+        values = value_iteration(model, DISCOUNT).V
+    else:
+        values = policy_evaluation(
+            model, np.full(model.successors.shape[:2], 1 / model.successors.shape[1]), DISCOUNT
+        ).V
+    table = np.zeros(int(shop().observation_space.n))
+    table[[int(state) for state in model.states]] = values
+    return table
+
+
+def told(play: str, **settings: Any) -> Reals:
+    """Return what UCT gets that is told what new nodes are worth if one plays so; other arguments as in `searched`."""
+    how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
+    agent = KnownLeaves(*searcher(model_of_map(), **settings))
+    agent.Q[:] = worth(play)[:, np.newaxis]
+    return returns(shop(), agent, **how)
 
 
 def in_crowd(n_actions: int, *, copies: bool = False, **settings: Any) -> Reals:
