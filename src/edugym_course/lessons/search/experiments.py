@@ -8,7 +8,8 @@ number. More actions stand still, or repeat the four directions.
 The worth of looking some steps ahead is computed exactly, in the right model and in wrong ones: an old map of the shop,
 which shows a door where there is a wall; soccer against an opponent who does not play as one thinks; and rewards with
 errors, drawn 100 times. What holds UCT back is tried by telling it, in place of roll-outs, what new nodes are
-worth, exactly, and with c = 1. Q-learning (learning rate 1, ε = 0.1) takes as many steps as UCT simulates before one step.
+worth, exactly, and with c = 1. Q-learning (learning rate 1, ε = 0.1) takes as many steps as UCT simulates before one
+step.
 """
 
 from collections.abc import Mapping
