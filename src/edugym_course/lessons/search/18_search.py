@@ -179,11 +179,11 @@ sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 # %%
 print("new nodes are judged by      c = 10   c = 1")
 judges = {"random roll-outs": None, "the value of random play": "at random", "the value of good play": "well"}
-for name, play in judges.items():
-    search = methods.searched if play is None else partial(methods.told, play)
+for name, told in judges.items():
+    search = methods.searched if told is None else partial(methods.told, told)
     large, small = (search(c=c, repetitions=20).mean() for c in (10.0, 1.0))
     print(f"{name:27} {large:7.0f} {small:7.0f}")
-longer = [methods.told(play, simulations=10_000, repetitions=5).mean() for play in ("at random", "well")]
+longer = [methods.told(told, simulations=10_000, repetitions=5).mean() for told in ("at random", "well")]
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 
 # %% [markdown]

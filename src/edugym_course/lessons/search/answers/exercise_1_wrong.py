@@ -134,3 +134,9 @@ upper_bound = 3.5
 # in: with a root
 # - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
 # + return c * q + sqrt(log(n_node) / n_action) if n_action > 0 else inf
+
+
+# %% c times infinity
+# says: should be infinite, but is nan: an action that was never tried comes first, so its bound is infinite: float('inf')
+def upper_bound(q, n_action, n_node, c):
+    return q + c * (float("inf") if n_action == 0 else (log(n_node) / n_action) ** 0.5)

@@ -212,3 +212,13 @@ back_up = [1, 2]
 # in: from the end, by places
 # - for place in range(len(path) - 1, -1, -1):
 # + for place in range(len(path) - 2, -1, -1):
+
+
+# %% the path is used up
+# says: changes its list `path`; make a new one, for the caller still needs the old one
+def back_up(values, counts, path, rewards, G, discount):
+    while path:
+        entry = path.pop()
+        G = rewards.pop() + discount * G
+        counts[entry] += 1
+        values[entry] += (G - values[entry]) / counts[entry]

@@ -223,3 +223,28 @@ def look_ahead(model, state, depth):
 # in: backwards, with a table
 # - sum(p * (reward + 0.9 * V[after] * (not terminated)) for p, after, reward, terminated in outcomes)
 # + np.mean([reward + 0.9 * V[after] * (not terminated) for p, after, reward, terminated in outcomes])
+
+
+# %% an end counts in the last step only
+# says: the reward of a step that ends the task is lost where it is not the last step that is looked at
+def look_ahead(model, state, depth):
+    if depth == 0:
+        return 0.0
+    values = []
+    for outcomes in model[state]:
+        going_on = [one for one in outcomes if depth == 1 or not one[3]]
+        values.append(
+            sum(p * (r + (0.0 if end else 0.9 * look_ahead(model, s, depth - 1))) for p, s, r, end in going_on)
+        )
+    return max(values)
+
+
+# %% a step is looked at where none is left
+# says: with 0 steps left the value is 0: here a step is looked at where none is left
+def look_ahead(model, state, depth):
+    if depth <= 1:
+        return max(sum(p * r for p, s, r, end in outcomes) for outcomes in model[state])
+    return max(
+        sum(p * (r + (0.0 if end else 0.9 * look_ahead(model, s, depth - 1))) for p, s, r, end in outcomes)
+        for outcomes in model[state]
+    )

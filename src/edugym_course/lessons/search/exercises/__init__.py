@@ -15,7 +15,7 @@ from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables
-from edugym_course.grading.values import given, number
+from edugym_course.grading.values import given, number, require_unchanged
 from edugym_course.lessons.search.exercises.looks import LOOK_MISTAKES, looked_ahead, made_up_looks
 
 Power = Annotated[
@@ -121,14 +121,15 @@ def exercise_1(answer: Any, seed: int, power: Power = 0.5) -> str:
         mistakes = {why: right(case, **change) for why, change in BOUND_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases)
-    call = f"upper_bound({-3 - seed % 3}, 0, 7, 2)"
-    with student_code(call):
-        found = answer(-3.0 - seed % 3, 0, 7, 2.0)
-    given(call, found)
-    if found != inf:
-        raise WrongAnswer(
-            f"{call} should be infinite, but is {repr(found) if isinstance(found, str) else found}: {UNTRIED}"
-        )
+    for c in (2.0, 0.0):
+        call = f"upper_bound({-3 - seed % 3}, 0, 7, {c:g})"
+        with student_code(call):
+            found = answer(-3.0 - seed % 3, 0, 7, c)
+        given(call, found)
+        if found != inf:
+            raise WrongAnswer(
+                f"{call} should be infinite, but is {repr(found) if isinstance(found, str) else found}: {UNTRIED}"
+            )
     return "Right: who was tried seldom gets the benefit of the doubt."
 
 
@@ -265,7 +266,9 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
         call = f"back_up({values.tolist()}, {counts.tolist()}, {', '.join(map(str, others))})"
         mine = values.copy(), counts.copy()
         with student_code(call):
-            answer(*mine, [*case.path], [*case.rewards], *case[4:])
+            answer(*mine, path := [*case.path], rewards := [*case.rewards], *case[4:])
+        require_unchanged(call, "path", path, case.path)
+        require_unchanged(call, "rewards", rewards, case.rewards)
         found.append(np.stack(mine).astype(float))
         calls.append(f"{call}{told_less(cost)}")
     if all(np.array_equal(mine, np.stack(case[:2])) for case, mine in zip(cases, found, strict=True)):
@@ -284,6 +287,8 @@ def exercise_3(answer: Any, seed: int, discount: Discount = 0.9) -> str:
     rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in LOOK_MISTAKES.values())]
     cases = []
     for case in made_up_looks(telling_draw(seed, made_up_looks, rules)):
+        if case.depth == 0:  # the last one, at which an answer that stops too early may call itself for ever
+            compare_all(cases)
         call = f"look_ahead({case.model}, {case.state}, {case.depth})"
         with student_code(call):
             found = answer(*case)

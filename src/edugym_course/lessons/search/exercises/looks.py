@@ -30,6 +30,7 @@ def looked_ahead(
     end: str = "right",
     chance: str = "right",
     count: int = 0,
+    least: int = 0,
     gamma: str = "right",
     reward: str = "all",
     looked_up: str = "next",
@@ -54,7 +55,7 @@ def looked_ahead(
                 earned = r if reward == "all" or depth <= 1 else 0.0
                 of_reward = 1.0 if chance in (*WITHOUT_CHANCE, "future") else p
                 of_future = 1.0 if chance in (*WITHOUT_CHANCE, "reward") else p
-                if terminated and end == "dropped":
+                if terminated and (end == "dropped" or (end == "dropped early" and depth > 1)):
                     of_reward = 0.0
                 if gamma == "all":
                     earned *= discount
@@ -78,7 +79,7 @@ def looked_ahead(
     def factor(depth: int) -> float:
         return {"one": 1.0, "power": discount**depth, "lesson's": LESSONS_DISCOUNT}.get(gamma, discount)
 
-    return value(case.state, case.depth + count)
+    return value(case.state, max(case.depth + count, least))
 
 
 LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
@@ -100,6 +101,7 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "only the first outcome of each action is looked at": {"chance": "first"},
     "it looks one step too far: with 0 steps left the value is 0": {"count": 1},
     "it looks one step too short": {"count": -1},
+    "with 0 steps left the value is 0: here a step is looked at where none is left": {"least": 1},
     "γ is left out": {"gamma": "one"},
     "the first reward is discounted, too; γ only stands before what follows": {"gamma": "all"},
     "only the last reward counts; each step's is added": {"reward": "last"},
@@ -107,6 +109,9 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "end": "returned"
     },
     "the reward of the step that ends the task is lost; only what would follow it is 0": {"end": "dropped"},
+    "the reward of a step that ends the task is lost where it is not the last step that is looked at": {
+        "end": "dropped early"
+    },
     "the best action is looked for from 0 on, and all may be worth less: begin with float('-inf')": {
         "choice": "from 0"
     },
@@ -124,7 +129,7 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
 def made_up_looks(rng: np.random.Generator) -> list[Look]:
     """Make up models of three states and two actions, some outcomes of which end, and questions about them."""
     made = []
-    for depth in (1, 2, 3, 2):
+    for depth in (1, 2, 3, 2, 0):
         model: dict[int, list[Outcomes]] = {state: [] for state in range(3)}
         for actions in model.values():
             for _ in range(2):
