@@ -285,7 +285,7 @@ def exercise_3(answer: Any, seed: int, discount: Discount = 0.9) -> str:
     require_function("look_ahead", answer, "model, state and depth")
     right = partial(looked_ahead, discount=discount)
     rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in LOOK_MISTAKES.values())]
-    cases = []
+    cases = list[NumberCase]()
     for case in made_up_looks(telling_draw(seed, made_up_looks, rules)):
         if case.depth == 0:  # the last one, at which an answer that stops too early may call itself for ever
             compare_all(cases)
