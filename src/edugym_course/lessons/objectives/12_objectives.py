@@ -431,7 +431,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best. In most seas no
 # price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is: so it also says how
-# many steps the dive took so far.
+# many steps the dive took so far. In a seventh sea the diver begins one cell away from the shore; there the check only looks whether the dive takes too long.
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? The check sees only the steps that your program takes and
 # the dive of its policy, and no line of it. So when it names a mistake, this is the likely cause.

@@ -13,7 +13,7 @@ import numpy as np
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.envs.diver import N_COLUMNS, Diver
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import POLICY, Environment, Recorder, require_reproducible, run_program
 from edugym_course.grading.student_code import student_code
@@ -40,9 +40,19 @@ def sea(best: int, rng: np.random.Generator) -> Reals:
     return values.round(1)
 
 
-def environment_of(values: Reals) -> Environment:
+class FartherOut(Diver):
+    """The same sea for a diver who begins in the second column: each treasure takes a step less, so an even number."""
+
+    __slots__ = ()
+
+    def initial(self, rng: Random) -> int:
+        """At the surface, a cell away from the shore."""
+        return 1
+
+
+def environment_of(values: Reals, kind: type[Diver] = Diver) -> Environment:
     """Make the environment of a sea: its reward is the value of a treasure, and steps cost nothing."""
-    mdp = Diver.create(weights=(1.0, 0.0))._replace(treasures=values)
+    mdp = kind.create(weights=(1.0, 0.0))._replace(treasures=values)
     environment: Environment = MDPEnv(mdp)
     return environment
 
@@ -74,9 +84,9 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
 """Which treasure is picked up by mistake."""
 
 
-def picked_up(policy: Any, values: Reals, seed: int) -> int:
+def picked_up(policy: Any, environment: Environment, seed: int) -> int:
     """Return the treasure that a policy picks up; `NONE` if its dive does not end."""
-    recorder = Recorder(environment_of(values), np.inf, seed, POLICY)
+    recorder = Recorder(environment, np.inf, seed, POLICY)
     state, _ = recorder.reset()
     while True:
         with student_code(POLICY):
@@ -96,9 +106,10 @@ def project_12(answer: Any, seed: int) -> str:
     found = []
     for number, values in enumerate(seas):
         run = run_program(answer, environment_of(values), N_STEPS, len(BEST) * seed + number)
-        found.append(picked_up(run.policy, values, seed))
+        found.append(picked_up(run.policy, environment_of(values), seed))
     missed = [i for i, best in enumerate(BEST) if found[i] != best]
     if len(missed) <= MOST_MISSED:
+        _require_not_one_more(answer, sea(2, rng), seed)
         return (
             f"Right: in {len(BEST) - len(missed)} of {len(BEST)} seas it brings home the best treasure within"
             f" {LIMIT} steps, and most of these lie where no price finds them."
@@ -114,6 +125,21 @@ def project_12(answer: Any, seed: int) -> str:
     takes = f"picks up the {_ordinal(mine)} one, worth {values[mine]:g}, after {STEPS_TO[mine]:g} steps"
     why = "" if nobody_asks_why() else _why(seas, found)
     raise WrongAnswer(f"{told} {takes}, and {should}: {why}")
+
+
+def _require_not_one_more(answer: Any, values: Reals, seed: int) -> None:
+    """Refuse a program that takes eight steps where a treasure is eight steps away.
+
+    Raises:
+        WrongAnswer: it does.
+    """
+    run = run_program(answer, environment_of(values, FartherOut), N_STEPS, seed)
+    if picked_up(run.policy, environment_of(values, FartherOut), seed) == (LIMIT + 1) // 2:
+        raise WrongAnswer(
+            "where the diver begins a cell away from the shore, so that each treasure takes a step less, the policy"
+            f" picks up the fifth one, after {LIMIT + 1} steps: at most seven are allowed, so is the step under way"
+            " counted, too?"
+        )
 
 
 def _ordinal(treasure: int) -> str:

@@ -121,3 +121,11 @@
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.9 * Q[after].max()) - Q[state, action])
+
+
+# %% one step more
+# says: where the diver begins a cell away from the shore, so that each treasure takes a step less, the policy picks up the fifth one, after
+# says: steps: at most seven are allowed, so is the step under way counted, too?
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= 8 else 0.0
