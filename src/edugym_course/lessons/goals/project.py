@@ -11,7 +11,7 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.programs import Environment
-from edugym_course.grading.replay import LOW, Learner, Rule, mistakes_of_loops
+from edugym_course.grading.replay import LOW, Learner, Rule, mistakes_of_loops, other_settings
 
 N_STEPS, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 0.5, 0.9, 0.1
 WORST = -10.0
@@ -219,12 +219,15 @@ RULE = Rule(
             first_value=0.0
         ),
         "γ max_a Q(S', G, a) is missing in the target": mistake(discount=0.0),
-        "the discount is missing: γ is 0.9 in the text": mistake(discount=1.0),
         "the old value is lost: α is 0.5 in the text, and Q moves by a half of the difference": mistake(
             learning_rate=1.0
         ),
-        "the learning rate is much too small: it is 0.5 in the text": mistake(learning_rate=0.05),
-    },
+    }
+    | other_settings(
+        Hindsight,
+        discount=("γ", DISCOUNT, (1.0, 0.99, 0.8, 0.5)),
+        learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.25)),
+    ),
     EPSILON,
     n_steps=4000,  # the old rewards are seldom seen in what is done: in 2000 they are not surely told
     world=panel,

@@ -11,7 +11,7 @@ from gymnasium import spaces
 from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, stays
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, stays
 from edugym_course.grading.small_world import WIDTH, SmallWorld
 
 N_STEPS, K, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 3, 0.2, 0.8, 0.1
@@ -155,8 +155,12 @@ RULE = Rule(
         "Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA": Learner(
             WindowedSARSA
         ),
-        "the learning rate is much too small: it is 0.2 in the text": mistake(learning_rate=0.04),
-    },
+    }
+    | other_settings(
+        Windowed,
+        discount=("γ", DISCOUNT, (1.0, 0.99, 0.9, 0.5)),
+        learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.5, 1.0)),
+    ),
     EPSILON,
     otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one",
     worlds=8,

@@ -146,7 +146,7 @@
 
 # %% no discount
 # slow
-# says: the discount is missing: γ is 0.9 in the text
+# says: γ is about 1, and it should be 0.9
 # in: numbers for patterns
 # - target = r if terminated else r + 0.9 * Q[s2, g].max()
 # + target = r if terminated else r + Q[s2, g].max()
@@ -164,7 +164,7 @@
 
 # %% small steps
 # slow
-# says: the learning rate is much too small: it is 0.5 in the text
+# says: α is about 0.05, and it should be 0.5
 # in: numbers for patterns
 # - Q[s, g, a] += 0.5 * (target - Q[s, g, a])
 # + Q[s, g, a] += 0.05 * (target - Q[s, g, a])

@@ -110,7 +110,7 @@
 
 # %% a small rate
 # slow
-# says: the learning rate is much too small: it is 0.2 in the text
+# says: α is about 0.05, and it should be 0.2
 # in: tuples in a dictionary
 # - values(w)[a] += 0.2 * (target - values(w)[a])
 # + values(w)[a] += 0.04 * (target - values(w)[a])
