@@ -13,7 +13,7 @@ from docstrings import described, markdown, source, summary
 from ladders import ladder
 from lesson_pages import Lesson
 from races import RACES
-from repository import REPOSITORY
+from repository import REF, REPOSITORY
 
 import edugym
 from edugym import Profile
@@ -30,7 +30,7 @@ PAGE = """\
 
 {code}
 
-The whole file: [`{path}`]({repository}/blob/main/{path}).
+The whole file: [`{path}`]({repository}/blob/{ref}/{path}).
 
 {details}
 
@@ -87,6 +87,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         code=f"```python\n{code}\n```",
         path=path,
         repository=REPOSITORY,
+        ref=REF,
         profile="\n\n".join(_fares(name)),
         races="\n".join(_raced(kind)) or "It is in no race of the playground.",
         lessons="\n".join(_used(name, lessons))

@@ -15,7 +15,7 @@ import slider_views
 from accessibility import alternative
 from offers import Race
 from races import RACES
-from repository import REPOSITORY, ROOT, with_links
+from repository import REF, REPOSITORY, ROOT, with_links
 from words import WORDS
 
 from edugym import ENVIRONMENTS
@@ -120,7 +120,7 @@ def _opening(first: str, path: Path) -> str:
     notebook = f'<a href="../notebooks/{path.name}" download>download the notebook</a>'
     here = (
         "Here you read the lesson with its results. To change it and to solve its exercises, type `make lab`, "
-        f"{notebook}, or [open it in Colab]({colab}/blob/main/notebooks/{path.name})."
+        f"{notebook}, or [open it in Colab]({colab}/blob/{REF}/notebooks/{path.name})."
     )
     for race in _raced(path):
         place = f"../playground/index.html#task={race.environment}"

@@ -11,6 +11,9 @@ _PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))[
 REPOSITORY: str = _PROJECT["urls"]["Repository"]
 VERSION: str = _PROJECT["version"]
 
+REF = os.environ.get("EDUGYM_REF", "main")
+"""The branch or tag on GitHub to which links lead: a release's own, so that they show its code later too."""
+
 PICTURES = {".svg", ".png", ".gif"}
 _FENCED = re.compile(r"^(?P<fence>`{3,}|~{3,}).*?^(?P=fence)`*$|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 _MAIN = f"{REPOSITORY}/blob/main/"
@@ -71,7 +74,7 @@ def with_links(text: str, path: str, page: str) -> str:
         if Path(there).suffix in PICTURES:
             return relative(picture_of(there), page)
         kind = "tree" if (ROOT / there).is_dir() else "blob"
-        return f"{REPOSITORY}/{kind}/main/{there}{hash_sign}{heading}"
+        return f"{REPOSITORY}/{kind}/{REF}/{there}{hash_sign}{heading}"
 
     return outside(_LINK, text, target)
 

@@ -165,7 +165,7 @@ function onLook(lane, fresh) {
   }
 }
 
-const judged = () => verdict(lanes, student(), state.steps, bet)
+const judged = () => verdict(lanes, student(), state.steps, bet, task.optimum)
 
 function draw() {
   if (!lanes.every(({ look }) => look)) return // a new race has begun meanwhile

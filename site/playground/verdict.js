@@ -27,8 +27,8 @@ function best(results, of) {
 const listed = names => names.length > 1 ? `${names.slice(0, -1).join(', ')} and ${names.at(-1)}` : names[0]
 const begun = text => text[0].toUpperCase() + text.slice(1)
 
-// `agents` have a label, and the curves of their seeds; `bet` is the number of one of them, or null.
-export function verdict(agents, t, steps, bet) {
+// `agents` have a label, and the curves of their seeds; `bet` is the number of one of them, or null, and `optimum` the best return, or null.
+export function verdict(agents, t, steps, bet, optimum) {
   const results = agents.map(({ label, curves }) => {
     const line = summary(curves, t), values = line.map(([, value]) => value), end = ending(curves, t)
     const span = Math.max(...values) - Math.min(...values)
@@ -36,7 +36,11 @@ export function verdict(agents, t, steps, bet) {
   })
   const good = best(results, ({ greedy }) => greedy), [top] = good.map(({ greedy }) => greedy).sort(([a], [b]) => b - a)
   const still = results.every(({ greedy, start, span }) => greedy[0] - start <= NOTHING * span)
-  if (still && good.length === results.length) return 'Nobody has learned anything that shows. Try more steps, or an easier task.'
+  if (still && good.length === results.length) {
+    const perfect = optimum !== null && results.every(({ greedy: [mean] }) => optimum - mean <= 0.03 * Math.abs(optimum))
+    if (perfect) return 'All play as well as can be, and did so before training too: chance is enough for this task. Try a harder one.'
+    return 'Nobody has learned anything that shows. Try more steps, or an easier task.'
+  }
   const soonest = Math.min(...good.map(({ reached }) => reached))
   const winners = good.filter(({ reached }) => reached <= soonest + steps / 50)
   const named = (some, of = ({ greedy }) => greedy) => some.map(one => `${one.label} (${within(of(one))})`)

@@ -2,6 +2,8 @@
 
 import json
 import re
+import subprocess
+import sys
 from typing import Any
 from xml.etree import ElementTree
 
@@ -56,6 +58,20 @@ def test_links_lead_to_pages_or_to_the_repository(link: str, leads_to: str) -> N
     assert (
         repository.with_links(text, "docs/teaching.md", "guides/teaching") == f"[here]({leads_to}) and `[here]({link})`"
     )
+
+
+def test_links_of_a_release_lead_to_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    """To the tag in `EDUGYM_REF`, from guides, agents and lessons alike."""
+    code = """if True:
+        import agent_pages, edugym, lesson_pages, repository
+        print(repository.with_links("[a](../Makefile)", "docs/teaching.md", "guides/teaching"))
+        print(agent_pages.page("QLearning", edugym.QLearning, []))
+        print(lesson_pages.lesson(repository.ROOT / "notebooks" / "00_loop.ipynb").text)"""
+    monkeypatch.setenv("EDUGYM_REF", "v9.8.7")
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, cwd=ROOT / "site", capture_output=True, text=True, check=True)
+    assert "/main/" not in done.stdout
+    assert len(set(re.findall(r"/v9\.8\.7/(\w+)", done.stdout))) == 3
 
 
 def test_a_link_to_nothing_is_an_error() -> None:
