@@ -78,11 +78,12 @@ def test_what_is_the_same_is_so_number_for_number() -> None:
 
 
 def test_settings_in_the_text() -> None:
-    """Each agent that is tested on withheld columns has the learning rate, γ and ε of the lesson's tables."""
+    """Each agent that is tested on withheld columns has the learning rate, γ, ε and tiles of the lesson's tables."""
     agents = {label: make()(methods.thrown(sees, tasks.TRAINED)) for label, (sees, make) in methods.GENERAL.items()}
     rates = {methods.TABLE: 0.5, methods.LINEAR: 0.1, methods.TILES: 0.5, methods.OFFSET: 0.1, methods.NETWORK: 0.001}
     assert {label: agent.learning_rate for label, agent in agents.items()} == {**rates, methods.NUMBERS: 0.003}
     assert {(agent.discount, agent.exploration.epsilon) for agent in agents.values()} == {(0.9, 0.1)}
+    assert list(agents[methods.TILES].features.tiles) == [2, 4, 2]
 
 
 def test_the_triad() -> None:

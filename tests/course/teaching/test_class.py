@@ -14,7 +14,7 @@ import build
 import nbformat
 import pytest
 from rules import is_check, without_marks
-from typer.testing import CliRunner
+from typer.testing import CliRunner, Result
 
 from edugym_course import commands
 from edugym_course.grading.own_numbers import own_parameters
@@ -35,11 +35,11 @@ def known_secrets(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("edugym_course.teaching.assignment.secrets.token_hex", lambda length: next(known))
 
 
-def run(*arguments: str | Path) -> str:
-    """The command, which must succeed."""
+def run(*arguments: str | Path) -> Result:
+    """What the command says; it must succeed."""
     ran = CliRunner().invoke(commands.app, [*map(str, arguments)])
     assert ran.exit_code == 0, ran.output
-    return ran.output
+    return ran
 
 
 def handed_out(folder: Path, ids: list[str], lesson: str = LESSON) -> Assignment:
@@ -142,7 +142,8 @@ CLASS: dict[str, tuple[Callable[[Work], None] | None, list[int], str]] = {
 def graded(folder: Path, made: Assignment, *options: str) -> tuple[dict[str, list[float]], dict[str, str], str]:
     """The points and the remarks by student, and the page of the class."""
     results = folder / "results"
-    said = run("grade", made.path, "--submitted", folder / "submitted", "--output", results, *options)
+    ran = run("grade", made.path, "--submitted", folder / "submitted", "--output", results, *options)
+    assert ("zoe belongs to nobody" in ran.stderr) == (folder / "submitted" / "zoe").exists()
     rows = list(csv.DictReader((results / f"{made.lesson}.csv").read_text(encoding="utf-8").splitlines()))
     points = {row["id"]: [float(row[f"exercise_{task.number}"]) for task in made.tasks] for row in rows}
     assert all(float(row["points"]) == sum(points[row["id"]]) for row in rows)
@@ -151,7 +152,7 @@ def graded(folder: Path, made: Assignment, *options: str) -> tuple[dict[str, lis
     assert "mean" in (results / f"{made.lesson}.md").read_text(encoding="utf-8")
     return (
         points,
-        {row["id"]: next(line for line in said.splitlines() if f"({row['id']}):" in line) for row in rows},
+        {row["id"]: next(line for line in ran.output.splitlines() if f"({row['id']}):" in line) for row in rows},
         page,
     )
 
