@@ -221,10 +221,3 @@ def closest_action(Q, state, weights, utopian):
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (utopian - Q[state]) ** 2
-
-
-# %% nothing beyond the point
-# says: a value beyond the utopian point has no distance, and it should have one: take the size
-# in: arrays
-# - distances = weights * np.abs(utopian - Q[state])
-# + distances = weights * np.maximum(utopian - Q[state], 0)

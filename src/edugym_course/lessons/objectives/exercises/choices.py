@@ -69,9 +69,6 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the difference is squared before it is weighted; take its size": lambda Q, s, w, z: (w * (z - Q[s]) ** 2).max(
         axis=1
     ),
-    "a value beyond the utopian point has no distance, and it should have one: take the size": lambda Q, s, w, z: (
-        w * np.maximum(z - Q[s], 0)
-    ).max(axis=1),
     "the state is left out: it looks up Q[0]": lambda Q, s, w, z: _distances(Q, 0, w, z).max(axis=1),
 }
 """By what number, the lowest of which wins, each mistake compares the actions."""
