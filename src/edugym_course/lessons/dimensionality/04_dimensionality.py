@@ -986,8 +986,9 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # The check first gives your program four riddles, each in three runs of 2 000 steps. A riddle is a task with six images
 # that asks for one part of the method. Then the program learns Catch in three runs of 10 000 steps, on a board of 5 by
 # 5 pixels that is darkened by a new factor at every step. The policy of the middle run has to catch 70 % of the balls.
-# The check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. It
-# cannot find a mistake that does no harm in these tasks.
+# In a last riddle, in three runs of 4 000 steps, two pixels together tell the right action. The check sees what your
+# program does, and no line of it. So when it names a mistake, this is the likely cause. It cannot find a mistake that
+# does no harm in these tasks.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -170,3 +170,17 @@ def my_program(environment, n_steps, seed):
 # in: a memory in arrays
 # - A, R, goes_on = np.zeros(n_steps, int), np.zeros(n_steps), np.zeros(n_steps)
 # + A, R, goes_on = np.zeros(n_steps, int), np.zeros(n_steps, int), np.zeros(n_steps)
+
+# %% a hidden layer that never learns
+# slow
+# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
+# says: of the questions. Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2?
+# in: a memory in arrays
+# - self.W[0] -= 0.2 * x.T @ back / len(x)
+
+# %% a hidden layer that never learns, one step at a time
+# slow
+# says: does the gradient change W1 and b1, and not only W2 and b2?
+# in: SARSA from each step once
+# - W += 0.05 * delta * np.outer(g, x)
+# - b += 0.05 * delta * g
