@@ -131,3 +131,10 @@ def test_told_what_new_nodes_are_worth() -> None:
     outcomes = [model.outcomes(entrance, action)[0] for action in range(4)]
     told = [outcome.reward + methods.DISCOUNT * well[int(outcome.next_state)] for outcome in outcomes]
     assert agent.tree.values[0].tolist() == pytest.approx(told)
+
+
+def test_no_step_pays() -> None:
+    """Where no step may seem to pay, the short look is never cut off in the models in which it was."""
+    worth = {pay: [plans.with_errors(k, (8,), steps_pay=pay)[0] for k in range(1, 31)] for pay in (True, False)}
+    assert -methods.MAX_STEPS in worth[True]
+    assert min(worth[False]) > 0

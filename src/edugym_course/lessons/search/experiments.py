@@ -113,6 +113,9 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     held_back = {"roll-outs": searched(c=SMALL_C, **shared)}
     for play, c in product(("at random", "well"), (C, SMALL_C)):
         held_back[f"{play}, c = {c:g}"] = told(play, c=c, **shared)
+    held_back["old map"] = told("well", door=DOOR, **shared)
+    numbers = range(1, 1 + how.repetitions)
+    held_back["no step pays"] = np.array([with_errors(number, (SHALLOW,), steps_pay=False)[0] for number in numbers])
     return simulated, short, branching, on_maps, np.array(errors), learned(**shared), held_back
 
 
@@ -158,6 +161,8 @@ def held_back_claims(got: Mapping[str, Reals]) -> list[Claim]:
         f"at random, c = {SMALL_C:g}": (f"UCT that is told {random}, with c = {SMALL_C:g}, does, too", Below(65)),
         f"well, c = {C:g}": (f"UCT that is told {well} stays below 85", Below(85)),
         f"well, c = {SMALL_C:g}": (f"UCT that is told {well}, with c = {SMALL_C:g}, comes to 90 or more", Above(90)),
+        "old map": (f"UCT that is told {well} by the old map gets less than -40", Below(-40)),
+        "no step pays": ("In a model with errors, if no step seems to pay, 8 steps get 35 or more", Above(35)),
     }
     return [
         Claim(statement, "return", mean_interval(got[name]), threshold)

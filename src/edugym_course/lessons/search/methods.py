@@ -181,9 +181,12 @@ def searched(*, door: tuple[int, int] | None = None, **settings: Any) -> Reals:
 
 
 @cache
-def worth(play: str) -> Reals:
-    """Return what each state of the supermarket is worth, exactly, if from there on one plays "at random" or "well"."""
-    model = model_of_map()
+def worth(play: str, door: tuple[int, int] | None = None) -> Reals:
+    """Return what each state of the supermarket is worth, exactly, if from there on one plays "at random" or "well".
+
+    With a door, it is what the old map says.
+    """
+    model = model_of_map(door)
     if play == "well":
         values = value_iteration(model, DISCOUNT).V
     else:
@@ -195,11 +198,11 @@ def worth(play: str) -> Reals:
     return table
 
 
-def told(play: str, **settings: Any) -> Reals:
+def told(play: str, *, door: tuple[int, int] | None = None, **settings: Any) -> Reals:
     """Return what UCT gets that is told what new nodes are worth if one plays so; other arguments as in `searched`."""
     how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
-    agent = KnownLeaves(*searcher(model_of_map(), **settings))
-    agent.Q[:] = worth(play)[:, np.newaxis]
+    agent = KnownLeaves(*searcher(model_of_map(door), **settings))
+    agent.Q[:] = worth(play, door)[:, np.newaxis]
     return returns(shop(), agent, **how)
 
 

@@ -48,10 +48,21 @@ def in_the_shop(
     return looking_ahead(model_of_map(door), model_of_map(), depths, discount)
 
 
-def with_errors(layout_seed: int, depths: Sequence[int], noise: float = 1.0) -> Reals:
-    """Return what looking ahead is worth in a model whose rewards have errors, drawn by a seed."""
-    planned = Supermarket.create(noise, layout_seed=layout_seed).distorted(model_of_map())
-    return looking_ahead(planned, model_of_map(), depths)
+def with_errors(layout_seed: int, depths: Sequence[int], noise: float = 1.0, *, steps_pay: bool = True) -> Reals:
+    """Return what looking ahead is worth in a model whose rewards have errors, drawn by a seed.
+
+    Args:
+        layout_seed: draws the errors.
+        depths: the numbers of steps.
+        noise: their standard deviation.
+        steps_pay: whether a step may seem to pay; if not, what costs in truth costs 0.01 or more in the model, too.
+    """
+    truth = model_of_map()
+    planned = Supermarket.create(noise, layout_seed=layout_seed).distorted(truth)
+    if not steps_pay:
+        capped = np.where(truth.rewards < 0, np.minimum(planned.rewards, -0.01), planned.rewards)
+        planned = planned._replace(rewards=capped)
+    return looking_ahead(planned, truth, depths)
 
 
 def random_play(depth: int = DEPTH, discount: float = DISCOUNT) -> float:
