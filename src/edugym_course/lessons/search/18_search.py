@@ -285,9 +285,8 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 errors = np.array([plans.with_errors(number, (8, 20)) for number in range(1, 31)]).mean(axis=0)
 print(f"rewards with errors: 8 steps {errors[0]:.0f}, 20 steps {errors[1]:.0f}")
 short = [np.array([plans.with_errors(k, (8,), steps_pay=pay)[0] for k in range(1, 31)]) for pay in (True, False)]
-print(
-    f"8 steps get -100 in {(short[0] == -100).sum()} of 30 such models; if no step seems to pay: {short[1].mean():.0f}"
-)
+for name, got in zip(("such models", "if no step seems to pay"), short, strict=True):
+    print(f"{name:23} 8 steps get {got.mean():3.0f}, and -100 in {(got == -100).sum()} of {len(got)} models")
 searching = [methods.searched(door=door, repetitions=20).mean() for door in (None, methods.DOOR)]
 print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
 certain = methods.told("well", door=methods.DOOR, repetitions=20)
@@ -295,7 +294,7 @@ print(f"UCT on the old map, if it knows what each place is worth there: {certain
 
 # %% [markdown]
 # There the deeper look is the better one, and the *short* one suffers: 17 instead of 59. Where an error makes
-# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 7 of 30 models. If what costs in truth costs at least a little in the model, too, it gets 49.
+# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 7 of 30 models. If what costs in truth costs at least a little in the model, too, this happens in 1 of them, and it gets 49.
 # And UCT, too, loses on the old map, though less than the exact look-ahead. That is since its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
 #
 # ### What does it cost?
