@@ -78,7 +78,7 @@ NO_USUAL_CHOICE = "that is none of the usual mistakes, so work out d(s, a) of tw
 def choices(rng: np.random.Generator) -> list[Choice]:
     """Make up tables; no two numbers that any rule compares are equal."""
     made = []
-    for _ in range(8):
+    for _ in range(12):
         Q = np.round(rng.uniform(-9, 9, (3, 4, 2)), 2)
         Q[..., 0] += 20.0
         weights, z = np.round(rng.uniform(0.3, 3.0, 2), 2), np.array([25.0, 2.0]) + np.round(rng.uniform(-4, 1, 2), 2)
