@@ -221,3 +221,10 @@ def closest_action(Q, state, weights, utopian):
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (utopian - Q[state]) ** 2
+
+
+# %% sizes first
+# says: the sizes of z and Q are taken before their difference; take that of the difference
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.abs(np.abs(utopian) - np.abs(Q[state]))

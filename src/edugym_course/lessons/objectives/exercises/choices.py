@@ -69,6 +69,9 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the difference is squared before it is weighted; take its size": lambda Q, s, w, z: (w * (z - Q[s]) ** 2).max(
         axis=1
     ),
+    "the sizes of z and Q are taken before their difference; take that of the difference": lambda Q, s, w, z: (
+        w * np.abs(np.abs(z) - np.abs(Q[s]))
+    ).max(axis=1),
     "the state is left out: it looks up Q[0]": lambda Q, s, w, z: _distances(Q, 0, w, z).max(axis=1),
 }
 """By what number, the lowest of which wins, each mistake compares the actions."""
