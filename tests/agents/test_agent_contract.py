@@ -250,6 +250,18 @@ def test_greedy_takes_the_best_and_never_explores(case: Case) -> None:
         assert chosen == {int(agent.Q[0].argmax()) if case.vectors else best}
 
 
+@pytest.mark.parametrize("case", [c for c in AGENTS.values() if not c.real_actions], ids=lambda c: c.kind.__name__)
+def test_greedy_draws_one_of_the_best(case: Case) -> None:
+    """Where all values are equal, each action is as likely: its share of the draws is within 4 standard errors."""
+    agent, rng, n = case.create((2, 3)), np.random.default_rng(0), 600
+    for table in tables(agent):
+        if table.dtype == np.float64:
+            table[...] = 0.5
+    seen = np.eye(2)[1] if case.vectors else 1
+    counts = np.bincount([agent.greedy(seen, rng) for _ in range(n)], minlength=3)
+    assert counts == pytest.approx(n / 3, abs=4 * (2 * n) ** 0.5 / 3)
+
+
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES)
 def test_a_saved_agent_goes_on_as_if_nothing_had_happened(case: Case, tmp_path: Any) -> None:
     """Train, save, load, train on: every table is what it is without the break."""

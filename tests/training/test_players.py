@@ -164,6 +164,15 @@ PLAYERS: dict[str, Callable[..., Any]] = {
 }
 
 
+@pytest.mark.parametrize("name", [name for name in PLAYERS if name != "a student's"])
+def test_a_new_player_draws_one_of_the_best(name: str) -> None:
+    """Each action of a new table is as likely: its share of the draws is within 4 standard errors."""
+    player, rng, n = PLAYERS[name](SOCCER, 0), np.random.default_rng(0), 800
+    n_actions = games.table_shape(SOCCER, 0)[1]
+    counts = np.bincount([player.greedy(3, rng) for _ in range(n)], minlength=n_actions)
+    assert counts == pytest.approx(n / n_actions, abs=4 * (n * (n_actions - 1)) ** 0.5 / n_actions)
+
+
 @pytest.mark.parametrize("name", PLAYERS)
 def test_machine_code_does_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Tables, policies and returns are those of the interpreter, bit for bit."""
