@@ -5,7 +5,9 @@
 A test says when the page is out of date.
 """
 
+import math
 from collections.abc import Iterator
+from operator import sub
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +20,11 @@ PAGE = Path(__file__).parent / "own-numbers.md"
 HEAD = """\
 # Parameters of assignments
 
-`edugym assign` hands out a lesson in which [each student has numbers of her
-own](teaching.md#numbers-of-a-students-own). This page lists what it draws for the {n_tasks} exercises of the
-{n_lessons} lessons. A sentence in the student's text tells her number; here it stands with the first of the values.
-The ordinary number is that of the lesson in the repository.
+`edugym assign` hands out a lesson in which [each student has other
+numbers](teaching.md#numbers-of-a-students-own). This page lists what it draws for the {n_tasks} exercises of the
+{n_lessons} lessons. A sentence in the student's text tells the number; here it stands with the first of the values.
+The ordinary number is that of the lesson in the repository. Where values are not evenly spaced, since some are left
+out, the table gives the first, the last and how many there are; the signature of the check has them all.
 
 You need not choose anything. For other values, change them in the signature of the check, in the folder of the lesson;
 [Writing a lesson](writing-lessons.md) says which values do. What you can set in the tasks themselves stands on the page
@@ -34,7 +37,7 @@ LESSON = """
 
 [The lesson](../notebooks/{name}.ipynb) and [its folder](../{folder}).
 
-| exercise | her version, for example | drawn from | ordinary |
+| exercise | a student's version, for example | drawn from | ordinary |
 |---|---|---|---|
 """
 
@@ -59,9 +62,19 @@ def rows(tasks: list[Task]) -> Iterator[tuple[str, str, str, str]]:
         own = own_parameters(exercise)
         sentence = told(exercise, {name: declared.values[0] for name, declared in own.items()})
         for name, declared in own.items():
-            first, second, *_, last = map(_shown, declared.values)
-            values = f"{first}, {second}, …, {last} ({len(declared.values)} values)"
-            yield str(task.number), sentence.replace("|", "\\|"), values, _shown(ordinary_numbers(exercise).get(name))
+            ordinary = _shown(ordinary_numbers(exercise).get(name))
+            yield str(task.number), sentence.replace("|", "\\|"), _listed(declared.values), ordinary
+
+
+def _listed(values: tuple[Any, ...]) -> str:
+    """All values in short: a series that one can continue, or else the two ends."""
+    first, second, *_, last = map(_shown, values)
+    even = math.isclose(max(map(sub, values[1:], values)), min(map(sub, values[1:], values)))
+    return (
+        f"{first}, {second}, …, {last} ({len(values)} values)"
+        if even
+        else f"{len(values)} values from {first} to {last}"
+    )
 
 
 def _shown(number: Any) -> str:

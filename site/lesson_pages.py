@@ -97,11 +97,13 @@ def lesson(path: Path) -> Lesson:
             continue
         if cell["metadata"].get("jupyter", {}).get("source_hidden"):
             continue
-        text.append(_fenced(source, "python"))
         same, shown = outputs[cell["id"]]
+        book = books.get(fingerprint(source, shown))
+        if book and book.others:
+            text.append(slider_views.what_moves(book))
+        text.append(_fenced(source, "python"))
         if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):
             name = f"{path.stem}-{cell['id']}"
-            book = books.get(fingerprint(source, shown))
             view = slider_views.shown(book, path.stem, f"{name}-slider", heading) if book else ""
             text.append(_outputs(shown, name, heading, figures, view).replace(LIVE, _live(source)))
         if re.search(r"^sliders\(", source, re.MULTILINE):
@@ -116,6 +118,7 @@ def _opening(first: str, path: Path) -> str:
     """Add to the first cell, below its heading, where to run the lesson."""
     heading, rest = first.split("\n", 1)
     rest = re.sub(r"\n\n\[Open this lesson in Colab\].*", "", rest)
+    rest = re.sub(r"\n\n\*\*This page is a program\.\*\*.*?(?=\n\n|\Z)", "", rest, flags=re.DOTALL)  # here it is not
     colab = REPOSITORY.replace("https://github.com/", "https://colab.research.google.com/github/")
     notebook = f'<a href="../notebooks/{path.name}" download>download the notebook</a>'
     here = (

@@ -62,7 +62,15 @@ def _settings(book: Flipbook) -> str:
         return f"{axes}In JupyterLab each picture is computed when you move the slider."
     *first, last = [f"{spoken(name)} = {value}" for name, value in book.others.items()]
     drawn = " and ".join([*filter(None, [", ".join(first)]), last])
-    return f"Drawn with {drawn}. {axes}In JupyterLab you can move all sliders."
+    return f"Drawn with {drawn}. {axes}".strip()
+
+
+def what_moves(book: Flipbook) -> str:
+    """Return what to say before a picture of which not all sliders move here."""
+    others = [f"`{spoken(name)}`" for name in book.others]
+    listed = " and ".join([*filter(None, [", ".join(others[:-1])]), others[-1]])
+    here = f"On this page you can move one slider, `{spoken(book.parameter)}`."
+    return f"*{here} In JupyterLab you can also change {listed}.*"
 
 
 def spoken(parameter: str) -> str:

@@ -82,7 +82,7 @@ def test_a_link_to_nothing_is_an_error() -> None:
 
 def test_sections_come_from_other_files() -> None:
     """A mark becomes the section, without what follows it; a heading that is not there is an error."""
-    text = repository.with_sections("<!-- section: README.md # Two commands -->", "index")
+    text = repository.with_sections("<!-- section: README.md # Install and open the lessons -->", "index")
     assert "make lab" in text
     assert "(lessons/00_loop.md)" in text
     assert "Ten lines" not in text

@@ -5,7 +5,7 @@ ordinary lesson:
 
     def exercise_1(answer: Any, seed: int, height: Annotated[int, Own(tuple(range(60, 161)), "...")] = 100) -> str:
 
-`edugym assign` draws the values, writes them into the text of each student's lesson, and hands them to her checks.
+`edugym assign` draws the values, writes them into the text of each student's lesson, and hands them to its checks.
 """
 
 import hashlib
@@ -29,12 +29,12 @@ SEARCH_SECONDS = 3.0
 
 @dataclass(frozen=True)
 class Own:
-    """Declares that each student may get a value of her own.
+    """Declares that each student may get a value of their own.
 
     Attributes:
         values: the values. They must need different answers, and should be 40 or more, so that two students seldom
             share one.
-        text: the sentence that tells a student of hers, with the name of the parameter in braces.
+        text: the sentence that tells a student of this value, with the name of the parameter in braces.
     """
 
     values: tuple[Any, ...]
@@ -46,7 +46,7 @@ def step_cost(then: str = "") -> Own:
 
     Costs are no multiples of 0.05, so that they make no ties between the simple values of made-up tables.
     """
-    sentence = "Your agent is in a hurry: in your version the reward less {cost} stands in the update, in its place."
+    sentence = "In your version each step costs {cost}: the update uses the reward minus {cost}."
     return Own(tuple(k / 100 for k in range(3, 303, 5)), " ".join(filter(None, [sentence, then])))
 
 
@@ -106,7 +106,7 @@ def ordinary_numbers(exercise: Exercise) -> dict[str, Any]:
 
 
 def told(exercise: Exercise, numbers: Mapping[str, Any]) -> str:
-    """Return the sentences that tell a student of her numbers."""
+    """Return the sentences that tell a student of their numbers."""
     return " ".join(own.text.format(**numbers) for own in own_parameters(exercise).values())
 
 
@@ -174,6 +174,6 @@ def belongs_to_others(
     given = " and ".join(f"{name} = {value}" for name, value in others.items())
     yours = " and ".join(f"{name} = {value}" for name, value in numbers.items())
     return (
-        f". This answer is right for {given}, and yours is {yours}: each student has numbers of her own, so work it out"
+        f". This answer is right for {given}, and yours is {yours}: each student has other numbers, so work it out"
         " with those in your text"
     )

@@ -263,7 +263,7 @@ def check_calls(source: str) -> Iterator[tuple[ast.Expr, ast.Call]]:
 def own_notebook(lesson: Any, tasks: list[Task], draws: list[Draw], student: Student) -> Any:
     """Return a student's lesson, with the solutions and the hidden tests of her numbers."""
     notebook = deepcopy(lesson)
-    notebook.cells[0].source += f"\n\n*This copy belongs to {student.name} ({student.id}): its numbers are her own.*"
+    notebook.cells[0].source += f"\n\n*This copy, with its numbers, belongs to {student.name} ({student.id}).*"
     remaining = iter(zip(tasks, draws, strict=True))
     text = None
     for cell in notebook.cells:

@@ -377,7 +377,7 @@ TWO_WEIGHTS = Update(
 )
 
 
-Cost = Annotated[float, step_cost("It stands in δ. So the agents of the race below play otherwise.")]
+Cost = Annotated[float, step_cost("This stands in δ. So the agents of the race below play otherwise.")]
 
 
 def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:

@@ -245,8 +245,8 @@ Gap = Annotated[
     int,
     Own(
         tuple(range(1, 46)),
-        "Your future is far away: in your version only steps from number `t + {gap}` on count, each as likely; where"
-        " the episode has none, it is the last step.",
+        "In your version `future_goal` draws only from the steps from number `t + {gap}` on, each with the same"
+        " probability. Where the episode has no such step, it takes the last one.",
     ),
 ]
 

@@ -122,8 +122,8 @@ Cost = Annotated[
     float,
     Own(
         tuple(k / 20 for k in range(1, 61)),
-        "Your agent is in a hurry: in your version `learn` remembers the reward as it is, but in `sweep` the reward"
-        " less {cost} stands in its place.",
+        "In your version each step costs {cost}, but only where the agent plans: `learn` remembers the reward as it"
+        " is, and `sweep` uses the reward minus {cost}.",
     ),
 ]
 
