@@ -6,6 +6,7 @@
 import ast
 import linecache
 import math
+import re
 import time
 import traceback
 import warnings
@@ -204,6 +205,7 @@ def run(
             exec(compile(source, FILE, "exec"), space)
             if "agent" not in space:
                 return {"error": "The code must make an agent, as in its last line: agent = ...", "line": None}
+            _refuse_lists(space["agent"])
             mdp = space["mdp"]
             look = Look(tuple(parts), n_observations) if mdp is given else None  # the picture is of the page's task
             watch = Watch(mdp, with_64_bits(space["agent"]), n_steps, show, look)
@@ -211,7 +213,7 @@ def run(
             done: Any = train(mdp, watch.agent, n_steps, seed=seed, evaluation_episodes=episodes, stop=watch)
             watch.show(GAMES)
         except (Exception, SystemExit, KeyboardInterrupt) as error:
-            return {"error": _told(error), "line": _line(error)}
+            return {"error": _told(error), "line": _line(error) or _place(source, str(error))}
     values = eval(measured, {"run": done}) if measured else done.returns
     points = zip(done.steps.tolist(), values.tolist(), strict=True)
     said = [str(one.message) for one in caught if issubclass(one.category, UserWarning)]
@@ -236,7 +238,44 @@ def _told(error: BaseException) -> str:
     text = error.msg if isinstance(error, SyntaxError) else str(error)
     if isinstance(error, ModuleNotFoundError):
         text += ". The page has edugym, numpy and the modules of Python itself"
-    return f"{type(error).__name__}: {text}".removesuffix(": ")
+    text = re.sub(
+        r"np\.(?:u?int|float)\d*\(([^()]*)\)|np\.(?=True_|False_)|(?<=True|alse)_\b", r"\1", text
+    )  # plain numbers
+    return f"{type(error).__name__}: {text}{_hint(text)}".removesuffix(": ")
+
+
+def _hint(text: str) -> str:
+    """What may be behind a message of Python's, or of numbers that grow without end."""
+    if re.search(r"'(float|int|numpy\.\w+)' object is not callable", text):
+        return ". Is a * missing before a bracket?"
+    return ". Is the learning rate too large, or a value divided by 0?" if re.search(r"\bis nan\b", text) else ""
+
+
+def _refuse_lists(agent: Any) -> None:
+    """Lists where an agent says that it has an array: the message would name a line that is right.
+
+    Raises:
+        TypeError: there is one.
+    """
+    for name, kind in getattr(type(agent), "__annotations__", {}).items():
+        if kind is np.ndarray and isinstance(getattr(agent, name, None), list | tuple | int | float):
+            given = type(getattr(agent, name)).__name__
+            raise TypeError(f"{name} must be an array, but is a {given}: make it with np.array(...) or np.zeros(...)")
+
+
+def _place(source: str, text: str) -> int | None:
+    """The line of which a message tells that comes from no line: a method by its name, else where `agent` is made."""
+    named = re.match(r"(act|greedy|learn) of \w+", text)
+    try:
+        parts = list(ast.walk(ast.parse(source)))
+    except SyntaxError:
+        return None
+    if named:
+        return next(
+            (part.lineno for part in parts if isinstance(part, ast.FunctionDef) and part.name == named[1]), None
+        )
+    makes = [part.lineno for part in parts if isinstance(part, ast.Assign) and ast.unparse(part.targets[0]) == "agent"]
+    return makes[-1] if makes and "must be an array" in text else None
 
 
 def _line(error: BaseException) -> int | None:

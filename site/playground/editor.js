@@ -33,6 +33,8 @@ agent = MyAgent(edugym.QLearning.create(mdp).Q)
 // With the settings of the race, so that the same algorithm learns as fast.
 const short_one = ({ learning_rate, discount, epsilon }) => SHORT.replace('random() < 0.1', `random() < ${epsilon}`)
   .replace('0.99 *', `${discount} *`).replace('0.1 * (target', `${learning_rate} * (target`)
+// A package's agent, where a default says what the last line of the program sets in its place.
+const annotated = (source, settings) => settings.reduce((text, [name, value]) => text.replace(new RegExp(`^ {4}${name}: .*=.*$`, 'm'), line => `${line}  # the last line sets ${value}`), source)
 const LATE = 100 // points of a curve
 const PAUSE = 500 // milliseconds without a change after which the link has the program
 const KEPT = 'your last code' // what a template has replaced
@@ -47,6 +49,7 @@ export class Editor {
     this.paint = { ours: () => this.knowledge('ours'), theirs: () => this.knowledge('theirs') }
     this.field = new Field(find('editor'), () => {
       this.python() // begins to load
+      this.changed()
       clearTimeout(this.packing)
       this.packing = setTimeout(() => this.pack(), PAUSE)
     })
@@ -118,13 +121,14 @@ export class Editor {
     }
     const agent = this.race.agents[this.template - 1]
     const sources = agent && await (this.sources ??= fetch('data/sources.json').then(answer => answer.json()))
-    this.filled = agent ? `${sources[agent.kind.split('.').at(-1)]}\n\n${this.code.agent(agent)}` : short_one(this.code.own(this.race.agents[0]))
+    this.filled = agent ? `${annotated(sources[agent.kind.split('.').at(-1)], this.code.settings(agent))}\n\n${this.code.agent(agent)}` : short_one(this.code.own(this.race.agents[0]))
     this.field.text = this.filled
   }
 
   clear() {
     if (this.running) this.stop('')
     this.walk?.stop()
+    this.done = this.ran = undefined
     this.ours = []
     this.theirs = []
     this.looks = {}
@@ -184,11 +188,11 @@ export class Editor {
     this.field.mark(null)
     const { steps, seed, several } = this.state, { race, lane } = this, { table } = lane
     const chosen = Array.from({ length: several }, (_, k) => (seed + k) % this.seeds.length)
-    this.done = undefined
+    this.ran = this.field.text
     this.running = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
-    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.field.text, task: this.code.task(lane), steps, seeds: chosen, episodes: race.episodes,
+    this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.ran, task: this.code.task(lane), steps, seeds: chosen, episodes: race.episodes,
       table, look: this.task.look, measured: race.measure?.code })
     this.rival ??= new Worker('worker.js', { type: 'module' })
     this.rival.onmessage = ({ data }) => {
@@ -251,14 +255,23 @@ export class Editor {
     this.find('printed').hidden = !lines.length
   }
 
+  // The reader has changed the program: what is said of a run no longer is of what stands below.
+  changed() {
+    if (this.running || this.ran === undefined) return
+    if (this.done) this.judge()
+    else if (this.field.text !== this.ran) this.tell('The code has changed. Press Run.')
+  }
+
   // Say who has won, as soon as both have ended.
   judge() {
     if (!this.done) return
-    const { state, done, lane, ours, theirs, student, looks } = this
+    const { task, state, done, lane, ours, theirs, student, looks } = this
     if (!looks.theirs?.over) return this.tell(`Your agent has ended, ${lane.label} is still learning …`)
     const pace = state.steps * ours.length / done.seconds
+    const says = duel({ curves: ours }, { label: lane.label, curves: theirs }, student, task.optimum)
+    const told = this.field.text === this.ran ? says : `Before your last changes: i${says.slice(1)}`
     const luck = ours.length > 1 ? '' : ' Was it luck? Run several seeds at once.'
-    this.tell(`${duel({ curves: ours }, { label: lane.label, curves: theirs }, student)}${luck} Yours took ${done.seconds.toFixed(1)} s: ${short(Number(pace.toPrecision(2)))} steps a second, with evaluation.`)
+    this.tell(`${told}${luck} Yours took ${done.seconds.toFixed(1)} s: ${short(Number(pace.toPrecision(2)))} steps a second, with evaluation.`)
   }
 
   // The page has another size.

@@ -111,9 +111,13 @@ function legend() {
   const named = signs.size && numbered ? [`the number of the ${task.actions[0].split(' ')[0]}`] : [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'The darker the purple, the more often it was there.', values: 'The brighter, the more points it expects from there on.', nothing: '' }[state.show]
   const seeds = state.several > 1 ? `The numbers are means of ${state.several} seeds, with 95 % intervals; the pictures show seed ${state.seed}. ` : ''
-  const seen = `${named.length ? `The signs in the picture say what it would do there: ${named.join(', ')}. ` : ''}${colours} ${race.fields}`
-  find('legend').textContent = `${seeds}${seen}`
-  find('code-legend').textContent = `${seen} Your agent walks as it would play now, without exploring.`
+  const says = pictures => {
+    const signed = pictures.some(picture => picture?.readable()) ? `The signs in the picture say what it would do there: ${named.join(', ')}. `
+      : 'The fields are too small here for signs of what it would do. '
+    return `${named.length ? signed : ''}${colours} ${race.fields}`
+  }
+  find('legend').textContent = `${seeds}${says(lanes.map(({ picture }) => picture))}`
+  if (state.code) find('code-legend').textContent = `${says(Object.values(editor.pictures ?? {}))} Your agent walks as it would play now, without exploring.`
 }
 
 function controls() {
@@ -142,8 +146,12 @@ function controls() {
   lanes.forEach((lane, k) => {
     lane.bet.setAttribute('aria-pressed', bet === k)
     lane.bet.disabled = begun // whoever has seen something does not bet
+    lane.bet.textContent = !begun ? 'Bet on this one' : bet === k ? 'Your bet' : 'Bets are closed'
+    lane.bet.title = begun ? 'Bets close when the race begins. “Other luck” opens them again.' : ''
   })
   whole.history.replaceState(null, '', write(state))
+  find('whole').href = `../playground.html${write(state)}`
+  find('shared').textContent = '' // what was copied was another link
 }
 
 // The settings of the sliders that an agent takes, where the reader has moved them.
@@ -189,6 +197,13 @@ function stop() {
   lanes.forEach(lane => lane.rate(0))
 }
 
+// What is said while they learn.
+function pace() {
+  const minutes = (state.steps - Math.min(...lanes.map(({ steps }) => steps))) / rate() / 60
+  const long = minutes < 2 ? '' : ` At this speed the end comes in ${short(Math.round(minutes))} minutes.`
+  tell(rate() < 1000 ? `Slow motion.${long} Move the speed to the right to see who wins.` : 'They are learning …')
+}
+
 function onAgent(k, agent) {
   state.agents[k] = agent
   if (bet === k) bet = null
@@ -214,20 +229,21 @@ function set(name, value, what = restart) {
 find('run').onclick = () => {
   if (running) {
     stop()
+    tell('Paused. Press Run to go on.')
     return controls()
   }
   if (lanes.every(({ over }) => over)) return restart().then(() => find('run').onclick())
   running = true
   find('run').textContent = 'Pause'
   controls()
-  tell(rate() < 1000 ? 'Slow motion. Move the speed to the right to see who wins.' : 'They are learning …')
+  pace()
   lanes.forEach(lane => lane.rate(rate()))
 }
 find('again').onclick = () => set('seed', (state.seed + state.several) % data.seeds.length)
 find('speed').oninput = event => {
   set('speed', event.target.valueAsNumber, controls)
   if (running) lanes.forEach(lane => lane.rate(rate()))
-  if (running && rate() >= 1000) tell('They are learning …')
+  if (running) pace()
 }
 find('strength').oninput = event => set('strength', event.target.valueAsNumber, () => restart().then(refresh))
 for (const name in OWN) find(name).oninput = event => set(name, name === 'learning_rate' ? Math.max(0.01, event.target.valueAsNumber) : event.target.valueAsNumber)
@@ -278,16 +294,18 @@ function uncover() {
     find(`tab-${name}`).setAttribute('aria-selected', on)
     find(`tab-${name}`).tabIndex = on ? 0 : -1
   }
+  find('with-results').parentElement.hidden = chosen() !== 'race' // the others have none to send
 }
 
 async function refresh() {
   if (state.play) await play.open(race, task, data.seeds[state.seed])
   if (state.code) await settle(editor.open(race, task, state, {
     task: made,
+    settings: settled,
     agent: agent => `agent = ${create({ kind: agent.kind.split('.').at(-1) }, settled(agent))}\n`,
     own: ({ own }) => Object.fromEntries(Object.entries(own).map(([name, value]) => [name, state[name] ?? value])),
     slots,
-  }))
+  }).then(legend))
 }
 
 // The editor runs nothing before this has come.
@@ -296,7 +314,10 @@ function settle(promise) {
   return promise
 }
 
-for (const name of Object.keys(TABS)) find(`tab-${name}`).onclick = () => choose(name)
+for (const name of Object.keys(TABS)) find(`tab-${name}`).onclick = async () => {
+  await choose(name)
+  if (name === 'play') find('play').focus({ preventScroll: true }) // or the arrow keys would turn to the next tab
+}
 document.querySelector('.tabs').onkeydown = event => {
   if (!/^Arrow(Left|Right)$/.test(event.key)) return
   event.stopPropagation()
@@ -347,7 +368,7 @@ function onCode(packed) {
 find('share').onclick = async () => {
   await editor?.pack()
   controls()
-  const at = find('with-results').checked ? lanes.map(({ steps }) => steps) : [0, 0, 0]
+  const at = find('with-results').checked && chosen() === 'race' ? lanes.map(({ steps }) => steps) : [0, 0, 0]
   const link = whole.location.href.split('#')[0] + write({ ...state, at })
   const without = editor?.tooLong ? ' Your code is not in it, since it is too long for a link: send it as a file.' : ''
   try {
@@ -358,6 +379,7 @@ find('share').onclick = async () => {
     find('shared').replaceChildren(shown, `: copy it with the menu of your mouse or finger.${without}`)
   }
 }
+find('with-results').onchange = controls
 find('theme').onclick = () => {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'
   document.documentElement.dataset.theme = localStorage.theme = theme

@@ -60,10 +60,19 @@ export class Picture {
       if (show === 'visits') pen.fillStyle = `rgb(118 60 196 / ${0.55 * (Math.log1p(visits[k]) / most) ** 2})`
       else pen.fillStyle = Number.isNaN(values[k]) ? 'transparent' : colour((values[k] - low) / range)
       if (show !== 'nothing') pen.fillRect(x, y, w, h)
-      const readable = Math.min(w, h) * scale > SMALLEST * devicePixelRatio
-      const mark = policy && readable && greedy[k] >= 0 && this.marks[greedy[k]]
+      const mark = policy && this.legible(w, h) && greedy[k] >= 0 && this.marks[greedy[k]]
       if (mark) this.sign(pen, mark, x + w / 2, y + h / 2, Math.min(w, h))
     }
+  }
+
+  legible(w, h) {
+    return Math.min(w, h) * this.scale > SMALLEST * devicePixelRatio
+  }
+
+  // Whether there is room for a sign anywhere.
+  readable() {
+    if (!this.scale) this.measure()
+    return this.table.cells.some(([, , w, h]) => this.legible(w, h))
   }
 
   // How many of the screen's own pixels a unit of the scene has: to be called again when the page has another size.

@@ -114,7 +114,7 @@ export class Play {
     this.seen.textContent = `${race.told}: ${parts.join(', ')}.`
     const letters = Object.keys(codes).length ? ' The letters stand for numbers that are only names.' : ''
     this.blindWhy.textContent = this.blind.checked
-      ? `The agent sees numbers only, without their names, and nobody tells it what they mean: that is all it has to learn from.${letters}`
+      ? `${race.numbers.length ? 'The words before the numbers are for you. ' : ''}Nobody tells the agent what its numbers mean: it has only them and the points to learn from.${letters}`
       : 'Why play blind? Then you meet the game as the agent does: without a picture, you find out from your points alone what helps.'
     this.score.innerText = `${what}\nStep ${this.result(2)}, ${points(this.result(3))} so far.\n${this.over ? this.ending() : ''}`
     this.again.classList.toggle('due', this.over)

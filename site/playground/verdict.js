@@ -15,12 +15,13 @@ export function ending(curves, t) {
   return { greedy: estimate(late.map(points => mean(points.map(([, value]) => value))), t), exploring: ended.length ? estimate(ended, t) : null, n: ended.length }
 }
 
-// Those that are as good as the best, as far as it can be told: with one seed, what differs by 3 % is as good.
-function best(results, of) {
+// Those that are as good as the best, as far as it can be told: with one seed, what differs by 3 % of it, or of the best
+// possible, is as good.
+function best(results, of, optimum) {
   const [top, spread] = results.map(of).reduce((a, b) => b[0] > a[0] ? b : a)
   return results.filter(result => {
     const [mean, half] = of(result)
-    return top - mean <= (result.curves.length > 1 ? half + spread : 0.03 * Math.abs(top))
+    return top - mean <= (result.curves.length > 1 ? half + spread : 0.03 * Math.max(Math.abs(top), Math.abs(optimum ?? 0)))
   })
 }
 
@@ -34,11 +35,12 @@ export function verdict(agents, t, steps, bet, optimum) {
     const span = Math.max(...values) - Math.min(...values)
     return { label, curves, ...end, span, start: values[0], reached: line.find(([, value]) => value >= end.greedy[0] - 0.1 * span)[0] }
   })
-  const good = best(results, ({ greedy }) => greedy), [top] = good.map(({ greedy }) => greedy).sort(([a], [b]) => b - a)
+  const good = best(results, ({ greedy }) => greedy, optimum), [top] = good.map(({ greedy }) => greedy).sort(([a], [b]) => b - a)
   const still = results.every(({ greedy, start, span }) => greedy[0] - start <= NOTHING * span)
   if (still && good.length === results.length) {
     const perfect = optimum !== null && results.every(({ greedy: [mean] }) => optimum - mean <= 0.03 * Math.abs(optimum))
-    if (perfect) return 'All play as well as can be, and did so before training too: chance is enough for this task. Try a harder one.'
+    const dipped = results.some(({ span }) => span > 0.03 * Math.abs(optimum)) ? ', if not always between' : ''
+    if (perfect) return `All play as well as can be, and did so before training too${dipped}: chance is enough for this task. Try a harder one.`
     return 'Nobody has learned anything that shows. Try more steps, or an easier task.'
   }
   const soonest = Math.min(...good.map(({ reached }) => reached))
@@ -54,18 +56,18 @@ export function verdict(agents, t, steps, bet, optimum) {
   if (failed.length) said.push(`nothing learned that shows: ${listed(named(failed))}`)
   const sentences = [`${said.join('; ')}.`]
   if (results.every(({ exploring }) => exploring)) {
-    const earning = best(results, ({ exploring }) => exploring)
+    const earning = best(results, ({ exploring }) => exploring, optimum)
     if (winners.some(one => !earning.includes(one))) sentences.push(`While still exploring, ${listed(named(earning, ({ exploring }) => exploring))} earned most.`)
   }
-  if (bet !== null) sentences.push(winners.includes(results[bet]) ? 'Your bet was right.' : `You had bet on “${results[bet].label}”.`)
+  if (bet !== null) sentences.unshift(winners.includes(results[bet]) ? 'Your bet was right.' : `Your bet on “${results[bet].label}” was wrong.`)
   if (agents[0].curves.length === 1) sentences.push('Was it luck? Run several seeds at once (Settings).')
   return sentences.join(' ')
 }
 
-// How a reader's own agent compares with its rival.
-export function duel(own, rival, t) {
+// How a reader's own agent compares with its rival; one seed shows no winner, but who did better with it.
+export function duel(own, rival, t, optimum) {
   const results = [own, rival].map(agent => ({ ...agent, ...ending(agent.curves, t) }))
-  const good = best(results, ({ greedy }) => greedy)
-  const said = good.length > 1 ? 'no difference that shows' : good[0] === results[0] ? 'your agent wins' : `${rival.label} wins`
-  return `Your agent ends at ${within(results[0].greedy)}, ${rival.label} at ${within(results[1].greedy)}: ${said}.`
+  const good = best(results, ({ greedy }) => greedy, optimum), wins = own.curves.length > 1 ? 'wins' : 'did better with this seed'
+  const said = good.length > 1 ? 'no difference that shows' : `${good[0] === results[0] ? 'your agent' : rival.label} ${wins}`
+  return `In the last tenth of training your agent has ${within(results[0].greedy)}, ${rival.label} ${within(results[1].greedy)}: ${said}.`
 }

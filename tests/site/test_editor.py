@@ -79,7 +79,11 @@ MISTAKES = {
     "x = 1": (None, "agent = ..."),
     "agent = 3": (None, "agent must be an object with the methods act and learn"),
     SHORT.replace("target - ", "target - sef."): (17, "NameError"),
-    SHORT.replace("return rng.choice(best)", "return 7"): (None, "act"),
+    SHORT.replace("return rng.choice(best)", "return 7"): (11, "greedy"),
+    SHORT.replace("return rng.choice(best)", "best"): (11, "is a return missing?"),
+    SHORT.replace("edugym.QLearning.create(mdp).Q", "[[0, 0]] * 10"): (20, "Q must be an array, but is a list"),
+    SHORT.replace("+= 0.1 *", "+= np.nan *"): (15, "terminated False. Is the learning rate too large"),
+    SHORT.replace("+= 0.1 *", "+= 0.1 "): (17, "Is a * missing"),
 }
 
 

@@ -149,6 +149,9 @@ def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
     reader.click("#with-results")
     reader.click("#share")
     until(lambda: reader("window.copied"), "the link")
+    until(lambda: "Copied" in reader.text("#shared"), "what was done")
+    reader.click("#with-results")
+    assert reader.text("#shared") == ""
     other = Reader(browser, reader("window.copied"))
     until(lambda: other("[...document.querySelectorAll('.numbers')].map(e => e.innerText)") == numbers, "the numbers")
     until(lambda: other("document.querySelector('#chart').innerHTML") == curves, "the curves")
@@ -227,6 +230,26 @@ def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
     reader.check()
 
 
+def test_arrow_keys_play_once_the_tab_is_open(address: str, browser: Any) -> None:
+    """They do not turn to the next tab; and what cannot be sent from there is not offered."""
+    from selenium.webdriver import ActionChains, Keys
+
+    reader = Reader(browser, f"{address}#task=Roadrunner")
+    browser.find_element("id", "tab-play").click()
+    until(lambda: reader("document.activeElement.id") == "play", "the game")
+    ActionChains(browser).send_keys(Keys.ARROW_RIGHT).perform()
+    assert reader.text("#score").startswith("faster")
+    assert reader("document.querySelector('#with-results').offsetParent === null")
+    reader.check()
+
+
+@pytest.mark.parametrize(("strength", "says"), [(2, "say what it would do"), (5, "too small here")])
+def test_signs_are_explained_where_they_are_drawn(strength: int, says: str, address: str, browser: Any) -> None:
+    """On a long road the cells have no room for them."""
+    reader = Reader(browser, f"{address}#task=Roadrunner&strength={strength}")
+    assert says in reader.text("#legend")
+
+
 FIELD = "document.querySelector('#editor').field"
 
 
@@ -263,7 +286,7 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     change(reader, "a few lines", "some lines")
     until(lambda: "Press Run" in reader.text("#code-status"), "Python", 300)
     said = ran(reader)
-    assert "Your agent ends at 1," in said
+    assert "your agent has 1," in said
     assert "interpreted" not in reader.text("#code-said")
     until(lambda: reader("document.querySelectorAll('#code-chart polyline[points*=\",\"]').length") == 2, "two curves")
     assert reader("document.querySelector('#ours canvas').dataset.cells") == "11"
@@ -277,6 +300,7 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     assert ran(reader).startswith("Line 17. NameError")
     assert reader.text(".cm-gutterElement.wrong") == "17"
     change(reader, "target - sef", "target - self")
+    assert reader.text("#code-status") == "The code has changed. Press Run."
     change(reader, "        target =", "        notes = {}\n        target =")
     ran(reader)
     assert "it makes a dict (line 16)" in reader.text("#code-said")
@@ -289,7 +313,7 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     assert reader.text("#printed").startswith("0\n")
     assert reader.text("#printed").endswith("not shown)")
     change(reader, "        print(state)\n", "")
-    assert "Your agent ends at 1," in ran(reader)
+    assert "your agent has 1," in ran(reader)
     reader.check()
 
 
@@ -311,7 +335,7 @@ def test_a_link_holds_the_code(address: str, browser: Any) -> None:
     other("location.hash = '#task=Golf'")
     until(lambda: "source=" in other("location.hash"), "the code in the link of another task")
     assert "Golf" in browser.title
-    assert "Your agent ends at" in ran(Reader(browser, link))
+    assert "your agent has" in ran(Reader(browser, link))
     damaged = Reader(browser, link.replace("source=", "source=AAAA"))
     until(lambda: "damaged" in damaged.text("#code-status"), "what is wrong")
     change(damaged, "a few lines", random.Random(0).randbytes(9_000).hex())
@@ -364,7 +388,7 @@ def test_a_reader_runs_the_packages_agents(race: Any, address: str, browser: Any
     reader("(e => { e.selectedIndex = 1; e.onchange() })(document.querySelector('#template'))")
     until(lambda: "create(mdp" in reader(f"{FIELD}.text"), "the agent's file")
     said = ran(reader)
-    assert "Your agent ends at" in said
+    assert "your agent has" in said
     assert "something else than Python" not in reader.text("#code-said")
     lines = "[...document.querySelectorAll('#code-chart polyline')].map(line => line.getAttribute('points'))"
     until(lambda: len(set(reader(lines))) == 1 and "," in reader(lines)[0], "one curve on the other")

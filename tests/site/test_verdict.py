@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+from typing import Any
 
 import playground
 import pytest
@@ -9,6 +10,20 @@ import pytest
 from tests.site.node import NODE
 
 pytestmark = pytest.mark.skipif(NODE is None, reason="needs Node.js: apt-get install nodejs")
+
+
+def agent(label: str, curve: list[float], n_seeds: int = 1) -> dict[str, Any]:
+    """An agent with the same curve for each seed."""
+    points = [[100 * k, value, value] for k, value in enumerate(curve)]
+    return {"label": label, "curves": [points] * n_seeds}
+
+
+def said(name: str, *given: Any) -> str:
+    """What a function of the page says."""
+    call = f"{name}({', '.join(map(json.dumps, given))})"
+    script = f"import {{ {name} }} from '{playground.PAGE.as_uri()}/verdict.js'; process.stdout.write({call})"
+    command = [str(NODE), "--input-type=module", "--eval", script]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
 @pytest.mark.parametrize(
@@ -21,17 +36,25 @@ pytestmark = pytest.mark.skipif(NODE is None, reason="needs Node.js: apt-get ins
         ([[0.0] * 20, [0.0] * 20], 1.0, "Nobody has learned"),
         ([[0.0] + [1.0] * 20, [0.0] * 10 + [1.0] * 11], 1.0, "A (1) did best"),
         ([[-9.0] + [-2.0] * 20] * 2, -2.0, "did equally well"),
+        ([[1.0] * 5 + [0.0] * 3 + [1.0] * 12, [1.0] * 20], 1.0, "before training too, if not always between"),
+        ([[0.0] + [1.0] * 20, [0.0] * 10 + [1.0] * 11], 1.0, "Your bet was right. A"),
     ],
 )
 def test_a_verdict(curves: list[list[float]], optimum: float | None, says: str) -> None:
     """Whoever stays where it began has learned nothing, unless nothing more can be had."""
-    agents = [
-        {"label": label, "curves": [[[100 * k, value, value] for k, value in enumerate(curve)]]}
-        for label, curve in zip("AB", curves, strict=True)
-    ]
-    script = f"""
-        import {{ verdict }} from '{playground.PAGE.as_uri()}/verdict.js'
-        process.stdout.write(verdict({json.dumps(agents)}, [], 2000, null, {json.dumps(optimum)}))
-    """
-    command = [str(NODE), "--input-type=module", "--eval", script]
-    assert says in subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    agents = list(map(agent, "AB", curves))
+    assert says in said("verdict", agents, [], 2000, 0, optimum)
+
+
+@pytest.mark.parametrize(
+    ("late", "n_seeds", "says"),
+    [
+        ([0.0] * 9 + [0.2], 1, "In the last tenth of training your agent has 0.02, B 0: no difference that shows"),
+        ([1.0] * 10, 1, "your agent did better with this seed"),
+        ([1.0] * 10, 5, "your agent wins"),
+    ],
+)
+def test_a_duel(late: list[float], n_seeds: int, says: str) -> None:
+    """One seed has no winner, and a small difference shows nothing."""
+    ours, theirs = (agent(label, [0.0] * 10 + end, n_seeds) for label, end in (("A", late), ("B", [0.0] * 10)))
+    assert says in said("duel", ours, theirs, 0, 1.0)
