@@ -9,24 +9,38 @@ The figures are those of the stored profiles, which `edugym profile --all` makes
 """
 
 import argparse
+import json
 import re
 import sys
 from pathlib import Path
 from textwrap import fill
 
 from edugym import Profile
-from edugym.adapters.registration import in_course_order
+from edugym.adapters.registration import find, in_course_order
 from edugym.experiments.profiles.report import NO_LINE, TAKE
 from edugym.experiments.profiles.scores import HALF
-from edugym.experiments.profiles.tables import absent, method, reasons, repetitions_of, take_table, with_margin
+from edugym.experiments.profiles.tables import (
+    NO_MATTER,
+    absent,
+    method,
+    reasons,
+    repetitions_of,
+    take_table,
+    with_margin,
+)
 from edugym.experiments.profiles.verdicts import best_agents, broken_between, listed
 from edugym.experiments.profiles.words import written
 from edugym_course import agent_profiles, one_table
+from edugym_course.lab.records import number_of
+from edugym_course.remedies import what_helps
 
 CHALLENGE = Path(__file__).parent / "class-challenge.md"
 RANKING = re.compile(r"(<!-- ranking: [^\n]* -->\n).*?(<!-- end of ranking -->)", re.DOTALL)
 """What is between two lines of that page."""
 PAGE = Path(__file__).parent / "agents.md"
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+MEASURED = Path(__file__).parent / "isolation.json"
+"""What every remedy gains, as `isolation.py` has measured it."""
 
 SETTING = """For every environment there is a ladder of tasks, from easy to hopeless. Each agent trains on each rung of
 the ladder, with the same number of steps as all others. A score of 1 means that it then plays each of them as well as
@@ -39,8 +53,11 @@ YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent o
 ([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4)"` does it for an agent with a
 wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
 SCORES = """The score, and how far its 95 % interval reaches to both sides; *runs* says how often each rung was climbed.
-**Bold** are the highest score of a challenge, and those that are not surely worse; three runs tell little, so their
-intervals are wide. A dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
+**Bold** are the highest score of a challenge, and those that are not surely worse. A score a little above 1 is
+luck: the best play is known on average, and an agent plays a limited number of episodes. Three runs tell little, so
+their intervals are wide. A dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
+SAME = """Older versions can stand here, since only agents whose code has changed are measured again. A hash of the
+code of agent, task and training says so; what was made from other code is listed at the end.""".replace("\n", " ")
 BREAKS = """How strong a challenge may become for an agent: the two rungs between which its mean score first falls below
 0.5. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
 WITHOUT_LADDER = {
@@ -68,7 +85,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
     names = profile.challenges
     links = {name: f"[{name}](environments/{name.lower()}.md)" for name in names}
     heading, take = take_table(profile)
-    take = [[problem, links[name], *rest] for problem, name, *rest in take]
+    take = [[problem, links[name], *rest, far + remedy(name, rest)] for problem, name, *rest, far in take]
     scores = [
         [agent, str(repetitions_of(profile, agent)), *(score(profile, agent, name) for name in names)]
         for agent in profile.agents
@@ -115,13 +132,23 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             "## How it was measured",
             "",
             *(f"- {sentence}" for sentence in method(profile)),
-            f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`.",
+            f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`. {SAME}",
             *([f"- SB3 agents: measured with {libraries}, by `edugym profile --libraries`."] if libraries else []),
             *(fill(f"- {name} has no ladder{WITHOUT_LADDER.get(name, ' yet.')}", 120) for name in missing),
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
             "",
         ]
     )
+
+
+def remedy(challenge: str, cells: list[str]) -> str:
+    """Return what helps in a challenge in which no agent is good, with where this was measured; else ""."""
+    helps = what_helps(challenge, json.loads(MEASURED.read_text(encoding="utf-8"))) if NO_MATTER in cells else ""
+    if not helps:
+        return ""
+    number = find(challenge).lesson
+    [lesson] = [path.name for path in NOTEBOOKS.glob("*.ipynb") if number_of(path.stem) == number]
+    return f"; {helps} ([measured](isolation.md), [lesson {number}](../notebooks/{lesson}))"
 
 
 def table(heading: list[str], rows: list[list[str]]) -> list[str]:

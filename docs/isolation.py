@@ -16,7 +16,7 @@ from textwrap import fill
 from typing import Any, NamedTuple
 
 import numpy as np
-from other_measures import CAPACITY, DIGITS, by_other_measures, gain, other_measures, shown, table
+from other_measures import CAPACITY, DIGITS, by_other_measures, other_measures, table
 
 import edugym
 from edugym import DiscreteActions, Discretised, FrameStack, Hashed, Interval, QLearning, mean_interval
@@ -29,13 +29,12 @@ from edugym.rendering.palette import INK
 from edugym.system.files import write_whole
 from edugym_course import agent_profiles
 from edugym_course.agent_profiles import REPETITIONS, WRIST
+from edugym_course.remedies import NO_CHANGE, REMEDIES, gain, shown
 
 PAGE, DATA = Path(__file__).parent / "isolation.md", Path(__file__).parent / "isolation.json"
 UNFINISHED = DATA.with_suffix(".unfinished")
 OWN = 0.2
 """An environment's own remedy must gain more than this, with the whole interval."""
-NO_CHANGE = 0.1
-"""A remedy changes little where the whole interval of its gain lies within this much of 0."""
 
 
 def binned(mdp: Any) -> Any:
@@ -48,33 +47,6 @@ def remembered(mdp: Any) -> Any:
     return Hashed.create(FrameStack.create(mdp, 4), CAPACITY)
 
 
-class Remedy(NamedTuple):
-    """A remedy for one challenge.
-
-    Attributes:
-        name: what it is called.
-        own: the environment for which it is meant.
-        agent: the agent with the remedy: one of the package, whose profile is stored, or one of `MEASURED`.
-        base: the same without the remedy.
-    """
-
-    name: str
-    own: str
-    agent: str
-    base: str = "QLearning"
-
-
-REMEDIES = (
-    Remedy("exploration: Go-Explore", "Boulder", "GoExplore"),
-    Remedy("on-policy: SARSA", "Roadrunner", "SARSA"),
-    Remedy("depth: Q(λ)", "Study", "QLambda"),
-    Remedy("function approximation: DQN", "Catch", "DQN"),
-    Remedy("memory: 4 frames", "MemoryCorridor", "Frames"),
-    Remedy("continuous actions: actor-critic", "Trashbot", "GaussianActorCritic"),
-    Remedy("risk: risk-averse Q-learning", "Golf", "RiskSensitiveQLearning"),
-    Remedy("planning: Dyna-Q", "Supermarket", "DynaQ"),
-    Remedy("hindsight: DQN with hindsight", "Switches", "HindsightDQN", "DQN"),
-)
 FRAMED = ("Boulder", "Roadrunner", "Study", "MemoryCorridor", "Tamagotchi", "Golf", "Supermarket")
 """Where a window of 4 frames still has few enough rows for a table."""
 MEASURED: dict[str, dict[str, Any]] = {

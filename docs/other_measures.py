@@ -25,11 +25,11 @@ from edugym import (
 )
 from edugym.experiments.configuration import planned_runs
 from edugym.experiments.profiles.ladders import LADDERS, bounds_of, exact_bounds
-from edugym.experiments.profiles.words import rounded
 from edugym.mdp.protocol import Reals
 from edugym.training.trainers import trainer
 from edugym_course import agent_profiles
 from edugym_course.agent_profiles import REPETITIONS
+from edugym_course.remedies import gain, shown
 
 DIGITS = 4
 CAPACITY = 200_000
@@ -50,18 +50,6 @@ DARKEST, SIDES = 0.4, (4, 6, 8)
 LIT = "Catch in changing light"
 GOLF = {"Golf": RiskSensitiveQLearning.create, "Golf at -5": partial(RiskSensitiveQLearning.create, risk=-5.0)}
 """The remedy for risk, at its default of -1 and stronger."""
-
-
-def gain(rungs: Any) -> Interval:
-    """The gain over the whole ladder; `rungs` has the shape (n_strengths, n_repetitions)."""
-    return mean_interval(np.array(rungs).mean(axis=0))
-
-
-def shown(interval: Interval) -> str:
-    """A gain with its interval."""
-    estimate = rounded(interval.estimate)
-    sign = "+" if float(estimate) > 0 else ""
-    return f"{sign}{estimate} [{rounded(interval.low)}, {rounded(interval.high)}]"
 
 
 def saved_while_learning(penalty: float) -> list[float]:
@@ -148,8 +136,10 @@ def rounded_list(numbers: Reals) -> list[Any]:
 def by_other_measures(others: dict[str, Any]) -> list[str]:
     """What the other measures say, as the lines of a section."""
     road = ", ".join(
-        f"{shown(mean_interval(runs))} at {price}" for price, runs in zip(PENALTIES, others["Roadrunner"], strict=True)
+        f"{_without_sign(mean_interval(runs), 'saves', 'adds')} at {price}"
+        for price, runs in zip(PENALTIES, others["Roadrunner"], strict=True)
     )
+    catch = _without_sign(gain(others["Catch"]), "less", "more", last=True)
     lit = ", ".join(f"{shown(mean_interval(runs))} at {side}" for side, runs in zip(SIDES, others[LIT], strict=True))
     golf = [
         f"the spread (standard deviation) changes by {shown(gain(others[f'{name}: spread']))}, the worst tenth by"
@@ -160,18 +150,26 @@ def by_other_measures(others: dict[str, Any]) -> list[str]:
         "The score is the greedy return at the end. In the three environments whose own remedy does not raise it, other"
         " measures say this.",
         "**Roadrunner** is about what an agent earns *while it learns*: SARSA keeps away from where a slip is dear. In"
-        f" {STEPS['Roadrunner']:,} steps on the road of the lesson, Q-learning earns less than the best play, and SARSA"
-        f" saves this share of the loss, by the price of a fall: {road}. So the remedy helps where a fall is dear, and"
-        " costs where it is cheap. The ladder makes the road longer, not the fall dearer, and the score hides what is"
-        " saved, since random play, which scores 0, falls in most episodes.",
+        f" {STEPS['Roadrunner']:,} steps on the road of the lesson, Q-learning earns less than the best play. This is"
+        f" its loss. By the price of a fall, SARSA changes the loss by this share of it: it {road}. So the remedy helps"
+        " where a fall is dear, and costs where it is cheap. The ladder makes the road longer, not the fall dearer, and"
+        " the score hides what is saved, since random play, which scores 0, falls in most episodes.",
         "**Golf** is about chance, and its remedy about risk, not about the mean. Of the scores of"
         f" {GAMES} greedy games, with the default risk of -1, {golf[0]}. With a risk of -5, {golf[1]}. So the dislike"
         " of single surprises does not make the worst games better on this ladder; a strong one pays for a smaller"
         " spread with a smaller mean.",
-        "**Catch** is about observations of many dimensions. Until a score of 0.9, DQN saves"
-        f" {shown(gain(others['Catch']))} of the budget, so the table is faster; even the largest board has only some"
-        " 8,000 states. A table fails where no image comes twice: with another brightness at every step, from"
-        f" {DARKEST} to 1, the score that DQN gains is, by the side of the board, {lit}. So the size of the board is"
-        " not what makes a network necessary.",
+        "**Catch** is about observations of many dimensions. Until a score of 0.9, DQN needs"
+        f" {catch} of the budget than the table; even the largest board has only some 8,000 states. A table fails where"
+        f" no image comes twice: with another brightness at every step, from {DARKEST} to 1, the score that DQN gains"
+        f" is, by the side of the board, {lit}. So the size of the board is not what makes a network necessary.",
     ]
     return [line for text in texts for line in (fill(text, 120), "")]
+
+
+def _without_sign(saved: Interval, saves: str, costs: str, last: bool = False) -> str:
+    """A share that is saved, or costs, with a word for its sign in front of it, or behind."""
+    word, share = saves, saved
+    if saved.estimate < 0:
+        word, share = costs, saved._replace(estimate=-saved.estimate, low=-saved.high, high=-saved.low)
+    number = shown(share).removeprefix("+")
+    return f"{number} {word}" if last else f"{word} {number}"

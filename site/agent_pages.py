@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import json
 import re
 import sys
 from collections.abc import Iterator
@@ -13,13 +14,15 @@ from docstrings import described, markdown, source, summary
 from ladders import ladder
 from lesson_pages import Lesson
 from races import RACES
-from repository import REF, REPOSITORY
+from repository import REF, REPOSITORY, ROOT
 
 import edugym
 from edugym import Profile
+from edugym.experiments.profiles.scores import HALF
 from edugym.experiments.profiles.tables import with_margin
-from edugym.experiments.profiles.verdicts import best_agents, outcome
+from edugym.experiments.profiles.verdicts import best_agents, listed, outcome
 from edugym_course import agent_profiles
+from edugym_course.remedies import REMEDIES, when_to_take
 
 PAGE = """\
 # {name}
@@ -37,9 +40,15 @@ The whole file: [`{path}`]({repository}/blob/{ref}/{path}).
 ## What it is good at
 
 For every environment there is a ladder of tasks, from easy to hopeless. A score of 1 means that {name}, at its
-defaults, learns to play a task as well as can be, 0 that it plays no better than at random. The number behind the name
-of an environment is the mean over its ladder, with a 95 % interval. Grey lines are the other agents.
-[All agents side by side](index.md) says how this was measured.
+defaults, learns to play a task as well as can be, 0 that it plays no better than at random. (A little above 1 is
+luck.) The number behind the name of an environment is the mean over its ladder, with a 95 % interval. Grey lines are
+the other agents. [All agents side by side](index.md) says how this was measured.
+
+### When to take it
+
+{take}
+
+### Its ladders
 
 ::::{{container}} ladders
 
@@ -88,6 +97,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         path=path,
         repository=REPOSITORY,
         ref=REF,
+        take=" ".join(_taken(name)),
         profile="\n\n".join(_fares(name)),
         races="\n".join(_raced(kind)) or "It is in no race of the playground.",
         lessons="\n".join(_used(name, lessons))
@@ -126,11 +136,40 @@ def _fares(name: str) -> Iterator[str]:
             yield f":::{{container}} ladder\n{link}, {about.challenge}: {says}\n:::"
             continue
         words = f"it {outcome(stored, name, challenge).of_one}."
-        best = _best(challenge)
-        beside = "No agent does surely better." if name in best else f"The best is {best[0]}."
+        beside = _beside(name, challenge)
         picture = ladder(stored, name, challenge, f"{challenge}: {words} {beside}")
         sentence = f"{link}, {about.challenge}: {with_margin(score)}; {words} {beside}"
         yield f":::{{container}} ladder\n{sentence}\n\n{picture}\n:::"
+
+
+def _beside(name: str, challenge: str) -> str:
+    """Say who does better in a challenge; nobody is named where nobody is good."""
+    best = _best(challenge)
+    if not best:
+        return "No agent is good here."
+    return "No agent does surely better." if name in best else f"The best is {best[0]}."
+
+
+def _taken(name: str) -> Iterator[str]:
+    """Say where to take an agent: where nobody does surely better, and what it gains as a remedy."""
+    where = [challenge for challenge in _stored().challenges if name in _best(challenge)]
+    yield (
+        f"In {listed(where)} no agent does surely better."
+        if where
+        else "Where some agent is good, another one does surely better."
+    )
+    if remedy := [*when_to_take(name, json.loads((ROOT / "docs/isolation.json").read_text(encoding="utf-8")))]:
+        yield from remedy
+        yield "([How this was measured](../guides/isolation.md).)"
+    for text in (other_measure(each.own) for each in REMEDIES if each.agent == name):
+        yield text and f"\n\nThe score does not show it all. {text}"
+
+
+def other_measure(environment: str) -> str:
+    """The paragraph on an environment in which the score is not what the challenge is about; "" where there is none."""
+    text = (ROOT / "docs/isolation.md").read_text(encoding="utf-8")
+    found = re.search(rf"^\*\*{environment}\*\* .*?(?=\n\n)", text, re.MULTILINE | re.DOTALL)
+    return found[0] if found else ""
 
 
 @cache
@@ -143,8 +182,9 @@ def _stored() -> Profile:
 
 @cache
 def _best(challenge: str) -> list[str]:
-    """The agents to take for a challenge."""
-    return best_agents(_stored(), challenge)
+    """The agents to take for a challenge: none where not even the best is good."""
+    best = best_agents(_stored(), challenge)
+    return best if best and _stored().score(best[0], challenge).estimate >= HALF else []
 
 
 def _raced(kind: Any) -> Iterator[str]:

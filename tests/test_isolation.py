@@ -67,13 +67,13 @@ def test_what_other_measures_say_follows_from_the_data() -> None:
     """Each number stands beside what it was measured for."""
     names = [f"{name}: {what}" for name in other_measures.GOLF for what in ("spread", "worst", "mean")]
     others = {name: [[k / 100, k / 100 + 0.02]] * 7 for k, name in enumerate(names)}
-    others |= {"Roadrunner": [[0.1, 0.1], [0.2, 0.2], [0.3, 0.3], [0.4, 0.4]], "Catch": [[-0.5, -0.5]]}
+    others |= {"Roadrunner": [[-0.1, -0.1], [0.2, 0.2], [0.3, 0.3], [0.4, 0.4]], "Catch": [[-0.5, -0.5]]}
     others[other_measures.LIT] = [[0.7, 0.7], [0.8, 0.8], [0.9, 0.9]]
     text = " ".join(" ".join(other_measures.by_other_measures(others)).split())
-    for part in ("+0.10 [0.10, 0.10] at -10", "+0.40 [0.40, 0.40] at -300", "+0.90 [0.90, 0.90] at 8"):
+    for part in ("adds 0.10 [0.10, 0.10] at -10", "saves 0.40 [0.40, 0.40] at -300", "+0.90 [0.90, 0.90] at 8"):
         assert part in text
     assert re.search(r"risk of -1, the spread .* by \+0.01 .* worst tenth by \+0.02 .* mean by \+0.03", text)
-    assert "DQN saves -0.50 [-0.50, -0.50] of the budget" in text
+    assert "DQN needs 0.50 [0.50, 0.50] more of the budget than the table" in text
 
 
 def test_sarsa_saves_while_it_learns_where_a_fall_is_dear() -> None:

@@ -291,6 +291,10 @@ def test_an_agents_page_has_equation_code_lessons_and_profile(lessons: list[less
         sentence = page.split(f"**[{challenge}](")[1].partition(":::")[0]
         assert ("<svg" in sentence) == (profile.score("QLearning", challenge).n > 0)
     assert "a table needs the actions 0, 1" in page
+    assert "No agent is good here." in page  # in MemoryCorridor, where the highest score is 0.39
+    assert "MemoryCorridor" not in page.split("### When to take it")[1].partition("### Its ladders")[0]
+    sarsa = agent_pages.page("SARSA", edugym.SARSA, lessons)
+    assert re.search(r"remedy for the challenge of Roadrunner.*less that of QLearning is .*saves", sarsa, re.DOTALL)
     for picture in re.findall(r"<svg.*</svg>", page):
         seen = ElementTree.fromstring(picture)
         own, *others = (line.attrib for line in reversed(seen.findall("polyline")))

@@ -90,11 +90,11 @@ INTRODUCTION = (
     " the rungs after the break count too."
 )
 TAKE = (
-    "Find the line that is most like your problem. Highest is the agent with the highest score of all that were tried"
-    " there; it is weakest in the challenge in which it lies furthest behind the best one. Not surely worse are those"
-    " whose lower score may be chance; where the table says only how many more, the scores of all agents below have a"
-    " star."
+    "Find the line that is most like your problem. “Highest score” names the agent with the highest score of all that"
+    " were tried there. “Not surely worse” names the agents whose score is lower, but perhaps only by chance. “Weakest"
+    " in” says where the agent with the highest score is weak: in this challenge it is furthest behind the best agent."
 )
+MORE = "If the table only says how many more agents there are, look for the stars in the table of all scores below."
 NO_LINE = (
     "Two problems have no line: a reward that drowns in noise, and what is lost while learning. Only the play after the"
     " training counts."
@@ -125,7 +125,7 @@ def paragraphs(profile: Profile, about: Said, everybody: Profile) -> list[str]:
 
 def guide(everybody: Profile | None) -> list[str]:
     """How to read the table of whom to take, in paragraphs."""
-    return [TAKE, f"{NO_LINE} {OTHERS}" if everybody else NO_LINE]
+    return [f"{TAKE} {MORE}", f"{NO_LINE} {OTHERS}"] if everybody else [TAKE, NO_LINE]
 
 
 def whoever(everybody: Profile, abouts: Mapping[str, str]) -> list[str]:
