@@ -6,7 +6,7 @@ import build
 import numpy as np
 import pytest
 
-from tests.course.lessons.answers import TRAINING, Answer, Exercise, read_answers, read_exercises, verdict
+from tests.course.lessons.answers import LONG_CHECKS, Answer, Exercise, read_answers, read_exercises, verdict
 
 WITHOUT_A_GENERATOR = {
     *("06_signal-3", "09_model_based-1", "12_objectives-3", "13_several_agents-1", "13_several_agents-2"),
@@ -21,7 +21,9 @@ DRAWN = {
 """Every exercise whose answer is a function or a class, and what runs before it."""
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in TRAINING)) for name in DRAWN])
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG_CHECKS)) for name in DRAWN]
+)
 def test_solutions_are_right_with_other_seeds(name: str) -> None:
     """Cases in which all mistakes differ are found with each of them."""
     exercise, before = DRAWN[name]

@@ -24,12 +24,12 @@ from edugym_course.lab.records import number_of
 from edugym_course.lessons.stochasticity.exact import CROSSINGS, crossing
 from edugym_course.teaching.assignment import Task, tasks_of
 from edugym_course.teaching.marks import with_own_numbers
-from tests.course.lessons.answers import TRAINING, cells_of, read_exercises
+from tests.course.lessons.answers import LONG_CHECKS, cells_of, read_exercises
 
 
-def trains(lesson: str, task: Task) -> bool:
-    """Whether the answer to an exercise is that runs were made, which takes half a minute, or its check makes some."""
-    return "experiment_seed" in own_parameters(task.check()) or f"{lesson}-{task.number}" in TRAINING
+def takes_long(lesson: str, task: Task) -> bool:
+    """Whether the answer to an exercise is that runs were made, which takes half a minute, or its check takes long."""
+    return "experiment_seed" in own_parameters(task.check()) or f"{lesson}-{task.number}" in LONG_CHECKS
 
 
 SOURCES = build.lesson_sources()
@@ -42,7 +42,7 @@ def tasks(lesson: str) -> list[Task]:
 
 
 OWN = [
-    pytest.param(name, task.number, marks=[pytest.mark.slow] * trains(name, task), id=f"{name}-{task.number}")
+    pytest.param(name, task.number, marks=[pytest.mark.slow] * takes_long(name, task), id=f"{name}-{task.number}")
     for name in SOURCES
     for task in tasks(name)
     if own_parameters(task.check())

@@ -23,10 +23,13 @@ NAME = re.compile(r"(exercise_(?P<exercise>\d+)|project)_(?P<verdict>right|wrong
 SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
 SLOW = re.compile(r"^# slow\n", flags=re.MULTILINE)
 SOLUTION = "the solution of "
-TRAINING = {"15_profiles-2"}
-"""The exercises whose check trains agents, which takes a second or more."""
-LONG = {"04_dimensionality", "05_memory", "06_signal", "11_goals"}
-"""The lessons in which checking a program takes four seconds or more."""
+LONG_CHECKS = {
+    *(f"02_on_off_policy-{number}" for number in (1, 2, 3)),
+    *("07_continuous_actions-3", "08_stochasticity-3", "15_profiles-2", "16_offline-3", "18_search-3"),
+}
+"""The exercises whose check takes half a second or more."""
+LONG = {"04_dimensionality", "05_memory", "06_signal", "09_model_based", "11_goals", "14_preferences"}
+"""The lessons in which checking a program takes two seconds or more."""
 EDIT = re.compile(r"((?:^# - .+\n)+)((?:^# \+ .+\n)*)", flags=re.MULTILINE)
 
 

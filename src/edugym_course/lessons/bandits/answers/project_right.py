@@ -22,6 +22,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% sums of rewards
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     n = environment.action_space.n

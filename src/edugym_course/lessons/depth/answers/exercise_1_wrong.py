@@ -1,4 +1,5 @@
 # %% n left out
+# slow
 # says: its targets have 4 rewards
 # says: the quiet agent should be that of the experiment, but
 def quiet(study):

@@ -48,6 +48,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% ε-greedy written out
+# slow
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)

@@ -97,6 +97,7 @@ my_program = ...
 # + if rng.random() < 0.4:
 
 # %% the wrong way round
+# slow
 # says: So many come from chance alone, or from a table that never changes: are the actions chosen by the values, with probability 1 − ε, and does the update change these values?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:

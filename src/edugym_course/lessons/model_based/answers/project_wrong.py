@@ -1,4 +1,5 @@
 # %% nothing is imagined
+# slow
 # says: nothing is planned: are the imagined steps learned from, and enough of them?
 # in: a model in arrays
 # - for _ in range(10):

@@ -75,6 +75,7 @@ def pareto_optimal(points):
 
 
 # %% the hull
+# slow
 # says: only points that some *weights* prefer are kept; one in a dent is Pareto-optimal, too
 def pareto_optimal(points):
     kept = set()

@@ -1,4 +1,5 @@
 # %% late dives count for nothing
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     Q = np.zeros((90, 2))
@@ -37,6 +38,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% sets of vectors
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     ways = {}

@@ -124,6 +124,7 @@
 
 
 # %% one step more
+# slow
 # says: where the diver begins a cell away from the shore, so that each treasure takes a step less, the policy picks up the fifth one, after
 # says: steps: at most seven are allowed, so is the step under way counted, too?
 # in: late dives count for nothing

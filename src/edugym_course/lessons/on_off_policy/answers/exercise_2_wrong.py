@@ -42,6 +42,7 @@ def switch(model):
 
 
 # %% too coarse
+# slow
 # says: that is close: does the search begin at 0, and go in steps of 0.001 or smaller, and is nothing rounded or
 #   discounted?
 def switch(model):
@@ -96,6 +97,7 @@ def switch():
 
 
 # %% the reciprocal
+# slow
 # says: that is 1/ε
 def switch(model):
     return 1 / exact.switch(model, tolerance=1e-7)
