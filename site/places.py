@@ -88,7 +88,7 @@ def circle(scene: Scene, glyph: str = "☺") -> Circle:
 
 
 def from_one(mdp: Any, state: Any) -> Scene:
-    """The picture in which doors, machines or switches are numbered from 1: a reader calls the first one so."""
+    """The picture in which machines or switches are numbered from 1: a reader calls the first one so."""
     scene: Scene = mdp.scene(state)
     shapes, number = list[Any](), 0
     for shape in scene.shapes:
@@ -100,8 +100,8 @@ def from_one(mdp: Any, state: Any) -> Scene:
 
 
 def _by_the_places(mdp: Any, state: Any) -> Scene:
-    """The doors counted from 1, below the place in the corridor, which is not called a door."""
-    scene = from_one(mdp, state)
+    """The doors below the place in the corridor, which is not called a door."""
+    scene: Scene = mdp.scene(state)
     above = Text(scene.width / 2, 0.5, f"place {state.position + 1} of {state.length}", size=0.5)
     is_above = [isinstance(shape, Text) and shape.content.startswith("Door ") for shape in scene.shapes]
     shapes = [above if replaced else shape for shape, replaced in zip(scene.shapes, is_above, strict=True)]
@@ -165,7 +165,7 @@ def _at_the_doors(mdp: Any, seen: tuple[int, ...]) -> Place:
 
 
 def _doors(mdp: Any) -> Marks:
-    return [(0.0, 0.0, str(door + 1)) for door in range(mdp.num_doors)]
+    return [(0.0, 0.0, str(door)) for door in range(mdp.num_doors)]
 
 
 def _corridors(mdp: Any) -> Iterator[Corridor]:

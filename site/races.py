@@ -106,7 +106,7 @@ ROADRUNNER = Race(
     "Roadrunner",
     "One step too far is the drop. Who runs best at the end?",
     "Arrive exactly at the last cell before the cliff, which pays 1. Each step before costs 1. A fall costs 100, and "
-    "so does a stall: a speed below 0.",
+    "so does a stall: a speed below 0, which agents see as 0.",
     usual(RUNNING, edugym.QLearning, edugym.SARSA, edugym.ExpectedSARSA, edugym.DoubleQLearning, edugym.NStepSARSA),
     on_off_policy.N_STEPS,
     Strength("size", (6, 8, 10, 12, 15, 20), 2),

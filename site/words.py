@@ -18,8 +18,11 @@ def named(*names: str) -> Callable[[Any], Buttons]:
 
 
 def counted_from_one(name: str) -> str:
-    """The name of an action as the pictures of the page have it: door 0 is the first door, so it is "door 1"."""
-    return re.sub(r"^(arm|door|grip|switch) (\d+)$", lambda found: f"{found[1]} {int(found[2]) + 1}", name)
+    """The name of an action as the pictures of the page have it: arm 0 is the first, so it is "arm 1".
+
+    Doors keep their numbers, as the lesson and the pictures of the task have them.
+    """
+    return re.sub(r"^(arm|grip|switch) (\d+)$", lambda found: f"{found[1]} {int(found[2]) + 1}", name)
 
 
 def by_name(mdp: Any) -> Buttons:

@@ -39,9 +39,14 @@ export class Play {
     return this.task.others.map(([what, mean]) => `Who ${what} gets about ${points(Number(Math.abs(mean) < 10 ? mean.toFixed(2) : mean.toPrecision(2)))}.`).join(' ')
   }
 
+  // The digit of each action: that of its name, where it has one, else 1, 2, ...
+  digits() {
+    return this.task.actions.map((name, k) => k < 10 ? String((name.match(/ (\d+)$/)?.[1] ?? k + 1) % 10) : '')
+  }
+
   keys(k) {
     const arrow = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓' }[this.race.keys[k]]
-    return [k < 10 ? (k + 1) % 10 : '', arrow ?? ''].filter(part => part !== '').join(' or ')
+    return [this.digits()[k], arrow ?? ''].filter(part => part !== '').join(' or ')
   }
 
   // What the actions are called here; '' for what is of no use.
@@ -53,9 +58,9 @@ export class Play {
   key(event) {
     if (!this.kernel || this.board.offsetParent === null || event.ctrlKey || event.metaKey || event.altKey) return
     if (/^(INPUT|SELECT)$/.test(event.target.tagName) && event.target.type !== 'checkbox') return
-    const action = this.race.keys.includes(event.key) ? this.race.keys.indexOf(event.key) : (Number(event.key) + 9) % 10
+    const action = this.race.keys.includes(event.key) ? this.race.keys.indexOf(event.key) : this.digits().indexOf(event.key)
     if (event.key === 'r') this.restart()
-    else if (event.key.trim() && action >= 0 && action < this.task.actions.length) this.step(action)
+    else if (action >= 0) this.step(action)
     else return
     event.preventDefault()
   }
@@ -115,7 +120,7 @@ export class Play {
     const letters = Object.keys(codes).length ? ' The letters stand for numbers that are only names.' : ''
     this.blindWhy.textContent = this.blind.checked
       ? `${race.numbers.length ? 'The words before the numbers are for you. ' : ''}Nobody tells the agent what its numbers mean: it has only them and the points to learn from.${letters}`
-      : 'Why play blind? Then you meet the game as the agent does: without a picture, you find out from your points alone what helps.'
+      : `Why play blind? Then you meet the game as the agent does: without a picture, you find out from your points alone what helps.${letters}`
     this.score.innerText = `${what}\nStep ${this.result(2)}, ${points(this.result(3))} so far.\n${this.over ? this.ending() : ''}`
     this.again.classList.toggle('due', this.over)
     this.again.firstChild.data = this.over ? 'Play again' : 'Start again'

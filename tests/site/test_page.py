@@ -239,8 +239,27 @@ def test_arrow_keys_play_once_the_tab_is_open(address: str, browser: Any) -> Non
     until(lambda: reader("document.activeElement.id") == "play", "the game")
     ActionChains(browser).send_keys(Keys.ARROW_RIGHT).perform()
     assert reader.text("#score").startswith("faster")
+    ActionChains(browser).send_keys("1").perform()
+    assert reader.text("#score").startswith("slower")
     assert reader("document.querySelector('#with-results').offsetParent === null")
     reader.check()
+
+
+def test_a_door_has_its_number_as_its_key(address: str, browser: Any) -> None:
+    """Doors count from 0, as in the lesson."""
+    reader = Reader(browser, f"{address}#task=MemoryCorridor&play=true")
+    until(lambda: reader("document.querySelectorAll('#actions button').length"), "the actions")
+    browser.find_element("tag name", "body").send_keys("0")
+    assert reader.text("#score").startswith("door 0:")
+
+
+def test_a_packages_agent_says_which_defaults_do_not_count(address: str, browser: Any) -> None:
+    """The line that makes it is far below its class."""
+    reader = Reader(browser, f"{address}#task=Roadrunner&code=true")
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+    reader("(s => { s.selectedIndex = 2; s.onchange() })(document.querySelector('#template'))")
+    until(lambda: "learning_rate: LearningRate = 0.1  # the last line sets 0.03" in reader(f"{FIELD}.text"), "SARSA")
 
 
 @pytest.mark.parametrize(("strength", "says"), [(2, "say what it would do"), (5, "too small here")])
