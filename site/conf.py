@@ -31,6 +31,7 @@ html_css_files = ["site.css"]
 html_js_files = [("site.js", {"defer": "defer"})]
 html_math_renderer = "mathml"
 html_copy_source = False
+html_search_scorer = "scorer.js"
 html_show_sphinx = False
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#2b5a9e", "color-brand-content": "#2b5a9e"},
