@@ -34,7 +34,7 @@ agent = MyAgent(edugym.QLearning.create(mdp).Q)
 const short_one = ({ learning_rate, discount, epsilon }) => SHORT.replace('random() < 0.1', `random() < ${epsilon}`)
   .replace('0.99 *', `${discount} *`).replace('0.1 * (target', `${learning_rate} * (target`)
 // A package's agent, where a default says what the last line of the program sets in its place.
-const annotated = (source, settings) => settings.reduce((text, [name, value]) => text.replace(new RegExp(`^ {4}${name}: .*=.*$`, 'm'), line => `${line}  # the last line sets ${value}`), source)
+const annotated = (source, settings) => settings.reduce((text, [name]) => text.replace(new RegExp(`^ {4}${name}: .*=.*$`, 'm'), line => `${line}  # the last line sets it`), source)
 const LATE = 100 // points of a curve
 const PAUSE = 500 // milliseconds without a change after which the link has the program
 const KEPT = 'your last code' // what a template has replaced

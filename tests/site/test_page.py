@@ -259,7 +259,7 @@ def test_a_packages_agent_says_which_defaults_do_not_count(address: str, browser
     if reader("document.querySelector('#tab-code').hidden"):
         pytest.skip("npm does not answer, so there is no editor")
     reader("(s => { s.selectedIndex = 2; s.onchange() })(document.querySelector('#template'))")
-    until(lambda: "learning_rate: LearningRate = 0.1  # the last line sets 0.03" in reader(f"{FIELD}.text"), "SARSA")
+    until(lambda: "learning_rate: LearningRate = 0.1  # the last line sets it" in reader(f"{FIELD}.text"), "SARSA")
 
 
 @pytest.mark.parametrize(("strength", "says"), [(2, "say what it would do"), (5, "too small here")])
