@@ -1,5 +1,6 @@
 """The configuration of Sphinx for the website; `website.py` calls Sphinx."""
 
+from pathlib import Path
 from typing import Any
 
 import groups
@@ -31,7 +32,7 @@ html_css_files = ["site.css"]
 html_js_files = [("site.js", {"defer": "defer"})]
 html_math_renderer = "mathml"
 html_copy_source = False
-html_search_scorer = "scorer.js"
+html_search_scorer = str(Path(__file__).with_name("scorer.js"))
 html_show_sphinx = False
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#2b5a9e", "color-brand-content": "#2b5a9e"},
