@@ -20,6 +20,8 @@ from pathlib import Path
 from packaging.version import InvalidVersion, Version
 from repository import ROOT, VERSION
 
+from edugym.system.files import write_whole
+
 BUILT = ROOT / "site" / "build" / "html"
 DEV = "dev"
 STABLE = "stable"
@@ -58,16 +60,19 @@ def add(built: Path, folder: Path, name: str) -> list[str]:
 
     Raises:
         ValueError: there is no website to copy.
-        OSError: something cannot be read or written; the versions are those of before then.
+        OSError: something cannot be read or written. Every page is whole then, old or new; the next call does the rest.
     """
     if not (built / "index.html").is_file():
         raise ValueError(f"there is no website in {built}: build it with `make site` first")
     folder.mkdir(parents=True, exist_ok=True)
-    new = folder / f".new-{name}"
-    shutil.rmtree(new, ignore_errors=True)
+    new, old = folder / f".new-{name}", folder / f".old-{name}"
+    for left in (new, old):
+        shutil.rmtree(left, ignore_errors=True)
     shutil.copytree(built, new)
-    shutil.rmtree(folder / name, ignore_errors=True)
+    if (folder / name).exists():
+        (folder / name).rename(old)
     new.rename(folder / name)
+    shutil.rmtree(old, ignore_errors=True)
     write_switches(folder)
     return versions(folder)
 
@@ -80,7 +85,7 @@ def write_switches(folder: Path) -> None:
         for page in sorted((folder / name).rglob("*.html")):
             written = page.read_text(encoding="utf-8")
             if (switched := _switched(written, page.relative_to(folder / name), name, names, folder)) != written:
-                page.write_text(switched, encoding="utf-8")
+                write_whole(page, switched.encode(), synced=False)
     shutil.rmtree(folder / STABLE, ignore_errors=True)
     for page in (folder / best).rglob("*.html"):
         _lead(folder / STABLE / page.relative_to(folder / best), page)
@@ -112,9 +117,8 @@ def _switched(text: str, page: Path, name: str, names: list[str], folder: Path) 
 
 def _lead(page: Path, target: Path) -> None:
     """Write a page that leads to another one, and keeps what stands behind its address."""
-    page.parent.mkdir(parents=True, exist_ok=True)
     way = _way(target, page)
-    page.write_text(MOVED.format(target=html.escape(way), script=json.dumps(way)), encoding="utf-8")
+    write_whole(page, MOVED.format(target=html.escape(way), script=json.dumps(way)).encode(), synced=False)
 
 
 def _way(target: Path, page: Path) -> str:
