@@ -2,8 +2,21 @@
 
 import shutil
 import subprocess
+from collections.abc import Iterator
+from typing import Any
 
+import playground
 import pytest
+
+from tests.course.lab.browser import chromium
+from tests.site.serving import served
+
+WATCH = """
+    window.shift = 0
+    const add = entry => { if (!entry.hadRecentInput) window.shift += entry.value }
+    const watch = new PerformanceObserver(list => list.getEntries().forEach(add))
+    watch.observe({ type: 'layout-shift', buffered: true })
+"""
 
 
 @pytest.fixture(scope="session")
@@ -20,3 +33,22 @@ def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
         pytest.skip("axe-core cannot be reached")
     shutil.unpack_archive(folder / fetched.stdout.strip(), folder, "gztar")
     return (folder / "package" / "axe.min.js").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The whole playground, with the kernels that `make site` has left."""
+    folder = tmp_path_factory.mktemp("playground")
+    if (playground.BUILT / "kernels").exists():
+        shutil.copytree(playground.BUILT / "kernels", folder / "kernels")
+    playground.build(folder)
+    with served(folder) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """A browser, which finds no other host."""
+    with chromium() as driver:
+        driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": WATCH})
+        yield driver

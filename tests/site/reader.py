@@ -1,0 +1,81 @@
+"""Somebody who uses the playground in a real browser."""
+
+import importlib.util
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.course.lab.browser import CHROMIUM, DRIVER, until
+
+SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
+WIDE, PHONE = (1400, 1000), (390, 844)
+IN_A_BROWSER = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
+        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
+    ),
+]
+
+
+class Reader:
+    """Somebody who uses the page."""
+
+    def __init__(self, driver: Any, address: str, size: tuple[int, int] = WIDE, theme: str = "light") -> None:
+        """Open a page."""
+        self.driver = driver
+        width, height = size
+        screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": size == PHONE}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+        feature = {"name": "prefers-color-scheme", "value": theme}
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [feature]})
+        driver.get("about:blank")  # so that a hash alone opens the page anew
+        driver.get(address)
+        until(lambda: self("document.documentElement.dataset.ready"), "the page")
+
+    def __call__(self, expression: str, *arguments: Any) -> Any:
+        """The value of an expression in JavaScript."""
+        return self.driver.execute_script(f"return {expression}", *arguments)
+
+    def click(self, selector: str) -> None:
+        """Click on the first element that is selected."""
+        self("document.querySelector(arguments[0]).click()", selector)
+
+    def move(self, slider: str, value: float) -> None:
+        """Move a slider."""
+        moved = "(e => { e.value = arguments[1]; e.dispatchEvent(new Event('input')) })"
+        self(f"{moved}(document.getElementById(arguments[0]))", slider, value)
+
+    def text(self, selector: str) -> str:
+        """What is written there."""
+        return str(self("document.querySelector(arguments[0]).innerText", selector))
+
+    def race(self) -> str:
+        """Run to the end at full speed, and return the verdict."""
+        self.move("speed", 9)
+        self.click("#run")
+        until(lambda: self.text("#run") == "Run", "the end of the race")
+        return self.text("#verdict")
+
+    def check(self) -> None:
+        """Nothing went wrong: no error, no other host, nothing too wide, nothing that jumped."""
+        assert self.driver.get_log("browser") == []
+        requests = self("performance.getEntriesByType('resource').map(entry => new URL(entry.name).host)")
+        assert set(requests) == {self("location.host")}
+        assert self("document.documentElement.scrollWidth <= innerWidth")
+        assert self("window.shift") < 0.1
+
+    def photograph(self, name: str) -> None:
+        """Take a picture of the whole page, of the width that stands in its name, if a folder for pictures is given."""
+        if not SCREENSHOTS:
+            return
+        folder = Path(SCREENSHOTS)
+        folder.mkdir(parents=True, exist_ok=True)
+        height = self("document.documentElement.scrollHeight")
+        screen = {"width": int(name.split("-")[1]), "height": height, "deviceScaleFactor": 1, "mobile": False}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+        frame = "requestAnimationFrame"  # a resized page draws its pictures again in some of the next ones
+        self.driver.execute_async_script(f"{frame}(() => {frame}(() => setTimeout(arguments[0], 300)))")
+        self.driver.save_screenshot(str(folder / f"{name}.png"))
