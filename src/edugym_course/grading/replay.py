@@ -130,7 +130,8 @@ def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Seque
 
     Args:
         make: makes the right agent, for the shape of a table and with these settings.
-        settings: for each, its symbol, the right number, and others: those of other lessons, and more and less.
+        settings: for each, its symbol, the right number, and others that are told at every seed tried: numbers of other
+            lessons, and more and less.
     """
     return {
         f"{symbol} is about {other:g}, and it should be {right:g}": Learner(partial(make, **{name: other}))

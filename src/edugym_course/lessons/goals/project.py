@@ -225,7 +225,7 @@ RULE = Rule(
     }
     | other_settings(
         Hindsight,
-        discount=("γ", DISCOUNT, (1.0, 0.99, 0.8, 0.5)),
+        discount=("γ", DISCOUNT, (1.0, 0.8, 0.5)),
         learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.25)),
     ),
     EPSILON,

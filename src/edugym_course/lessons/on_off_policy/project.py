@@ -32,7 +32,7 @@ RULE = Rule(
     }
     | other_settings(
         agent,
-        discount=("γ", DISCOUNT, (0.99, 0.95, 0.9, 0.5)),
+        discount=("γ", DISCOUNT, (0.95, 0.9, 0.5)),
         learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75, 1.0)),
     )
     | other_first_values(agent, (-1.0, 1.0, 10.0)),

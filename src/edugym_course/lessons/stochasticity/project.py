@@ -102,7 +102,7 @@ RULE = Rule(
     | other_settings(
         agent,
         learning_rate=("α", LEARNING_RATE, (0.1, 0.5, 1.0)),
-        discount=("γ", DISCOUNT, (1.0, 0.99, 0.8, 0.5)),
+        discount=("γ", DISCOUNT, (0.5,)),
         risk=("β", RISK, (-2.0, -1.0, -0.1)),
     )
     | other_first_values(agent),
