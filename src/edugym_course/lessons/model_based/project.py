@@ -162,7 +162,7 @@ RULE = Rule(
         ),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
     }
-    | other_settings(Planner, discount=("γ", DISCOUNT, (1.0, 0.99, 0.9))),
+    | other_settings(Planner, discount=("γ", DISCOUNT, (1.0, 0.9))),
     EPSILON,
     otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action, and"
     " where it ended an imagined step has no future either",

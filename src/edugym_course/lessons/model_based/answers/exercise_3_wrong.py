@@ -421,32 +421,20 @@ def learn(self, state, action, reward, next_state, terminated):
 # says: , should add up the reward, -1,
 # says: and γ times the largest value of state
 # says: , which is 100 in your table: 74
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                n = self.next_states[s, a]
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[n] * self.known[n])
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# + n = self.next_states[s, a]
+# + value = 0.0 if self.ends[s, a] == 1 else max(self.Q[n] * self.known[n])
 
 
 # %% the end is that of the next state
 # says: , should add up the reward, -1,
 # says: and there the episode ended
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value * (1 - self.ends[s, 0])
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
+# in: the solution of sweep
+# - value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+# - new = self.rewards[s, a] + self.discount * value
+# + value = max(self.Q[self.next_states[s, a]])
+# + new = self.rewards[s, a] + self.discount * value * (1 - self.ends[s, 0])
 
 
 # %% a relative change
