@@ -32,7 +32,7 @@
 # says:  takes the right action in
 # says:  of the questions after
 # says:  steps; by chance it would be 33%.
-# says: , so it learns too slowly: likely a learning rate that is too small, or too few updates
+# says: , so it learns too slowly: likely a learning rate that is too small, too few updates, or hidden units that keep their first weights
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
@@ -173,14 +173,14 @@ def my_program(environment, n_steps, seed):
 
 # %% a hidden layer that never learns
 # slow
-# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
-# says: of the questions. Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2?
+# says: idden units that keep their first weights
 # in: a memory in arrays
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
 
 # %% a hidden layer that never learns, one step at a time
 # slow
-# says: does the gradient change W1 and b1, and not only W2 and b2?
+# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
+# says: of the questions. Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2?
 # in: SARSA from each step once
 # - W += 0.05 * delta * np.outer(g, x)
 # - b += 0.05 * delta * g
