@@ -8,7 +8,7 @@ the usual mistakes: one that makes the actions much more probable than the right
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from heapq import heappop, heappush
@@ -19,7 +19,6 @@ import numpy as np
 
 from edugym.agents.tables import tied
 from edugym.checks.contract import learns_from
-from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import (
     NAME,
@@ -34,17 +33,10 @@ from edugym_course.grading.programs import (
     shape_of,
 )
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
+from edugym_course.grading.surprises import NATS, SIGMAS, UNEXPLAINED, Row, Surprises
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
-SLACK = 0.3
-"""The share by which a right program may explore more or less often, as one that draws among the *other* actions."""
-NATS = 20.0
-"""How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
-UNEXPLAINED = 0.25
-"""The share of the surprises above those by ε that a mistake may leave; one that leaves more is another mistake."""
-SIGMAS, CLEARLY = 4.0, 2.0
-"""How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
 ASKED = 200
 """How many observations a policy is asked about."""
 RARELY, ENOUGH = 0.25, 30
@@ -149,64 +141,6 @@ def other_first_values(make: Maker, values: Sequence[float] = (1.0, 10.0)) -> di
         return agent
 
     return {f"the first values are about {value:g}, and not 0": Learner(partial(begun, value)) for value in values}
-
-
-Row = tuple[bool, float, float]
-"""Of one step: whether its action was a surprise, how likely that was by ε, and the logarithm of its probability."""
-
-
-class Surprises(NamedTuple):
-    """In which steps the action was not one that looked best.
-
-    Attributes:
-        found: for each step, 1 if it was so, else 0.
-        chances: for each step, how likely that was by ε.
-        logs: for each step, the logarithm of the probability of its action.
-    """
-
-    found: Reals
-    chances: Reals
-    logs: Reals
-
-    @classmethod
-    def of(cls, rows: Iterable[Row]) -> "Surprises":
-        """Those of a replay."""
-        return cls(*np.array([*rows], float).T)
-
-    def among(self, steps: Reals) -> "Surprises":
-        """Those in some of the steps, by a truth value for each."""
-        return Surprises(*(one[steps] for one in self))
-
-    @property
-    def expected(self) -> float:
-        """How many are to be expected."""
-        return float(self.chances.sum())
-
-    @property
-    def too_many(self) -> float:
-        """How many there are above those that are to be expected."""
-        return float(self.found.sum()) - self.expected
-
-    @property
-    def deviation(self) -> float:
-        """The standard deviation of their number."""
-        return math.sqrt(float((self.chances * (1 - self.chances)).sum()))
-
-    def is_usual(self, slack: float = SLACK) -> bool:
-        """Whether there are as many as are to be expected, or more or fewer by chance and a share of them."""
-        return abs(self.too_many) <= SIGMAS * self.deviation + slack * self.expected
-
-    def explains_better_than(self, other: "Surprises", nats: float = NATS) -> bool:
-        """Whether it makes the actions more probable, by more than chance.
-
-        If a program has the right equation, and breaks ties at random, a wrong one does so by k nats with a probability
-        below e⁻ᵏ (Markov's inequality).
-        """
-        return bool(self.logs.sum() > other.logs.sum() + nats)
-
-    def explains_those_of(self, other: "Surprises") -> bool:
-        """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
-        return self.too_many < UNEXPLAINED * other.too_many + CLEARLY * self.deviation
 
 
 def replay(runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int], epsilon: float) -> Iterator[Row]:
@@ -328,6 +262,7 @@ class Rule:
         likely, (sentence, mistake) = Surprises.of(rows), [*self.mistakes.items()][number]
         is_better = likely.explains_better_than(right, mistake.nats)
         if right.is_usual() and not is_better:
+            self._require_steady_tries(runs, right)
             self._require_tries(runs, shape)
             if self.asks:
                 self._require_best_actions(done[0], shape)
@@ -345,6 +280,16 @@ class Rule:
             " that its own steps make look best by the equation of this lesson, and with ε ="
             f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
         )
+
+    def _require_steady_tries(self, runs: Sequence[Sequence[Step]], right: Surprises) -> None:
+        """Refuse a program whose ε falls, even if it is right on average."""
+        when = np.concatenate([np.linspace(0.0, 1.0, len(steps)) for steps in runs])
+        if right.lateness(when) < -SIGMAS:
+            early, late = (right.among(half).found.sum() for half in (when < 0.5, when >= 0.5))
+            raise WrongAnswer(
+                f"in small worlds {early:.0f} actions of {NAME} are not those that its own steps make look best in the"
+                f" first half of its runs, and {late:.0f} in the second. {FALLS}"
+            )
 
     def _require_tries(self, runs: Sequence[Sequence[Step]], shape: tuple[int, int]) -> None:
         """Refuse a program that hardly ever tries one of the actions where another one looks better."""

@@ -24,8 +24,9 @@ from edugym_course.grading.programs import (
     require_reproducible,
     run_program,
 )
-from edugym_course.grading.replay import NATS, SIGMAS, TRIAL
+from edugym_course.grading.replay import TRIAL
 from edugym_course.grading.student_code import student_code
+from edugym_course.grading.surprises import NATS, SIGMAS
 from edugym_course.lessons.continuous_actions.exercises.boxes import (
     BOXES,
     LARGEST,

@@ -15,16 +15,15 @@ from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import NAME, Environment, run_program, shape_of
 from edugym_course.grading.replay import (
-    NATS,
     Learner,
     Rule,
-    Surprises,
     mistakes_of_loops,
     other_first_values,
     other_settings,
     replay,
 )
 from edugym_course.grading.small_world import SmallWorld
+from edugym_course.grading.surprises import NATS, Surprises
 from edugym_course.lessons.depth.targets import EPSILON
 
 N_STEPS, N, LEARNING_RATE, DISCOUNT = 5_000, 3, 0.5, 0.8

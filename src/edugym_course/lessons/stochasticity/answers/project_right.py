@@ -31,3 +31,18 @@ def my_program(environment, n_steps, seed):
         Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
         s = environment.reset()[0] if over or cut else s2
     return lambda s: int(Q[s].argmax())
+
+
+# %% a probability for each action
+def my_program(environment, n_steps, seed):
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    rng = np.random.default_rng(seed)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        best = Q[s] == Q[s].max()
+        a = rng.choice(len(Q[s]), p=0.1 / len(Q[s]) + 0.9 * best / best.sum())
+        s2, r, over, cut, _ = environment.step(a)
+        delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+        Q[s, a] += 0.8 * delta / (1 + np.exp(delta / 2))
+        s = environment.reset()[0] if over or cut else s2
+    return lambda s: int(Q[s].argmax())

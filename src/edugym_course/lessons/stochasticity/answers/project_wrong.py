@@ -71,3 +71,12 @@
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(delta)) * delta
+
+# %% an ε that falls
+# says: actions of my_program are not those that its own steps make look best in the first half of its runs, and
+# says: in the second. Their share falls during a run: ε should be the same from the first step to the last
+# in: the weight in one line
+# - for _ in range(n_steps):
+# + for t in range(n_steps):
+# - a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+# + a = rng.integers(len(Q[s])) if rng.random() < 0.2 * (1 - t / n_steps) else Q[s].argmax()

@@ -1,0 +1,86 @@
+"""In which steps of a program the action was not one that looked best, and what their number tells."""
+
+import math
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.mdp.protocol import Reals
+
+SLACK = 0.3
+"""The share by which a right program may explore more or less often, as one that draws among the *other* actions."""
+NATS = 20.0
+"""How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
+UNEXPLAINED = 0.25
+"""The share of the surprises above those by ε that a mistake may leave; one that leaves more is another mistake."""
+SIGMAS, CLEARLY = 4.0, 2.0
+"""How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
+
+Row = tuple[bool, float, float]
+"""Of one step: whether its action was a surprise, how likely that was by ε, and the logarithm of its probability."""
+
+
+class Surprises(NamedTuple):
+    """In which steps the action was not one that looked best.
+
+    Attributes:
+        found: for each step, 1 if it was so, else 0.
+        chances: for each step, how likely that was by ε.
+        logs: for each step, the logarithm of the probability of its action.
+    """
+
+    found: Reals
+    chances: Reals
+    logs: Reals
+
+    @classmethod
+    def of(cls, rows: Iterable[Row]) -> "Surprises":
+        """Those of a replay."""
+        return cls(*np.array([*rows], float).T)
+
+    def among(self, steps: Any) -> "Surprises":
+        """Those in some of the steps, by their numbers, or by a truth value for each."""
+        return Surprises(*(one[steps] for one in self))
+
+    @property
+    def expected(self) -> float:
+        """How many are to be expected."""
+        return float(self.chances.sum())
+
+    @property
+    def too_many(self) -> float:
+        """How many there are above those that are to be expected."""
+        return float(self.found.sum()) - self.expected
+
+    @property
+    def deviation(self) -> float:
+        """The standard deviation of their number."""
+        return math.sqrt(float((self.chances * (1 - self.chances)).sum()))
+
+    def lateness(self, when: Reals) -> float:
+        """How many standard deviations too late they come, whatever their number; below 0 if they come too early.
+
+        Args:
+            when: for each step, how much of its run was over.
+        """
+        share = self.found.sum() / self.expected
+        off = when - float(self.chances @ when) / self.expected
+        variance = float((off * off * share * self.chances * (1 - share * self.chances)).sum())
+        return float(off @ (self.found - share * self.chances)) / math.sqrt(max(variance, 1e-9))
+
+    def is_usual(self, slack: float = SLACK) -> bool:
+        """Whether there are as many as are to be expected, or more or fewer by chance and a share of them."""
+        return abs(self.too_many) <= SIGMAS * self.deviation + slack * self.expected
+
+    def explains_better_than(self, other: "Surprises", nats: float = NATS) -> bool:
+        """Whether it makes the actions more probable, by more than chance.
+
+        If a program has the right equation, and breaks ties at random, a wrong one does so by k nats with a probability
+        below e⁻ᵏ (Markov's inequality).
+        """
+        return bool(self.logs.sum() > other.logs.sum() + nats)
+
+    def explains_those_of(self, other: "Surprises") -> bool:
+        """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
+        return self.too_many < UNEXPLAINED * other.too_many + CLEARLY * self.deviation
