@@ -29,6 +29,7 @@ from edugym.compiled.code import code_of
 from edugym.experiments.fingerprints import versions
 from edugym.mdp.protocol import Random
 from edugym.mdp.task import task_of
+from edugym.system.files import write_whole
 from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
 from edugym.training.trainers import MDPTrainer
 
@@ -235,7 +236,7 @@ def build(calls: Iterable[Call], folder: Path, jobs: int = 2) -> dict[str, Manif
     with ProcessPoolExecutor(jobs, get_context("spawn"), wasm.install) as pool:
         modules = pool.map(_compiled, missing, missing.values()) if missing else ()
         for key, module in zip(missing, modules, strict=True):
-            (folder / f"{key}.wasm").write_bytes(module)
+            write_whole(folder / f"{key}.wasm", module, synced=False)  # half a kernel would never be made again
     return {key: manifest_of((folder / f"{key}.wasm").read_bytes()) for key in wanted}
 
 

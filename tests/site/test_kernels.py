@@ -166,9 +166,11 @@ def test_a_race_of_vectors_has_the_numbers_of_train_vectors(agent: Agent) -> Non
 
 @needs_node
 def test_a_stale_kernel_is_refused() -> None:
-    """A kernel of another fingerprint than that asked for is not loaded."""
+    """A kernel of another fingerprint than that asked for is not loaded, and one that exists is not made again."""
     call = first_call(BOULDER, BOULDER.agents[0])
-    kernels.build([call], KERNELS)
+    file = KERNELS / f"{call.fingerprint}.wasm"
+    made = kernels.build([call], KERNELS), file.stat().st_mtime_ns
+    assert made == (kernels.build([call], KERNELS), file.stat().st_mtime_ns)
     with pytest.raises(AssertionError, match="stale"):
         in_node(call, SEED, STEPS, EVERY, fingerprint="0" * 16)
 
