@@ -57,3 +57,35 @@ def my_program(environment, n_steps, seed):
         if terminated or truncated:
             s, _ = environment.reset()
     return lambda s: int(Q[s].argmax())
+
+
+# %% a state first, then one of its actions
+# slow
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    n = environment.action_space.n
+    Q, memory, s = {}, {}, None
+
+    def values(s):
+        return [Q.get((s, a), 0.0) for a in range(n)]
+
+    def best(s):
+        v = values(s)
+        return max(range(n), key=v.__getitem__)
+
+    def learn(s, a):
+        r, s2, goes_on = memory[s][a]
+        Q[s, a] = r + 0.95 * max(values(s2)) if goes_on else r
+
+    for step in range(n_steps):
+        if s is None:
+            s = environment.reset(seed=None if step else seed)[0]
+        a = best(s) if rng.random() > 0.1 else int(rng.integers(n))
+        s2, r, over, cut, _ = environment.step(a)
+        memory.setdefault(s, {})[a] = r, s2, not over
+        learn(s, a)
+        for _ in range(10):
+            i = [*memory][rng.integers(len(memory))]
+            learn(i, [*memory[i]][rng.integers(len(memory[i]))])
+        s = None if over or cut else s2
+    return best
