@@ -67,6 +67,7 @@ def test_first_values_of_baselines() -> None:
     }
 
 
+@pytest.mark.slow
 def test_tasks_of_names() -> None:
     """Every name has its container, and the optimum of the moody toy and of golf is planned on the whole state."""
     widths = {own_container(seed).container_width for seed in range(20)}

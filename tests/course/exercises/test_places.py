@@ -139,9 +139,9 @@ PLACES: list[tuple[Task, Wrong, str]] = [
 
 
 def rows(table: list[Any]) -> list[Any]:
-    """Return a row for each place."""
+    """Return a row for each place; the checks of one task take seconds."""
     return [
-        pytest.param(*row, where, id=f"{row[0].lesson}-{where}")
+        pytest.param(*row, where, id=f"{row[0].lesson}-{where}", marks=[pytest.mark.slow] * (row[0] is SWITCH))
         for *row, places in table
         for where in places.split("; ")
     ]

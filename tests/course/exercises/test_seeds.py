@@ -19,11 +19,10 @@ DRAWN = {
     if "seed=1" in exercise.check and f"{path.stem}-{number}" not in WITHOUT_A_GENERATOR
 }
 """Every exercise whose answer is a function or a class, and what runs before it."""
+NAMES = [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG_CHECKS)) for name in DRAWN]
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG_CHECKS)) for name in DRAWN]
-)
+@pytest.mark.parametrize("name", NAMES)
 def test_solutions_are_right_with_other_seeds(name: str) -> None:
     """Cases in which all mistakes differ are found with each of them."""
     exercise, before = DRAWN[name]
@@ -34,7 +33,7 @@ def test_solutions_are_right_with_other_seeds(name: str) -> None:
         assert verdict(solved, Exercise(exercise.placeholder, exercise.solution, check), before) == ""
 
 
-@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("name", NAMES)
 def test_another_seed_makes_other_cases(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The first numbers that the check draws are others."""
     (exercise, before), default_rng = DRAWN[name], np.random.default_rng
