@@ -18,7 +18,6 @@ from textwrap import fill
 from edugym import Profile
 from edugym.adapters.registration import find, in_course_order
 from edugym.experiments.profiles.report import NO_LINE, TAKE
-from edugym.experiments.profiles.scores import HALF
 from edugym.experiments.profiles.tables import (
     NO_MATTER,
     absent,
@@ -28,7 +27,7 @@ from edugym.experiments.profiles.tables import (
     take_table,
     with_margin,
 )
-from edugym.experiments.profiles.verdicts import best_agents, broken_between, listed
+from edugym.experiments.profiles.verdicts import broken_between, good_agents, listed
 from edugym.experiments.profiles.words import written
 from edugym_course import agent_profiles, one_table
 from edugym_course.lab.records import number_of
@@ -85,7 +84,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
     names = profile.challenges
     links = {name: f"[{name}](environments/{name.lower()}.md)" for name in names}
     heading, take = take_table(profile)
-    take = [[problem, links[name], *rest, far + remedy(name, rest)] for problem, name, *rest, far in take]
+    take = [[problem, links[name], *rest, remedy(name, rest) or far] for problem, name, *rest, far in take]
     scores = [
         [agent, str(repetitions_of(profile, agent)), *(score(profile, agent, name) for name in names)]
         for agent in profile.agents
@@ -148,7 +147,7 @@ def remedy(challenge: str, cells: list[str]) -> str:
         return ""
     number = find(challenge).lesson
     [lesson] = [path.name for path in NOTEBOOKS.glob("*.ipynb") if number_of(path.stem) == number]
-    return f"; {helps} ([measured](isolation.md), [lesson {number}](../notebooks/{lesson}))"
+    return f"{helps} ([measured](isolation.md), [lesson {number}](../notebooks/{lesson}))"
 
 
 def table(heading: list[str], rows: list[list[str]]) -> list[str]:
@@ -170,7 +169,7 @@ def score(profile: Profile, agent: str, challenge: str) -> str:
     if not found.n:
         return absent(profile, agent, challenge)
     text = with_margin(found)
-    return f"**{text}**" if agent in best_agents(profile, challenge) and found.estimate >= HALF else text
+    return f"**{text}**" if agent in good_agents(profile, challenge) else text
 
 
 def breaking(profile: Profile, agent: str, challenge: str) -> str:

@@ -18,9 +18,8 @@ from repository import REF, REPOSITORY, ROOT
 
 import edugym
 from edugym import Profile
-from edugym.experiments.profiles.scores import HALF
 from edugym.experiments.profiles.tables import with_margin
-from edugym.experiments.profiles.verdicts import best_agents, listed, outcome
+from edugym.experiments.profiles.verdicts import good_agents, listed, outcome
 from edugym_course import agent_profiles
 from edugym_course.remedies import REMEDIES, when_to_take
 
@@ -183,8 +182,7 @@ def _stored() -> Profile:
 @cache
 def _best(challenge: str) -> list[str]:
     """The agents to take for a challenge: none where not even the best is good."""
-    best = best_agents(_stored(), challenge)
-    return best if best and _stored().score(best[0], challenge).estimate >= HALF else []
+    return good_agents(_stored(), challenge)
 
 
 def _raced(kind: Any) -> Iterator[str]:

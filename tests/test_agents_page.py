@@ -31,7 +31,7 @@ def loaded() -> Any:
     [
         ((1.0, 1.0), ("**1.00 ± 0.00**", "never", "good 1.00 (of 1 tried)")),
         ((1.0, 0.0), ("**0.50 ± 0.00**", "8–10", "good 0.50 (of 1 tried)")),
-        ((0.4, 0.4), ("0.40 ± 0.00", "at once", "nobody of 1 tried is good; the highest is good 0.40")),
+        ((0.4, 0.4), ("0.40 ± 0.00", "at once", "nobody of 1 tried is good: no score is above 0.40")),
         ((-0.1, 0.0), ("-0.05 ± 0.00", "at once", "nobody of 1 tried is better than random play")),
     ],
 )

@@ -3,7 +3,7 @@
 
 import { LONGEST } from './packed.js'
 
-export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: 1, seed: 0, several: null, steps: null,
+export const FIRST = { task: 'Boulder', strength: null, agents: [0, 1, 2], speed: null, seed: 0, several: null, steps: null,
   learning_rate: null, discount: null, epsilon: null, show: 'visits', policy: true, at: [0, 0, 0], play: false, code: false, blind: false, source: '' }
 const MOST = 10_000_000 // steps of a race
 const RANGES = { strength: [0, 99], agents: [0, 99], speed: [0, 9], seed: [0, 99], several: [1, 20], steps: [100, MOST],

@@ -12,6 +12,8 @@ import { verdict } from './verdict.js'
 const find = id => document.getElementById(id)
 const data = await (await fetch('data/playground.json')).json()
 const STEPS = [10_000, 100_000, 1_000_000, 10_000_000] // how long a race may be
+const SINGLE = 20 // steps a second that an eye can follow
+const LASTS = 50 // seconds of a race, where the reader has set no speed: in each, something is learned within 15
 const OWN = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' } // settings that agents may be given, in place of the lesson's
 // On the page of the playground the address is that of the page around this one.
 const whole = window.frameElement?.hasAttribute('data-address') ? parent : window
@@ -125,7 +127,7 @@ function controls() {
   find('strength').value = state.strength
   find('strength-shown').value = strength.replace('inf', '∞')
   find('strength').setAttribute('aria-valuetext', strength)
-  find('speed').value = state.speed
+  find('speed').value = state.speed ?? Math.log10(rate())
   find('speed-shown').value = rate() === Infinity ? 'as fast as it goes' : `${short(Math.round(rate()))} steps a second`
   for (const name in OWN) {
     const usual = race.agents[0].own[name]
@@ -159,7 +161,7 @@ const given = ({ own }) => Object.keys(own).filter(name => state[name] !== null)
 const slots = agent => Object.fromEntries(given(agent).map(name => [`.${name}`, state[name]]))
 const student = () => data.several.find(([n]) => n === state.several)[1]
 const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
-const rate = () => state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
+const rate = () => state.speed === null ? state.steps / LASTS : state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
 const tell = text => { find('verdict').textContent = text }
 
 // What happens
@@ -200,8 +202,9 @@ function stop() {
 // What is said while they learn.
 function pace() {
   const minutes = (state.steps - Math.min(...lanes.map(({ steps }) => steps))) / rate() / 60
-  const long = minutes < 2 ? '' : ` At this speed the end comes in ${short(Math.round(minutes))} minutes.`
-  tell(rate() < 1000 ? `Slow motion.${long} Move the speed to the right to see who wins.` : 'They are learning …')
+  const long = `At this speed the end comes in ${short(Math.round(minutes))} minutes: move it to the right to see who wins.`
+  const fast = rate() > SINGLE && rate() < Infinity ? 'Move the speed to the left to follow single steps.' : ''
+  tell(`They are learning … ${minutes < 2 ? fast : long}`)
 }
 
 function onAgent(k, agent) {

@@ -2,7 +2,8 @@
 
 const LOW = [68, 60, 140], MIDDLE = [33, 145, 140], HIGH = [253, 231, 37] // values, from dark to bright
 
-const SMALLEST = 7 // pixels of a cell in which a sign can be read
+const SMALLEST = 7 // pixels of a letter that can be read
+const TALLEST = 1.6 // heights of a cell: of such a letter what has ink still fits
 
 export class Picture {
   // `scene` and `table` are those of the task (see scenery.py), `marks` the signs of the actions.
@@ -61,12 +62,12 @@ export class Picture {
       else pen.fillStyle = Number.isNaN(values[k]) ? 'transparent' : colour((values[k] - low) / range)
       if (show !== 'nothing') pen.fillRect(x, y, w, h)
       const mark = policy && this.legible(w, h) && greedy[k] >= 0 && this.marks[greedy[k]]
-      if (mark) this.sign(pen, mark, x + w / 2, y + h / 2, Math.min(w, h))
+      if (mark) this.sign(pen, mark, x + w / 2, y + h / 2, Math.max(0.85 * Math.min(w, h), this.smallest))
     }
   }
 
   legible(w, h) {
-    return Math.min(w, h) * this.scale > SMALLEST * devicePixelRatio
+    return TALLEST * Math.min(w, h) > this.smallest
   }
 
   // Whether there is room for a sign anywhere.
@@ -79,15 +80,16 @@ export class Picture {
   measure() {
     const { canvas, scene } = this
     this.scale = canvas.clientWidth * devicePixelRatio / scene.width
+    this.smallest = SMALLEST * devicePixelRatio / this.scale
     canvas.width = Math.round(scene.width * this.scale)
     canvas.height = Math.round(scene.height * this.scale)
   }
 
   sign(pen, [dx, dy, text], x, y, size) {
-    pen.font = `bold ${0.85 * size}px Helvetica, Arial, sans-serif`
+    pen.font = `bold ${size}px Helvetica, Arial, sans-serif`
     pen.textAlign = 'center'
     pen.textBaseline = 'middle'
-    pen.lineWidth = 0.16 * size
+    pen.lineWidth = 0.19 * size
     pen.strokeStyle = 'rgb(255 255 255 / 0.85)'
     pen.fillStyle = '#1d1b26'
     pen.strokeText(text, x + dx, y + dy)

@@ -124,5 +124,5 @@ def test_missing_pygame_says_what_to_install(draw: Callable[[Scene], Any], monke
             Window("none").show(Scene(10, 10, ()))
     for name in ("pygame.freetype", "pygame"):
         monkeypatch.setitem(sys.modules, name, None)
-        with pytest.raises(DependencyNotInstalled, match=r'pip install "edugym\[render\]"'):
+        with pytest.raises(DependencyNotInstalled, match=r'pip install "edugym\[render\] @ git'):
             draw(Scene(10, 10, ()))

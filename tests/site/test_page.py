@@ -153,11 +153,35 @@ def test_a_door_has_its_number_as_its_key(address: str, browser: Any) -> None:
     assert reader.text("#score").startswith("door 0:")
 
 
-@pytest.mark.parametrize(("strength", "says"), [(2, "say what it would do"), (5, "too small here")])
-def test_signs_are_explained_where_they_are_drawn(strength: int, says: str, address: str, browser: Any) -> None:
-    """On a long road the cells have no room for them."""
-    reader = Reader(browser, f"{address}#task=Roadrunner&strength={strength}")
-    assert says in reader.text("#legend")
+@pytest.mark.parametrize(
+    ("ending", "place", "says"),
+    [("", "#legend", "say what it would do"), ("&code=true", "#code-legend", "too small here")],
+)
+def test_signs_are_explained_where_they_are_drawn(
+    ending: str, place: str, says: str, address: str, browser: Any
+) -> None:
+    """On a long road they are smaller; in the small pictures beside the code its cells have no room for them."""
+    reader = Reader(browser, f"{address}#task=Roadrunner&strength=5{ending}")
+    until(lambda: says in reader.text(place), "what the signs mean")
+
+
+def test_a_race_begins_as_fast_as_it_can_be_watched(address: str, browser: Any) -> None:
+    """It lasts a minute, however many steps it has; a link holds no speed before the reader has set one."""
+    reader = Reader(browser, f"{address}#task=Casino")
+    assert reader.text("#speed-shown") == "2 steps a second"
+    reader = Reader(browser, f"{address}#task=Boulder")
+    assert reader.text("#speed-shown") == "400 steps a second"
+    assert "speed" not in reader("location.hash")
+    reader.click("#run")
+    until(
+        lambda: reader("document.querySelector('#lanes article:last-child .numbers').innerText").startswith("points 1"),
+        "learning",
+        15,
+    )
+    reader.move("speed", 0)
+    assert reader.text("#speed-shown") == "1 steps a second"
+    assert "speed=0" in reader("location.hash")
+    assert "minutes" in reader.text("#verdict")
 
 
 def test_the_first_race_is_small(address: str) -> None:

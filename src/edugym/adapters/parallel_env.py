@@ -176,7 +176,7 @@ class GameEnv:
 
 
 def parallel_env(game: Any, render_mode: str | None = None) -> Any:
-    """Make a game a parallel environment of PettingZoo (`pip install "edugym[games]"`).
+    """Make a game a parallel environment of PettingZoo (the extra `games`).
 
         env = parallel_env(Soccer.create())
         observations, infos = env.reset(seed=0)

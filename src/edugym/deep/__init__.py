@@ -1,6 +1,6 @@
 """Deep reinforcement learning: a PPO of our own, and environments and learning curves for Stable-Baselines3.
 
-It needs the extra `deep`: `pip install "edugym[deep]"`. Nothing else in EduGym loads torch.
+It needs the extra `deep`. Nothing else in EduGym loads torch.
 """
 
 import importlib
@@ -12,6 +12,7 @@ from edugym.adapters.gymnasium_env import MDPEnv, environment_of
 from edugym.adapters.registration import make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.checks.parameters import in_short
+from edugym.system.extras import install
 
 __all__ = ["PPO", "stable_baselines3_env", "stable_baselines3_run"]
 
@@ -51,7 +52,7 @@ def stable_baselines3_env(
     try:
         from edugym.deep.vec_env import MDPVecEnv
     except ImportError as error:
-        raise DependencyNotInstalled('Stable-Baselines3 is missing: pip install "edugym[deep]"') from error
+        raise DependencyNotInstalled(f"Stable-Baselines3 is missing, run {install('deep')}") from error
     if isinstance(environment, str):
         environment = make_environment(environment, **parameters)
     elif parameters:
@@ -79,4 +80,4 @@ def __getattr__(name: str) -> Any:
     try:
         return getattr(importlib.import_module(homes[name]), name)
     except ImportError as error:
-        raise DependencyNotInstalled('Stable-Baselines3 or torch is missing: pip install "edugym[deep]"') from error
+        raise DependencyNotInstalled(f"Stable-Baselines3 or torch is missing, run {install('deep')}") from error

@@ -15,6 +15,7 @@ from edugym.rendering.clipping import visible
 from edugym.rendering.palette import rgb
 from edugym.rendering.scene import Scene
 from edugym.rendering.shapes import ANCHORS, Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
+from edugym.system.extras import install
 
 if TYPE_CHECKING:
     import pygame
@@ -72,7 +73,7 @@ def require_pygame() -> None:
     try:
         importlib.import_module("pygame.freetype")
     except ModuleNotFoundError as error:
-        raise DependencyNotInstalled('pygame is not installed, run `pip install "edugym[render]"`') from error
+        raise DependencyNotInstalled(f"pygame is not installed, run {install('render')}") from error
 
 
 def _draw(shape: Shape, scene: Scene, surface: "pygame.Surface", scale: float) -> None:

@@ -8,6 +8,7 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym.rendering.pixels import require_pygame, to_surface
 from edugym.rendering.scene import Scene
+from edugym.system.extras import install
 
 if TYPE_CHECKING:
     import pygame
@@ -83,7 +84,7 @@ class Window:
         if not hasattr(pygame, "Window"):
             raise DependencyNotInstalled(
                 "windows need pygame-ce, and this is the older pygame: run"
-                ' `pip uninstall -y pygame pygame-ce` and `pip install "edugym[render]"`'
+                f" `pip uninstall -y pygame pygame-ce` and {install('render')}"
             )
         if not pygame.display.get_init():
             pygame.display.init()

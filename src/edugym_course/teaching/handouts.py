@@ -5,12 +5,13 @@ from pathlib import Path
 from textwrap import indent
 from typing import Any
 
+from edugym.system.extras import requirement
 from edugym.system.files import write_whole
 from edugym_course.teaching.assignment import Assignment, Draw, Task, handed_out, tasks_of
 from edugym_course.teaching.marks import is_code, is_exercise, without_marks, without_solutions
 from edugym_course.teaching.students import Student
 
-INSTALL = "edugym[teach] @ git+https://github.com/RLG-Leiden/edugym"
+INSTALL = requirement("teach")
 """What pip installs to grade a lesson."""
 
 SEEDS = (0, 1)
@@ -95,13 +96,13 @@ WORKFLOW_TEST = """\
           timeout: 1
           max-score: {points:g}"""
 
-README = """\
-# {title}
+README = f"""\
+# {{title}}
 
-Open `{lesson}.ipynb` with JupyterLab, solve its exercises, and push. Each push is graded: see *Actions*.
+Open `{{lesson}}.ipynb` with JupyterLab, solve its exercises, and push. Each push is graded: see *Actions*.
 
-    pip install "edugym[lab] @ git+https://github.com/RLG-Leiden/edugym"
-    jupyter lab {lesson}.ipynb
+    pip install "{requirement("lab")}"
+    jupyter lab {{lesson}}.ipynb
 
 Work in the cells below each exercise. The cell after it checks your answer, as often as you like. What stands in
 `.github` belongs to the grading: changes there are seen by your teacher.

@@ -91,7 +91,7 @@ INTRODUCTION = (
 )
 TAKE = (
     "Find the line that is most like your problem. “Highest score” names the agent with the highest score of all that"
-    " were tried there. “Not surely worse” names the agents whose score is lower, but perhaps only by chance. “Weakest"
+    f" were tried there, where it is {HALF} or more. “Not surely worse” names the agents whose score is lower, but perhaps only by chance. “Weakest"
     " in” says where the agent with the highest score is weak: in this challenge it is furthest behind the best agent."
 )
 MORE = "If the table only says how many more agents there are, look for the stars in the table of all scores below."
@@ -108,7 +108,7 @@ MARKS = (
     " measured there. A score a little above 1 is luck: the best play is known on average."
 )
 SURE = "A difference between two agents is called sure where it can hardly be chance (see How it was measured)."
-ALL = "The score of every agent (* is the highest, or not surely worse)"
+ALL = f"The score of every agent (* is the highest, or not surely worse, where the highest is {HALF} or more)"
 EACH = "What each agent is"
 BANDS = "A coloured band is the 95 % interval on each rung."
 GREY_LINES = (

@@ -5,7 +5,7 @@ from itertools import combinations
 
 from edugym.experiments.profiles.ladders import EXACT, steps_of
 from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
-from edugym.experiments.profiles.verdicts import best_agents, listed, others_of, outcome, surely_worse
+from edugym.experiments.profiles.verdicts import best_agents, good_agents, listed, others_of, outcome, surely_worse
 from edugym.experiments.profiles.words import rounded, written
 from edugym.experiments.results.statistics import Interval
 
@@ -63,7 +63,8 @@ def take_table(profile: Profile, everybody: Profile | None = None) -> Table:
         most = max(everybody.score(agent, challenge).n for agent in entered)
         highest = f"{first} {rounded(score.estimate)}{f' in {score.n} runs' if score.n < most else ''}"
         if score.estimate < HALF:
-            rows.append([*row, f"nobody of {len(entered)} tried is good; the highest is {highest}", NO_MATTER, far])
+            nobody = f"nobody of {len(entered)} tried is good: no score is above {rounded(score.estimate)}"
+            rows.append([*row, nobody, NO_MATTER, "–"])
             continue
         runs = {agent: everybody.score(agent, challenge).n for agent in others}
         shown = [
@@ -106,9 +107,9 @@ def score_table(profile: Profile, beside: Profile | None = None) -> Table:
 
 
 def table_of_all(profile: Profile) -> Table:
-    """The scores of all agents, without intervals; a star marks the best, as `best_agents` names them."""
+    """The scores of all agents, without intervals; a star marks the best, as `good_agents` names them."""
     names = profile.challenges
-    best = {name: best_agents(profile, name) for name in names}
+    best = {name: good_agents(profile, name) for name in names}
     rows = []
     for agent in profile.agents:
         scores = {name: profile.score(agent, name) for name in names}

@@ -140,6 +140,12 @@ def best_agents(profile: Profile, challenge: str) -> list[str]:
     return [best, *(agent for agent in others if not surely_worse(profile, challenge, agent, best))] if best else []
 
 
+def good_agents(profile: Profile, challenge: str) -> list[str]:
+    """The same, where the best one is good, with a score of 0.5 or more; else none: nobody is to be taken there."""
+    best = best_agents(profile, challenge)
+    return best if best and profile.score(best[0], challenge).estimate >= HALF else []
+
+
 def surely_worse(profile: Profile, challenge: str, agent: str, best: str) -> bool:
     """Whether the difference of two agents can hardly be chance.
 
