@@ -217,8 +217,8 @@ def page(data: dict[str, Any]) -> str:
             "",
             *items(found.follows),
             "",
-            f"Measured with {data['versions']}, by `python docs/isolation.py --measure`. The numbers stay those of that "
-            "version of edugym until they are measured again.",
+            f"Measured with {data['versions']}, by `python docs/isolation.py --measure`. The numbers stay those"
+            " of that version of edugym until they are measured again.",
             "",
         ]
     )

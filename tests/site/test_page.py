@@ -166,7 +166,7 @@ def test_signs_are_explained_where_they_are_drawn(
 
 
 def test_a_race_begins_as_fast_as_it_can_be_watched(address: str, browser: Any) -> None:
-    """It lasts a minute, however many steps it has; a link holds no speed before the reader has set one."""
+    """It lasts 50 seconds, however many steps it has; a link holds no speed before the reader has set one."""
     reader = Reader(browser, f"{address}#task=Casino")
     assert reader.text("#speed-shown") == "2 steps a second"
     reader = Reader(browser, f"{address}#task=Boulder")

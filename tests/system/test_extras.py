@@ -132,7 +132,7 @@ def test_a_missing_library_is_named(
 ) -> None:
     """With what installs it, and before anything is written."""
     monkeypatch.setattr("edugym.system.extras.find_spec", lambda name: None if name == library else name)
-    says = rf'^{library} is .* `pip install "edugym\[{extra}\] @ git\+https://.* checkout .* `pip install "\.\[{extra}\]"`'
+    says = rf'^{library} is .*"edugym\[{extra}\] @ git\+https://.* checkout .*pip install "\.\[{extra}\]"'
     with pytest.raises(DependencyNotInstalled, match=says):
         use(tmp_path / "new")
     assert [*tmp_path.iterdir()] == []

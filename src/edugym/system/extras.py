@@ -4,7 +4,6 @@ from importlib.util import find_spec
 
 from gymnasium.error import DependencyNotInstalled
 
-
 SOURCE = "git+https://github.com/RLG-Leiden/edugym"
 """Where pip installs the package from, which is not on PyPI yet."""
 

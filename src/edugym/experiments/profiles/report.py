@@ -91,8 +91,9 @@ INTRODUCTION = (
 )
 TAKE = (
     "Find the line that is most like your problem. “Highest score” names the agent with the highest score of all that"
-    f" were tried there, where it is {HALF} or more. “Not surely worse” names the agents whose score is lower, but perhaps only by chance. “Weakest"
-    " in” says where the agent with the highest score is weak: in this challenge it is furthest behind the best agent."
+    f" were tried there, where it is {HALF} or more. “Not surely worse” names the agents whose score is lower, but"
+    " perhaps only by chance. “Weakest in” says where the agent with the highest score is weak: in this challenge it is"
+    " furthest behind the best agent."
 )
 MORE = "If the table only says how many more agents there are, look for the stars in the table of all scores below."
 NO_LINE = (
