@@ -257,7 +257,7 @@ for steps, results in {15_000: eight, 60_000: longer}.items():
 # %% [markdown]
 # Without hindsight all is the same to the network, one flip from the goal or eight. (Its values lie below $-8$, the cost of a
 # whole episode. At a truncation the agent bootstraps, as it should, as if it could go on flipping.) With hindsight the
-# network has learned a distance. It knows near goals best, and takes far ones for nearer than they are. Is it since
+# network has learned a distance. It knows near goals best, and takes far ones for nearer than they are. Is that because
 # far goals are rare in its memory? Four times as many steps later they are as rare, and the values are nearly right. So it
 # has only not learned for long enough yet.
 

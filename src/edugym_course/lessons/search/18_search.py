@@ -295,7 +295,7 @@ print(f"UCT on the old map, if it knows what each place is worth there: {certain
 # %% [markdown]
 # There the deeper look is the better one, and the *short* one suffers: 17 instead of 59. Where an error makes
 # a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 7 of 30 models. If what costs in truth costs at least a little in the model, too, this happens in 1 of them, and it gets 49.
-# And UCT, too, loses on the old map, though less than the exact look-ahead. That is since its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
+# And UCT, too, loses on the old map, though less than the exact look-ahead. That is because its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
 #
 # ### What does it cost?
 # With 1000 simulations of up to 20 steps, UCT takes up to 20 000 steps of the model before *each* step of its own. And it learns nothing: in the next episode it begins again.
