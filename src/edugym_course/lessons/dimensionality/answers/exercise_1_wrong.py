@@ -268,7 +268,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% a board of one row more
-# says: that is none of the usual mistakes, so work it out by hand for a small board
+# says: an observation is three numbers here, the ball's column, its row and the paddle's column: how many values has each, and how many triples do they make?
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return (rows + 1) * columns * columns * 3
@@ -365,3 +365,12 @@ def table_entries(rows, columns, kind):
 # says: that is the formula for the image; in the grid each cell has one number, 0 or 1
 def table_entries(rows, columns, kind):
     return 3 * {"vectorised": rows * columns**2, "rgb": 2 ** (rows * columns)}.get(kind, 256 ** (3 * rows * columns))
+
+
+# %% boards with two different pixels
+# says: every board that could be written down has a row, also one that never occurs, with no ball or with two: each pixel is 0 or 1, whatever the others are
+def table_entries(rows, columns, kind):
+    pixels = rows * columns
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * (pixels * (pixels - 1) // 2 if kind == "grid" else 256 ** (3 * pixels))

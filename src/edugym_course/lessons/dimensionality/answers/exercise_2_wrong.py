@@ -603,3 +603,39 @@ def learn(self, state, action, reward, next_state, terminated):
     best = max([self.value(next_state, a) for a in range(3)])
     target = reward + (0.0 if terminated else self.discount * best)
     self.w[:, 0] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% over the squares of the features
+# says: the step is divided by the sum of the squares of the features; the error times the feature is all
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated else self.discount * best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x / np.sum(x * x)
+
+
+# %% the weights of positive features
+# says: each weight with a feature above 0 counts once; multiply by the feature, which may be below 0 too
+def value(self, board, action):
+    return np.sum(self.w[self.features(board) > 0, action])
+
+
+# %% features above 0 alone in the sum
+# says: features below 0 are left out; they count as well, with their sign
+def value(self, board, action):
+    return np.sum(np.maximum(self.features(board), 0.0) * self.w[:, action])
+
+
+# %% features without their signs
+# says: the features count without their signs; multiply by the feature itself
+def value(self, board, action):
+    return np.sum(np.abs(self.features(board)) * self.w[:, action])
+
+
+# %% positive features alone in the update
+# says: only the weights of positive features move; a feature below 0 counts as well, with its sign
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    best = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated else self.discount * best)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * np.maximum(x, 0.0)

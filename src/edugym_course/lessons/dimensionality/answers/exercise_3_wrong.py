@@ -406,3 +406,17 @@ def target_of(self, row):
 # in: the solution of target_of
 # - return memory.rewards[row] + self.discount * self.Q[0].max()
 # + return memory.rewards[row] - self.discount * self.Q[0].max()
+
+
+# %% the number of a transition
+# says: that counts the transitions from the first one on, but transition
+# says: took place 0 again, and so on: the place of transition k is k %
+# says: , with `len(self.memory.actions)` for
+def row_for(self, u):
+    return int(self.steps[0] - 1 - int(u * min(self.steps[0], len(self.memory.actions))))
+
+
+# %% a remainder for the number of places
+# says: , now that the memory is just full. Is the number of filled places a remainder by %, which is 0 here? It is the smaller one of `self.steps[0]` and `len(self.memory.actions)`
+def row_for(self, u):
+    return int(u * (self.steps[0] % len(self.memory.actions)))

@@ -56,7 +56,7 @@
 
 # %% no end
 # slow
-# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone
+# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row?)
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * old.layers(S2[i])[2].max(axis=1)
@@ -90,7 +90,7 @@
 # %% all actions
 # slow
 # says: In this riddle,
-# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken? Is each image stored with its own action and reward?
+# says: the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the weights of the action that was taken? Is each image stored with its own action and reward, and as numbers from 0 to 1, not as whole numbers?
 # in: a memory in arrays
 # - d = np.where(np.arange(q.shape[1]) == a[:, None], q - y[:, None], 0.0).clip(-1, 1)
 # + d = (q - y[:, None]).clip(-1, 1)
@@ -142,7 +142,7 @@ def my_program(environment, n_steps, seed):
 # + rng = np.random.default_rng()
 
 # %% no end, one step at a time
-# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone
+# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row?)
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = r + 0.9 * q(x2)[1][a2] - Q[a]
@@ -173,14 +173,54 @@ def my_program(environment, n_steps, seed):
 
 # %% a hidden layer that never learns
 # slow
-# says: idden units that keep their first weights
+# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
+# says: of the questions.
+# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
 # in: a memory in arrays
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
 
-# %% a hidden layer that never learns, one step at a time
+# %% a small hidden layer that never learns, one step at a time
 # slow
-# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
-# says: of the questions. Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2?
+# says: Where two pixels together tell the right action, it does not find it either.
+# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
 # in: SARSA from each step once
+# - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
+# - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
+# + W, b = rng.normal(0, np.sqrt(2 / n), (16, n)), np.zeros(16)
+# + V, c = rng.normal(0, 0.1, (k, 16)), np.zeros(k)
 # - W += 0.05 * delta * np.outer(g, x)
 # - b += 0.05 * delta * g
+
+# %% ε and 1 - ε
+# says: steps, but while it learned the program took it in
+# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten. Have ε and 1 − ε changed places, or are all actions drawn at random?
+# in: SARSA from each step once
+# - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
+# + return rng.integers(k) if rng.random() > 0.1 else np.argmax(q(x)[1])
+
+# %% no discount
+# says: the right action brings 2.5 at once. Another one leads to an image in which every action brings 0.2 and that comes again, so that it is worth 0.2 / (1 − γ): is this value multiplied by γ in the target, and is γ 0.9?
+# in: SARSA from each step once
+# - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
+# + delta = r - Q[a] if terminated else r + q(x2)[1][a2] - Q[a]
+
+# %% another discount
+# slow
+# says: the right action brings 2.5 at once. Another one leads to an image in which every action brings 0.2 and that comes again, so that it is worth 0.2 / (1 − γ): is this value multiplied by γ in the target, and is γ 0.9?
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i] + 0.99 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+
+# %% half the discount
+# slow
+# says: In this riddle, the right action brings 0 and then a better image, and another one 0.7 at once: does the target have γ max Q(S', a), with γ = 0.9, by weights that learn, or that are brought up to date again and again?
+# in: SARSA from each step once
+# - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
+# + delta = r - Q[a] if terminated else r + 0.5 * q(x2)[1][a2] - Q[a]
+
+# %% the largest value of the batch
+# slow
+# says: Or is its maximum over a whole batch, and not over the actions of each row?
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max()

@@ -181,6 +181,12 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
             s, _target(s, ends=False) if s.terminated else s.reward
         ),
         "nothing changes: change the entries of `self.w` in place": lambda s: s.w.copy(),
+        "the step is divided by the sum of the squares of the features; the error times the feature is all": (
+            lambda s: _moved(s, _target(s), rate=s.alpha / float(s.x @ s.x))
+        ),
+        "only the weights of positive features move; a feature below 0 counts as well, with its sign": lambda s: _moved(
+            s, _target(s), by=np.maximum(s.x, 0.0)
+        ),
         "the features are multiplied in twice": lambda s: _moved(s, _target(s), by=s.x * s.x),
         **starts(
             lambda start: f"all values may be lower: start the search with one of them, not with {start}",
@@ -302,6 +308,15 @@ VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
         "that is the largest value of all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).max()),
         "that is the sum over all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).sum()),
         "a feature is not only 0 or 1: multiply by it": lambda s, a: float((s.w[:, a] * (s.x != 0)).sum()),
+        "each weight with a feature above 0 counts once; multiply by the feature, which may be below 0 too": (
+            lambda s, a: float((s.w[:, a] * (s.x > 0)).sum())
+        ),
+        "features below 0 are left out; they count as well, with their sign": lambda s, a: float(
+            (s.w[:, a] * np.maximum(s.x, 0.0)).sum()
+        ),
+        "the features count without their signs; multiply by the feature itself": lambda s, a: float(
+            (s.w[:, a] * np.abs(s.x)).sum()
+        ),
         "that is the mean; take the sum": lambda s, a: float((s.x * s.w[:, a]).mean()),
         "those are the numbers of the board in place of its features: call self.features(board)": lambda s, a: float(
             PIXELS[: len(s.x)] @ s.w[:, a]

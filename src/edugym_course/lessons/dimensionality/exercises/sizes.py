@@ -12,7 +12,17 @@ from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import CARET, compare, exact
 
-UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small board"
+OTHERWISE: Mapping[str, str] = MappingProxyType(
+    {
+        "vectorised": "an observation is three numbers here, the ball's column, its row and the paddle's column: how"
+        " many values has each, and how many triples do they make?",
+        "grid": "every board that could be written down has a row, also one that never occurs, with no ball or with"
+        " two: each pixel is 0 or 1, whatever the others are",
+        "rgb": "every image that could be written down has a row, also one that never occurs: each of the three numbers"
+        " of a cell is one of 256, whatever the others are",
+    }
+)
+"""By kind, what to say of a number that is none of the usual mistakes."""
 
 
 Actions = Annotated[
@@ -35,7 +45,7 @@ def exercise_1(answer: Any, seed: int, actions: Actions = 3) -> str:
             right = ENTRIES[kind](*size, actions)
             wrong = {why: mistake(*size, actions) for why, mistake in MISTAKES[kind].items()}
             mistakes = {why: float(value) for why, value in wrong.items() if right != value < sys.float_info.max}
-            compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+            compare(call, found, float(right), mistakes, otherwise=OTHERWISE[kind])
     for rows, columns, kind in ((9, 9, "grid"), (10, 5, "rgb")):
         call = f"table_entries({rows}, {columns}, {kind!r})"
         with student_code(call):

@@ -310,6 +310,12 @@ def _row(agent: Any, u: float) -> int:
 
 def _why_uneven(agent: Any, us: list[float], rows: list[int], filled: int) -> str:
     """Return what is wrong with the places that belong to some random numbers."""
+    steps, size = int(agent.steps[0]), len(agent.memory.actions)
+    if len({*rows}) == 1 and steps == size:  # and not in a memory that is not full, which was checked before
+        return (
+            f"it is always place {rows[0]}, now that the memory is just full. Is the number of filled places a"
+            " remainder by %, which is 0 here? It is the smaller one of `self.steps[0]` and `len(self.memory.actions)`"
+        )
     if len({*rows}) == 1:
         return (
             f"it is always place {rows[0]}, whatever `u` is: multiply `u` by the number of filled places, and cut off"
@@ -320,6 +326,11 @@ def _why_uneven(agent: Any, us: list[float], rows: list[int], filled: int) -> st
         return (
             f"you draw from {n} places, and {filled} are filled. Their number is the smaller one of `self.steps[0]` and"
             " `len(self.memory.actions)`"
+        )
+    if steps > size and {row % size for row in rows} == {*range(size)}:
+        return (
+            f"that counts the transitions from the first one on, but transition {size} took place 0 again, and so on:"
+            f" the place of transition k is k % {size}, with `len(self.memory.actions)` for {size}"
         )
     if rows == [round(u * filled) for u in us]:
         return "round(...) may round up, so that the last place is one too far; cut off by int(...)"

@@ -116,7 +116,7 @@ def table_rows(num_doors, length):
 
 
 # %% one row less
-# says: that is none of the usual mistakes, so work it out by hand for a small case
+# says: each of the L(L-1)/2 + 1 observations in the window is any of all that there are, whatever the others are: windows that never occur have rows too, and their order counts
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) // 2 + 1) - 1
 

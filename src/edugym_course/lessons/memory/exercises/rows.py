@@ -12,7 +12,10 @@ from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import CARET, exact, number, same
 from edugym_course.lessons.memory.windows import action_law, window_law
 
-UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
+UNUSUAL = (
+    "each of the L(L-1)/2 + 1 observations in the window is any of all that there are, whatever the others are: windows"
+    " that never occur have rows too, and their order counts"
+)
 
 Looks = Annotated[
     int,
