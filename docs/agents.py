@@ -12,6 +12,7 @@ import argparse
 import json
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 from textwrap import fill
 
@@ -55,6 +56,7 @@ SCORES = """The score, and how far its 95 % interval reaches to both sides; *run
 **Bold** are the highest score of a challenge, and those that are not surely worse. A score a little above 1 is
 luck: the best play is known on average, and an agent plays a limited number of episodes. Three runs tell little, so
 their intervals are wide. A dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
+MORE = "Where the table only says how many more agents there are, they are bold in the scores below."
 SAME = """Older versions can stand here, since only agents whose code has changed are measured again. A hash of the
 code of agent, task and training says so; what was made from other code is listed at the end.""".replace("\n", " ")
 BREAKS = """How strong a challenge may become for an agent: the two rungs between which its mean score first falls below
@@ -83,7 +85,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
     """
     names = profile.challenges
     links = {name: f"[{name}](environments/{name.lower()}.md)" for name in names}
-    heading, take = take_table(profile)
+    heading, take = take_table(replace(profile, agents=()), profile)  # all names would make rows of many lines
     take = [[problem, links[name], *rest, remedy(name, rest) or far] for problem, name, *rest, far in take]
     scores = [
         [agent, str(repetitions_of(profile, agent)), *(score(profile, agent, name) for name in names)]
@@ -106,7 +108,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             "",
             "## Which agent to take",
             "",
-            fill(f"{TAKE} {NO_LINE}", 120),
+            fill(f"{TAKE} {MORE} {NO_LINE}", 120),
             "",
             *table(heading, take),
             "",

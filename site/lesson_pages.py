@@ -122,7 +122,8 @@ def _opening(first: str, path: Path) -> str:
     colab = REPOSITORY.replace("https://github.com/", "https://colab.research.google.com/github/")
     notebook = f'<a href="../notebooks/{path.name}" download>download the notebook</a>'
     here = (
-        "Here you read the lesson with its results. To change it and to solve its exercises, type `make lab`, "
+        "Here you read the lesson with its results. To change it and to solve its exercises, "
+        "[install the lessons](../students.md#install-and-open-the-lessons), "
         f"{notebook}, or [open it in Colab]({colab}/blob/{REF}/notebooks/{path.name})."
     )
     for race in _raced(path):

@@ -35,6 +35,7 @@ if (films.length) {
 // Whoever has no mouse scrolls a wide table, formula or program with the arrow keys.
 const scrollable = '.table-wrapper, .highlight pre, .formula, .output, .picture'
 const SMALLEST = 0.75 // of a formula that is too wide
+const FAR = 1.2 // widths of the screen: of a table that is wider, whole columns are out of sight
 const reach = () => {
   for (const box of document.querySelectorAll('.formula')) {
     const formula = box.querySelector('math')
@@ -45,6 +46,7 @@ const reach = () => {
   for (const box of document.querySelectorAll(scrollable)) {
     if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0
     else box.removeAttribute('tabindex')
+    box.classList.toggle('far', box.scrollWidth > FAR * box.clientWidth) // see site.css
   }
 }
 addEventListener('load', reach)

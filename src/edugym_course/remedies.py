@@ -47,10 +47,10 @@ def gain(rungs: Any) -> Interval:
 
 
 def shown(interval: Interval) -> str:
-    """A gain with its interval."""
+    """A gain with its interval, which no line break parts."""
     estimate = rounded(interval.estimate)
     sign = "+" if float(estimate) > 0 else ""
-    return f"{sign}{estimate} [{rounded(interval.low)}, {rounded(interval.high)}]"
+    return f"{sign}{estimate} [{rounded(interval.low)},\N{NO-BREAK SPACE}{rounded(interval.high)}]"
 
 
 def when_to_take(agent: str, measured: Mapping[str, Any]) -> Iterator[str]:

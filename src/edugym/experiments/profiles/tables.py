@@ -70,7 +70,7 @@ def take_table(profile: Profile, everybody: Profile | None = None) -> Table:
         shown = [
             f"{agent} ({runs[agent]} runs)" if runs[agent] < most else agent
             for k, agent in enumerate(others)
-            if k < NAMED_BESIDE or agent in profile.agents
+            if k < NAMED_BESIDE or len(others) == NAMED_BESIDE + 1 or agent in profile.agents
         ]
         more = [f"{len(others) - len(shown)} more"] if len(others) > len(shown) else []
         beside = listed([*shown, *more]) if others else "nobody"
