@@ -429,7 +429,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # state to an action.
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
-# other treasures for each of six seas. The last five are always worth most; among the first four any may be the best. In most seas no
+# other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no
 # price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is: so it also says how
 # many steps the dive took so far. In a seventh sea the diver begins one cell away from the shore; there the check only looks whether the dive takes too long.
 #

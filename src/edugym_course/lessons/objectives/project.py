@@ -22,6 +22,9 @@ from edugym_course.lessons.objectives.methods import LIMIT, PRICES
 N_STEPS = 10_000
 BEST = (3, 1, 2, 0, 3, 2)
 """Which treasure is the best within the limit, in each sea."""
+POOR = (1, 3, 4)
+"""In these seas all treasures within the limit are worth little, so who thinks a late one worth anything takes it."""
+DISCOUNTS = (0.9, 0.95, 0.99)
 MOST_MISSED = 1
 """In so many seas a program may have bad luck."""
 NONE = -1
@@ -29,15 +32,17 @@ NONE = -1
 STEPS_TO = 2 * np.arange(N_COLUMNS) + 1.0
 
 
-def sea(best: int, rng: np.random.Generator) -> Reals:
+def sea(best: int, rng: np.random.Generator, is_poor: bool = False) -> Reals:
     """Draw treasures, of which `best` is worth most within the limit."""
     values = np.zeros(N_COLUMNS)
     values[:4] = rng.uniform(5.0, 15.0, 4)
     values[best] = rng.uniform(20.0, 25.0)
-    if best == 3:  # it is not by far the best: who discounts by 0.9 takes the first one, who stops early the second
-        values[:2] = 0.7 * values[best], 0.8 * values[best]
+    if best == 3:  # it is not by far the best: who discounts takes the first one, who stops early the second
+        values[:2] = 0.96 * values[best], 0.97 * values[best]
+    if is_poor:
+        values *= 0.05
     values[4:] = np.sort(rng.uniform(60.0, 95.0, 5))
-    return values.round(1)
+    return values.round(2)
 
 
 class FartherOut(Diver):
@@ -68,9 +73,6 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the best one of those nearer than seven steps, and exactly seven are allowed": lambda values: _best_of(
         values, LIMIT - 1
     ),
-    "that is what a discount of 0.9 prefers: count the value of a treasure in full, however late it comes": (
-        lambda values: _best_of(values * 0.9**STEPS_TO, LIMIT)
-    ),
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?": (
         lambda values: _best_of(values, LIMIT + 2)
     ),
@@ -82,6 +84,12 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     ),
 }
 """Which treasure is picked up by mistake."""
+DISCOUNTED = "that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes"
+
+
+def _discounted(discount: float, values: Reals) -> int:
+    """Return the treasure within the limit that is best if its value is discounted."""
+    return _best_of(values * discount**STEPS_TO, LIMIT)
 
 
 def picked_up(policy: Any, environment: Environment, seed: int) -> int:
@@ -101,7 +109,7 @@ def picked_up(policy: Any, environment: Environment, seed: int) -> int:
 def project_12(answer: Any, seed: int) -> str:
     """Check a program that learns the best dive within a limit."""
     rng = np.random.default_rng([seed, 12])
-    seas = [sea(best, rng) for best in BEST]
+    seas = [sea(best, rng, number in POOR) for number, best in enumerate(BEST)]
     require_reproducible(answer, lambda: environment_of(seas[0]), 200, seed)
     found = []
     for number, values in enumerate(seas):
@@ -120,7 +128,7 @@ def project_12(answer: Any, seed: int) -> str:
     if mine == NONE:
         raise WrongAnswer(
             f"{told} comes to no treasure, and {should}: does it look up the state that it is given, and take the best"
-            " action?"
+            " action, and does each step after the seventh bring nothing?"
         )
     takes = f"picks up the {_ordinal(mine)} one, worth {values[mine]:g}, after {STEPS_TO[mine]:g} steps"
     why = "" if nobody_asks_why() else _why(seas, found)
@@ -151,22 +159,29 @@ def _for_a_price(price: float, values: Reals) -> int:
     return int((values - price * STEPS_TO).argmax())
 
 
+def _priced(price: float) -> str:
+    """Return the sentence of a price."""
+    return (
+        f"in nearly all seas that is what a price of about {price:g} for each step prefers; a price cannot find every"
+        " compromise, so let the limit itself say what a dive is worth"
+    )
+
+
 def _why(seas: list[Reals], found: list[int]) -> str:
     """Return what explains the treasures in all seas but one, or what to look at."""
-
-    def fits(rule: Callable[[Reals], int]) -> bool:
-        return sum(rule(values) != mine for values, mine in zip(seas, found, strict=True)) <= MOST_MISSED
-
-    for sentence, rule in MISTAKES.items():
-        if fits(rule):
-            return sentence
-    for price in PRICES:
-        if fits(partial(_for_a_price, price)):
-            return (
-                f"in nearly all seas that is what a price of about {price:g} for each step prefers; a price cannot find"
-                " every compromise, so let the limit itself say what a dive is worth"
-            )
+    rules = [
+        *MISTAKES.items(),
+        *((DISCOUNTED, partial(_discounted, discount)) for discount in DISCOUNTS),
+        *((_priced(price), partial(_for_a_price, price)) for price in PRICES),
+    ]
+    for most_missed in range(MOST_MISSED + 1):
+        for sentence, rule in rules:
+            if sum(rule(values) != mine for values, mine in zip(seas, found, strict=True)) <= most_missed:
+                return sentence
     late = sum(mine > max(BEST) for mine in found)
     if late:
-        return f"in {late} of {len(found)} seas the dive takes too long; what is a dive worth that does?"
+        return (
+            f"in {late} of {len(found)} seas the dive takes too long; what is a dive worth that does? It must be less"
+            " than the poorest of the others"
+        )
     return "each dive is short enough, but not the best: does your program try all of them often enough?"

@@ -61,3 +61,47 @@ def my_program(environment, n_steps, seed):
         if terminated or truncated:
             state, _ = environment.reset()
     return best
+
+
+# %% plans with what it saw
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    after, worth = {}, {}
+    start, _ = environment.reset(seed=seed)
+    s = start
+    for _ in range(n_steps):
+        a = int(rng.integers(2))
+        s2, r, end, cut, _ = environment.step(a)
+        after[s, a], worth[s, a] = (None if end else s2), r
+        s = environment.reset()[0] if end or cut else s2
+
+    def best(s, left):
+        if s is None or not left:
+            return (0.0 if s is None else -np.inf), 0
+        ways = [(worth[s, a] + best(after[s, a], left - 1)[0], a) for a in (0, 1) if (s, a) in after]
+        return max(ways, default=(-np.inf, 0))
+
+    policy, left = {}, 7
+    while start is not None and left:
+        policy[start] = best(start, left)[1]
+        start, left = after[start, policy[start]], left - 1
+    return lambda state: policy.get(state, 0)
+
+
+# %% one plan for each column
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    taken, highest, kept = 0, 0.0, {}
+    while taken < n_steps:
+        out = int(rng.integers(9))
+        state, _ = environment.reset(seed=None if taken else seed)
+        path, total, over, steps = {}, 0.0, False, 0
+        while not over:
+            path[state] = int(steps < out)
+            state, value, terminated, truncated, _ = environment.step(path[state])
+            total, steps = total + value, steps + 1
+            over = terminated or truncated
+        taken += steps
+        if steps <= 7 and total > highest:
+            highest, kept = total, path
+    return lambda state: kept.get(state, 0)

@@ -53,7 +53,7 @@
 # says: with the treasures
 # says: comes to no treasure, and
 # says: it should pick up the
-# says: : does it look up the state that it is given, and take the best action?
+# says: : does it look up the state that it is given, and take the best action, and does each step after the seventh bring nothing?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 1
@@ -110,14 +110,14 @@
 
 
 # %% limits that change
-# says: seas the dive takes too long; what is a dive worth that does?
+# says: seas the dive takes too long; what is a dive worth that does? It must be less than the poorest of the others
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps <= (7 if seed % 2 else 13) else 0.0
 
 
 # %% a discount
-# says: that is what a discount of 0.9 prefers: count the value of a treasure in full, however late it comes
+# says: that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.9 * Q[after].max()) - Q[state, action])
@@ -130,3 +130,34 @@
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps <= 8 else 0.0
+
+
+# %% a late dive is worth 5
+# says: seas the dive takes too long; what is a dive worth that does? It must be less than the poorest of the others
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= 7 else 5.0 * terminated
+
+
+# %% a late dive is worth a tenth
+# slow
+# says: seas the dive takes too long
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= 7 else value / 10
+
+
+# %% every late step is paid
+# slow
+# says: comes to no treasure
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= 7 else 5.0
+
+
+# %% a small discount
+# slow
+# says: that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes
+# in: late dives count for nothing
+# - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
+# + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.99 * Q[after].max()) - Q[state, action])
