@@ -169,7 +169,7 @@ def _priced(price: float) -> str:
 
 def _why(seas: list[Reals], found: list[int]) -> str:
     """Return what explains the treasures in all seas but one, or what to look at."""
-    rules = [
+    rules: list[tuple[str, Callable[[Reals], int]]] = [
         *MISTAKES.items(),
         *((DISCOUNTED, partial(_discounted, discount)) for discount in DISCOUNTS),
         *((_priced(price), partial(_for_a_price, price)) for price in PRICES),
