@@ -142,7 +142,7 @@ def symptom(run: Run, played: float, has_learned: bool = False) -> str:
     if means[-1] > means[0] + noise:
         return (
             f"the returns rise from {means[0]:.1f} to {means[-1]:.1f}, but slowly: likely a learning rate that is too"
-            " small, or too much exploration"
+            " small, too much exploration, or steps that are learned from only when the episode is over"
         )
     return (
         f"the returns do not rise ({means[0]:.1f} in the first quarter, {means[-1]:.1f} in the last): likely an update"

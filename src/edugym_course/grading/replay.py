@@ -61,15 +61,20 @@ class Learner(NamedTuple):
         alter: what it takes a step for, after what it took the step before for (None at the first).
         skips: from which steps it does not learn.
         swaps: whether it takes a random action with probability 1 − ε.
+        restarts: whether it takes the first state of the next episode for the one that a truncated step led to.
         nats: of a mistake, how much more probable it must make the actions than the right equation, as a logarithm;
             more for one that a right program resembles.
+        leaves: of a mistake, the share of the surprises above those by ε that it may leave; more for one that hangs on
+            what the steps do not show.
     """
 
     make: Maker
     alter: Callable[[Step, Step | None], Step] = lambda step, before: step
     skips: Callable[[Step], bool] = lambda step: False
     swaps: bool = False
+    restarts: bool = False
     nats: float = NATS
+    leaves: float = UNEXPLAINED
 
 
 def _goes_on(step: Step, before: Step | None) -> Step:
@@ -93,13 +98,14 @@ def _costs(step: Step, before: Step | None) -> Step:
     return step._replace(reward=-step.reward)
 
 
-def mistakes_of_loops(make: Maker, on_policy: bool = False) -> dict[str, Learner]:
+def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = False) -> dict[str, Learner]:
     """Return the mistakes that any loop can have, by their sentences.
 
     Args:
         make: makes the right agent.
         on_policy: whether it learns from the next action. What such a program learns beyond an end cannot be told from
             its steps, for it hangs on an action that is never taken.
+        remembers: whether it learns from windows. One that goes on into the next episode is like none that was met.
     """
     beyond_an_end = {
         "the value of a state after the end is looked up; a terminal state has no future, so its target is the reward"
@@ -107,6 +113,9 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False) -> dict[str, Learner
         "a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has"
         " its value": Learner(make, _ends),
     }
+    if not remembers:
+        sentence = "S' is the state after the reset where an episode was truncated: learn first, and reset then"
+        beyond_an_end[sentence] = Learner(make, restarts=True)
     return ({} if on_policy else beyond_an_end) | {
         "what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and"
         " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
@@ -132,15 +141,31 @@ def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Seque
     }
 
 
-def other_first_values(make: Maker, values: Sequence[float] = (1.0, 10.0)) -> dict[str, Learner]:
-    """Return agents whose table `Q` does not begin at 0, by their sentences."""
+class _WholeNumbers(np.ndarray[Any, Any]):
+    """An array whose entries lose what is behind the decimal point, as those of dtype int do."""
+
+    def __setitem__(self, where: Any, value: Any) -> None:
+        """Write what is before the decimal point."""
+        super().__setitem__(where, np.trunc(value))
+
+
+def other_tables(make: Maker, values: Sequence[float] = (1.0, 10.0)) -> dict[str, Learner]:
+    """Return agents whose table `Q` does not begin at 0, or holds whole numbers, by their sentences."""
 
     def begun(value: float, shape: tuple[int, int]) -> Any:
         agent = make(shape)
         agent.Q[...] = value
         return agent
 
-    return {f"the first values are about {value:g}, and not 0": Learner(partial(begun, value)) for value in values}
+    def cut_off(shape: tuple[int, int]) -> Any:
+        agent = make(shape)
+        return agent._replace(Q=agent.Q.view(_WholeNumbers))
+
+    return {f"the first values are about {value:g}, and not 0": Learner(partial(begun, value)) for value in values} | {
+        "what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does": Learner(
+            cut_off
+        )
+    }
 
 
 def replay(runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int], epsilon: float) -> Iterator[Row]:
@@ -159,8 +184,9 @@ def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -
     names = learns_from(agent)
     waiting: Step | None = None
     before: Step | None = None
-    for real in steps:
-        step = before = learner.alter(real, before)
+    for real, after in zip(steps, [*steps[1:], None], strict=True):
+        restarted = real._replace(next_state=after.state) if learner.restarts and after and real.truncated else real
+        step = before = learner.alter(restarted, before)
         yield agent, step
         if waiting is not None:
             learn_from(agent, names, waiting, step.action)
@@ -271,7 +297,7 @@ class Rule:
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
             late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
             cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
-        elif is_better and likely.explains_those_of(right):
+        elif is_better and likely.explains_those_of(right, mistake.leaves):
             cause = f"They fit a usual mistake: {sentence}"
         else:
             cause = self._cause(right)

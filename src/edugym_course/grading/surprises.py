@@ -13,7 +13,7 @@ SLACK = 0.3
 NATS = 20.0
 """How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
 UNEXPLAINED = 0.25
-"""The share of the surprises above those by ε that a mistake may leave; one that leaves more is another mistake."""
+"""The share of the surprises above those by ε that a mistake leaves at most; one that leaves more is another one."""
 SIGMAS, CLEARLY = 4.0, 2.0
 """How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
 
@@ -81,6 +81,6 @@ class Surprises(NamedTuple):
         """
         return bool(self.logs.sum() > other.logs.sum() + nats)
 
-    def explains_those_of(self, other: "Surprises") -> bool:
+    def explains_those_of(self, other: "Surprises", leaves: float = UNEXPLAINED) -> bool:
         """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
-        return self.too_many < UNEXPLAINED * other.too_many + CLEARLY * self.deviation
+        return self.too_many < leaves * other.too_many + CLEARLY * self.deviation

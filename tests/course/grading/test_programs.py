@@ -190,8 +190,9 @@ def remembers(runs: list[int], environment: Any, n_steps: int, seed: int) -> Any
     ],
 )
 def test_what_a_seed_must_do(program: Any, says: str) -> None:
-    """The same seed gives the same run, and another one another run."""
+    """The same seed gives the same run, and another one another run, unless a program need not draw."""
     require_reproducible(plays, partial(SmallWorld, 0), N_STEPS, 5)
+    require_reproducible(partial(plays, act=lambda action: 0), partial(SmallWorld, 0), N_STEPS, 5, draws=False)
     with pytest.raises(WrongAnswer) as refused:
         require_reproducible(program, partial(SmallWorld, 0), N_STEPS, 5)
     assert says in str(refused.value)
@@ -283,8 +284,8 @@ CURVES: list[tuple[list[float], float, str]] = [
     (
         [0.1 * k for k in range(120)],
         15.0,
-        "the returns rise from 1.4 to 10.4, but slowly: likely a learning rate that is too small, or too much"
-        " exploration",
+        "the returns rise from 1.4 to 10.4, but slowly: likely a learning rate that is too small, too much"
+        " exploration, or steps that are learned from only when the episode is over",
     ),
     (
         [2.0] * 120,

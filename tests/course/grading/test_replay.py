@@ -47,6 +47,8 @@ def program_with(learner: Learner, epsilon: float) -> Program:
             if waiting is not None:
                 learn_from(agent, names, waiting, action)
             next_state, reward, terminated, truncated, _ = environment.step(action)
+            if learner.restarts and truncated:
+                next_state = environment.reset()[0]
             real = Step(state, action, reward, next_state, terminated, truncated)
             before = learner.alter(real, before)
             waiting = None
@@ -56,7 +58,8 @@ def program_with(learner: Learner, epsilon: float) -> Program:
                 waiting = before
             else:
                 learn_from(agent, names, before, action)
-            state = environment.reset()[0] if terminated or truncated else next_state
+            is_new = terminated or (truncated and not learner.restarts)
+            state = environment.reset()[0] if is_new else next_state
         return lambda state: agent.greedy(state, rng)
 
     return program

@@ -68,6 +68,9 @@ MISTAKES: dict[str, Maker] = {
     "what is learned is ln σ, with the score of σ: that of ln σ is σ times as large": partial(
         Gaussians, of_log=lambda off, spread: score_of_log(off, spread) / spread
     ),
+    "what is learned is σ, with the score of σ: learn ln σ, with its own": partial(Gaussians, itself=True),
+    "nothing is learned from an episode that is truncated: it is over as well, and its returns stop at its last"
+    " reward": partial(Gaussians, cut_short=False),
     "the score of μ is not divided by σ²": partial(Gaussians, of_mean=lambda off, spread: off),
     "the score of μ is divided by σ, and it should be by σ²": partial(
         Gaussians, of_mean=lambda off, spread: off / spread

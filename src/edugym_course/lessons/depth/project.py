@@ -18,8 +18,8 @@ from edugym_course.grading.replay import (
     Learner,
     Rule,
     mistakes_of_loops,
-    other_first_values,
     other_settings,
+    other_tables,
     replay,
 )
 from edugym_course.grading.small_world import SmallWorld
@@ -143,7 +143,7 @@ RULE = Rule(
         discount=("γ", DISCOUNT, (1.0, 0.99, 0.9, 0.7, 0.5)),
         learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75, 1.0)),
     )
-    | other_first_values(agent),
+    | other_tables(agent),
     EPSILON,
     truncates=False,
     otherwise="; look at two places: at the end of an episode the targets of *all* pairs that are left are made of"

@@ -102,6 +102,7 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
         "the rewards are divided by γ^k; multiply": weighted([1 / p for p in powers]) if discount else total,
         "that is the mean": total / n,
         "the mean is taken; a return is a sum": weighted(powers) / n,
+        "the sum is divided by that of the weights; a return is a sum, not a mean": weighted(powers) / sum(powers),
         "the last reward is left out": weighted([*powers[:-1], 0.0][:n]),
         "the first reward is left out": weighted([0.0, *powers[1:]][:n]),
         "the first reward is left out, and the second one counts in full": weighted([0.0, *powers][:n]),
@@ -235,6 +236,10 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
             greedy,
             but_first / (n - 1),
         ),
+        "in the place of the highest value it draws in proportion to e^value: the others come by ε alone": (
+            np.exp(values - values.max()) / np.exp(values - values.max()).sum(),
+            uniform,
+        ),
         "its random action is always action 0": (greedy, np.eye(n)[0]),
         "`rng.integers(len(best))` says *which* of the best is taken: the action is `best[...]`": (
             among / among.sum(),
@@ -251,6 +256,9 @@ def _choice_mistakes(values: Any, epsilon: float, margin: float) -> dict[str, li
     found["it explores with probability ε/n: a random action is drawn with probability ε, and each has ε/n then"] = (
         (1 - epsilon / n) * greedy + epsilon / n * uniform
     ).tolist()
+    found[
+        "it explores too often, as if it asked twice whether to: draw rng.random() once, and let `else` do the rest"
+    ] = ((1 - epsilon) ** 2 * greedy + (1 - (1 - epsilon) ** 2) * uniform).tolist()
     if epsilon != 0.1:
         found["it explores with ε = 0.1, whatever `epsilon` is"] = (0.9 * greedy + 0.1 * uniform).tolist()
     return found

@@ -13,7 +13,7 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_first_values, other_settings
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, other_tables
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000
@@ -47,13 +47,17 @@ class _Slips:
         adds_up: whether the old value is not subtracted from the target.
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
+        next_action: whether it has that of the action that is taken next; after a cut nobody sees that one, so it has
+            the highest there.
     """
 
     Q: Reals
     adds_up: bool = False
     counts: bool = False
     same_action: bool = False
+    next_action: bool = False
     _updates: Integers = field(init=False)
+    _waiting: tuple[int, int, float, int] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         """Begin to count."""
@@ -67,10 +71,20 @@ class _Slips:
         """Choose the action with the highest value."""
         return int(greedy_action(self.Q, state, rng))
 
-    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Update one value."""
+        if self._waiting:
+            before, taken, earlier, reached = self._waiting
+            self._move(before, taken, earlier + DISCOUNT * float(self.Q[reached, action]))
+        self._waiting = None
         row = self.Q[next_state]
-        target = reward + (0.0 if terminated else DISCOUNT * float(row[action] if self.same_action else row.max()))
+        if self.next_action and not (terminated or truncated):
+            self._waiting = state, action, reward, next_state
+        else:
+            future = row[action] if self.same_action else row.max()
+            self._move(state, action, reward + (0.0 if terminated else DISCOUNT * float(future)))
+
+    def _move(self, state: int, action: int, target: float) -> None:
         self._updates[state, action] += 1
         rate = 1 / self._updates[state, action] if self.counts else LEARNING_RATE
         self.Q[state, action] += rate * (target - (0.0 if self.adds_up else self.Q[state, action]))
@@ -89,6 +103,9 @@ RULE = Rule(
             partial(agent, discount=0.0)
         ),
         "the mean over the actions of the next state stands where the maximum should": Learner(agent_of_the_mean),
+        "Q(S', A'), the value of the action that is taken next, stands where the maximum should": Learner(
+            partial(slips, next_action=True), leaves=0.5
+        ),
         "the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)": Learner(
             agent, lambda step, before: step._replace(next_state=step.state)
         ),
@@ -108,7 +125,7 @@ RULE = Rule(
         discount=("γ", DISCOUNT, (0.95, 0.9, 0.5)),
         learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75)),
     )
-    | other_first_values(agent),
+    | other_tables(agent),
     EPSILON,
 )
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))

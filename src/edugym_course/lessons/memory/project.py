@@ -138,7 +138,7 @@ def mistake(**how: Any) -> Learner:
 
 RULE = Rule(
     Learner(Windowed),
-    mistakes_of_loops(Windowed)
+    mistakes_of_loops(Windowed, remembers=True)
     | {
         "the state stays the first one of the episode: is `state = next_state` missing?": Learner(
             partial(Windowed, grows=False), stays

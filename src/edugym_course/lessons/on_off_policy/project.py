@@ -8,7 +8,7 @@ import gymnasium
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_first_values, other_settings
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, other_tables
 from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISCOUNT, EPSILON
 
 N_STEPS, LEARNING_RATE = 10_000, 0.5
@@ -35,7 +35,7 @@ RULE = Rule(
         discount=("γ", DISCOUNT, (0.95, 0.9, 0.5)),
         learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75, 1.0)),
     )
-    | other_first_values(agent, (-1.0, 1.0, 10.0)),
+    | other_tables(agent, (-1.0, 1.0, 10.0)),
     EPSILON,
     truncates=False,
     otherwise="; look at two places: A', whose value is in the target, is the action that is taken next, and is not"

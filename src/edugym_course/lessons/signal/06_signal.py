@@ -203,7 +203,7 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # </details>
 #
 # A player who obeys follows wrong words too, and so leaves needs that differ more: the lead of the most urgent one is
-# two to four times as large. So on *its* toy a word carries more. Move the noise, and see both counts on one axis.
+# two to five times as large. So on *its* toy a word carries more. Move the noise, and see both counts on one axis.
 
 # %%
 sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
@@ -381,7 +381,7 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
     print(f"τ = {tau:4}, {length:2} words: {carried:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
-# - **Left.** With one word Q-learning makes full use of it: its line lies nearly on that of obeying. At $\tau = 0.02$ half a
+# - **Left.** With one word Q-learning makes nearly full use of it: its line lies nearly on that of obeying. At $\tau = 0.02$ half a
 #   bit brings nine tenths of the return.
 # - **Right.** The vote turns longer messages into return: 28 words at $\tau = 0.1$ are worth nearly as much as one word at
 #   0.02, which carries the same half bit. Whoever obeys the first word leaves the others unused.
@@ -422,9 +422,10 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** No more than random actions. The greedy policy answers "play or feed" always with play, say. Then the toy is
-# never fed, wants to be fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right
-# about each need. Here it never tells the two needs of a word apart.
+# **Measured.** No more than random actions. Each row has one greedy answer. At 100 hit points, where the toy begins, "play
+# or feed" is always answered with play, say. Then the toy is not fed, wants to be fed again, says "play or feed", and is
+# played with, until its hit points fall. With other hit points the answers are others, but fixed as well, and the toy soon
+# dies. With noise the word is *sometimes* right about each need. Here it never tells the two needs of a word apart.
 #
 # Tossing a coin between the two meanings is better: each need is met now and then. Where the state is hidden and nothing
 # is remembered, a random policy can be better than every deterministic one (Singh, Jaakkola and Jordan, 1994). With a
@@ -526,8 +527,8 @@ remembers.measured(counts["with its last action"])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All ten with the last action, none without. It takes a while. Each run rises suddenly, and each at
-# another time, so that their mean rises slowly. Without the last action all it sees is its hit points, and they do not
+# **Measured.** All ten with the last action, none without. It takes a while. Each run rises suddenly, but not
+# all at one time, so that their mean rises slowly. Without the last action all it sees is its hit points, and they do not
 # say whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses
 # the cycle for a moment, as the panel on the right shows: one row with another greedy action breaks it. So we take the
 # median of each run.)

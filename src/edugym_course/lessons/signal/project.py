@@ -14,7 +14,7 @@ from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.programs import APART
 from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops
-from edugym_course.grading.small_world import SmallWorld
+from edugym_course.grading.small_world import ACTIONS, SmallWorld
 
 N_STEPS, LEARNING_RATE, EPSILON = 5_000, 0.01, 0.1
 TAU, LENGTH = 0.05, 8
@@ -78,6 +78,11 @@ def presence(message: Message) -> Weights:
     return [(word, 1 / len(message)) for word, _ in shares(message)]
 
 
+def kinds(message: Message) -> Weights:
+    """The rest of each word divided by the number of actions, as if that were its meaning."""
+    return shares(message % ACTIONS)
+
+
 def first_word(message: Message) -> Weights:
     """The first word alone."""
     return shares(message[:1])
@@ -106,6 +111,8 @@ class Listener:
         valued: whether the value in the difference is that "before" the action, or "after" it.
         discount: γ, of the largest value after the next message.
         first: the first weights.
+        alone: whether each weight learns from R less itself, not less the value of the whole message.
+        fully: whether the weights of all words move alike, however often they occur.
     """
 
     def __init__(
@@ -119,8 +126,11 @@ class Listener:
         valued: str = "before",
         discount: float = 0.0,
         first: float = 0.0,
+        alone: bool = False,
+        fully: bool = False,
     ) -> None:
         """Know no word."""
+        self._alone, self._fully = alone, fully
         self._n_actions = shape[1]
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
@@ -138,7 +148,8 @@ class Listener:
         future = self._discount * self.values(next_state).max() if self._discount and not terminated else 0.0
         delta = reward + future - self.values(messages[self._valued])[actions] * self._surprised
         for word, weight in self._take(messages[self._moved][1:]):
-            self._theta[word][actions] += self._learning_rate * weight * delta
+            delta = reward - self._theta[word][actions] if self._alone else delta
+            self._theta[word][actions] += self._learning_rate * (1.0 if self._fully else weight) * delta
 
     def act(self, state: Message, rng: Random) -> int:
         """Choose an action by ε-greedy."""
@@ -164,6 +175,14 @@ RULE = Rule(
         "the place of a word in the message counts, and it should not": mistake(take=of_places),
         "the first word alone is heard": mistake(take=first_word),
         "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
+        "words with the same rest, divided by the number of actions, share their weights; what a word means has to be"
+        " learned": mistake(take=kinds),
+        "each weight moves by R − θ, the error of its own word alone; q(O, A) is the sum over all words": mistake(
+            alone=True
+        ),
+        "the weights of all words of a message move alike: the factor x_w(O) is missing in their step": mistake(
+            fully=True
+        ),
         "the counts are not divided by the length L of the message": mistake(take=counts),
         "the counts are divided by more than L, as by the length L + 1 of the observation: its first entry is no"
         " word": mistake(take=of_observation),

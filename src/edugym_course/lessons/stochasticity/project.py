@@ -12,7 +12,7 @@ from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
 from edugym.agents.tables import best_value, one_step_target
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import run_program
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_first_values, other_settings
+from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, other_tables
 
 LEARNING_RATE, DISCOUNT, RISK, EPSILON = 0.4, 0.9, -0.5, 0.1
 N_STEPS, FORKS = 1_000, 5
@@ -105,7 +105,7 @@ RULE = Rule(
         discount=("γ", DISCOUNT, (0.5,)),
         risk=("β", RISK, (-2.0, -1.0, -0.1)),
     )
-    | other_first_values(agent),
+    | other_tables(agent),
     EPSILON,
     otherwise="; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it",
 )

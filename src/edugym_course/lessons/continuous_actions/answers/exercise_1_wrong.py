@@ -206,3 +206,9 @@ def preferences(joints, bins, cells):
 # says: there is one joint too many in the power of the cells
 def preferences(joints, bins, cells):
     return 2 * cells ** (joints + 1) * bins**joints
+
+
+# %% a binomial
+# says: the joints choose one after another, so that order counts and a bin may come twice: n^m, not a binomial
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * math.comb(bins, joints)

@@ -282,3 +282,22 @@ def my_scores(a, mu, sigma):
 # says: (a − μ) * 2 is twice a − μ; its square is (a − μ)**2
 def my_scores(a, mu, sigma):
     return (a - mu) / sigma**2, (a - mu) * 2 / sigma**2 - 1
+
+
+# %% the two terms
+# says: that is the first term of ln π(a), and not its derivative
+def my_scores(a, mu, sigma):
+    return -((a - mu) ** 2) / (2 * sigma**2), -np.log(sigma)
+
+
+# %% a logarithm that is none
+# says: `sigma` is σ itself and not ln σ, so no power of e is needed
+def my_scores(a, mu, sigma):
+    spread = np.exp(sigma)
+    return (a - mu) / spread**2, (a - mu) ** 2 / spread**2 - 1
+
+
+# %% the second term
+# says: that is the second term of ln π(a), and not its derivative
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, -np.log(sigma)

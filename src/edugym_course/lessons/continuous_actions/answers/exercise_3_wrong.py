@@ -690,3 +690,13 @@ def update(self, n):
 # in: returns first, then the steps in order
 # - for t in range(n):
 # + for t in range(len(self.states)):
+
+# %% the mean of the returns for the preferences alone
+# says: V moves, but the baseline of the preferences is the mean of the returns, and it should be V(S_t)
+# in: returns first, then the steps in order
+# - for t in range(n):
+# + mean = self.rewards[:n].mean()
+# + for t in range(n):
+# - self.look(state)
+# + delta = self.rewards[t] - mean
+# + self.look(state)

@@ -292,3 +292,18 @@
 # in: lists of an episode
 # - t, over = t + 1, terminated or truncated
 # + t, over = t + 1, terminated
+
+# %% σ itself
+# slow
+# says: what is learned is σ, with the score of σ: learn ln σ, with its own
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + ls[S[k]] = np.log(min(max(sigma + step * (z**2 / sigma**3 - 1 / sigma), 0.2), 2))
+
+# %% nothing is learned where time ran out
+# slow
+# says: nothing is learned from an episode that is truncated: it is over as well, and its returns stop at its last reward
+# in: lists of an episode
+# - for k in range(len(S)):
+# + for k in range(0 if truncated else len(S)):

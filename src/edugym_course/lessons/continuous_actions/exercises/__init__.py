@@ -1,5 +1,6 @@
 """The exercises of lesson 7: the size of a table of bins, the scores of a Gaussian, and REINFORCE with a baseline."""
 
+import math
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
@@ -91,6 +92,9 @@ def _size_mistakes(m: int, n: int, c: int, h: int) -> dict[str, float]:
         "those are the numbers of the lesson's table: use `joints`, `bins` and `cells`": h * 30 * 30 * 5**2,
         "one joint is missing: is a range too short, or a power too low?": h * (c * n) ** (m - 1),
         "there is one joint too many in the power of the cells": h * c ** (m + 1) * n**m,
+        "the joints choose one after another, so that order counts and a bin may come twice: n^m, not a binomial": h
+        * c**m
+        * math.comb(n, m),
         CARET: (h * c) ^ (m * n) ^ m,
         f"{CARET}, here as well": h * (c ^ m) * (n ^ m),
         f"the {h} multiplies the rows, it is not added to them": (h + c**m) * n**m,
@@ -158,6 +162,7 @@ def _check_arrays(answer: Any, scale: float) -> None:
             )
 
 
+E_OF_SIGMA = "`sigma` is σ itself and not ln σ, so no power of e is needed"
 OF_MEAN: Mapping[str, Any] = MappingProxyType(
     {
         "": lambda a, m, s: (a - m) / s**2,
@@ -170,6 +175,8 @@ OF_MEAN: Mapping[str, Any] = MappingProxyType(
         "that is ln π (but for a constant), not its derivative": lambda a, m, s: (
             -((a - m) ** 2) / (2 * s**2) - np.log(s)
         ),
+        "that is the first term of ln π(a), and not its derivative": lambda a, m, s: -((a - m) ** 2) / (2 * s**2),
+        E_OF_SIGMA: lambda a, m, s: (a - m) / np.exp(2 * s),
         "the derivative of a square is not a square": lambda a, m, s: (a - m) ** 2 / s**2,
         "the derivative of the square root is taken: divide by σ², once": lambda a, m, s: (a - m) / s**3,
         "that is the score of ln σ; the score of μ comes first": lambda a, m, s: (a - m) ** 2 / s**2 - 1,
@@ -217,6 +224,8 @@ OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
         "the exponent −2 of σ gives a factor of 2, which cancels the 2 in 2σ²": lambda a, m, s: (
             (a - m) ** 2 / (2 * s**2) - 1
         ),
+        E_OF_SIGMA: lambda a, m, s: (a - m) ** 2 / np.exp(2 * s) - 1,
+        "that is the second term of ln π(a), and not its derivative": lambda a, m, s: -np.log(s),
         "a − μ should be squared": lambda a, m, s: (a - m) / s**2 - 1,
         "σ² in the numerator should be σ² below": lambda a, m, s: (a - m) ** 2 * s**2 - 1,
         "that is the score of μ; the score of ln σ comes second": lambda a, m, s: (a - m) / s**2,

@@ -103,6 +103,8 @@ class Gaussians:
         bootstraps: whether it learns from the TD error in the place of G less V.
         keeps: whether its list of steps is never emptied.
         backwards: whether it learns from the last step first.
+        itself: whether it is σ that moves, by its own score, and not ln σ.
+        cut_short: whether it learns from episodes that are truncated, too.
     """
 
     def __init__(
@@ -125,6 +127,8 @@ class Gaussians:
         bootstraps: bool = False,
         keeps: bool = False,
         backwards: bool = False,
+        itself: bool = False,
+        cut_short: bool = True,
     ) -> None:
         """Begin with μ = 0 and V = 0."""
         # Lists: Python reads one entry of them sooner than one of an array.
@@ -132,7 +136,7 @@ class Gaussians:
         self._returns, self._of_mean, self._of_log = returns, of_mean, of_log
         self._policy_rate, self._value_rate = policy_rate, value_rate
         self._fades, self._shared, self._power, self._fresh, self._moves = fades, shared, power, fresh, moves
-        self._cut, self._bootstraps = cut, bootstraps
+        self._cut, self._bootstraps, self._itself, self._cut_short = cut, bootstraps, itself, cut_short
         self._all_steps, self.keeps, self._backwards = all_steps, keeps, backwards
         self._least, self._most = map(math.log, bounds)
 
@@ -146,6 +150,8 @@ class Gaussians:
 
     def learn(self, episode: Sequence[Step]) -> None:
         """Learn from an episode."""
+        if episode[-1].truncated and not self._cut_short:
+            return
         returns = self._returns([step.reward for step in episode], DISCOUNT)
         times = range(len(episode) if self._all_steps else len(episode) - 1)
         for t in reversed(times) if self._backwards else times:
@@ -163,6 +169,8 @@ class Gaussians:
                 self.mean[mean] += rate * delta * self._of_mean(off, spread)
                 off = action - self.mean[mean]
             moved = self._log[log] + rate * delta * self._of_log(off, spread)
+            if self._itself:
+                moved = math.log(max(spread + rate * delta * self._of_log(off, spread) / spread, 1e-9))
             self._log[log] = min(max(moved, self._least), self._most)  # NaN stays NaN
             if self._moves != "μ":
                 spread = math.exp(self._log[log]) if self._moves == "σ" else spread

@@ -138,6 +138,8 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
             delta = returns[t] - V[place]
         if change.get("delta") == "return":
             delta = returns[t]
+        elif change.get("delta") == "of the mean":
+            delta = returns[t] - float(np.mean(returns))
         elif change.get("delta") == "missing":
             delta = 1.0
         power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}

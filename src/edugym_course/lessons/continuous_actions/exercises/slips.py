@@ -12,6 +12,9 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "V(S_t) is not subtracted: δ is the return less the baseline": {"baseline": "none"},
         "the baseline is V(S_t), not the mean of the rewards": {"baseline": "mean"},
         "the baseline is V(S_t), not the mean of the returns": {"baseline": "mean return"},
+        "V moves, but the baseline of the preferences is the mean of the returns, and it should be V(S_t)": {
+            "delta": "of the mean"
+        },
         "V[t] is the value of state t; that of the state of step t is V[self.states[t]]": {"V": "t"},
         "the baseline is V(S_t), not the largest of all values": {"baseline": "largest"},
         "V moves, but the preferences move by G instead of δ": {"delta": "return"},

@@ -47,7 +47,7 @@ def my_program(environment, n_steps, seed):
 # + return lambda s: 0
 
 # %% two grips for three
-# says: grip 2 was never tried, and no other one holds: is what was tried first preferred for ever, or are the 3 grips not all counted?
+# says: grip 2 was never tried, and no other one holds: is what was tried first preferred for ever, are the 3 grips not all counted
 # in: a random grip where none is known
 # - a = known[s] if s in known else int(rng.integers(n_actions))
 # + a = known[s] if s in known else int(rng.integers(2))
@@ -78,3 +78,23 @@ def my_program(environment, n_steps, seed):
 # in: a random grip where none is known
 # - a = known[s] if s in known else int(rng.integers(n_actions))
 # + a = environment.unwrapped.mdp.grips[s]
+
+# %% without chance, and stays
+# says: grips not all counted, or is `state = next_state` missing?
+# in: one grip after another, without chance
+# - s = environment.reset()[0] if over or cut else s2
+# + s = environment.reset()[0] if over or cut else s
+
+# %% only two grips, without chance
+# says: grip 2 was never tried, and no other one holds
+# in: one grip after another, without chance
+# - grip[s] = (grip[s] + 1) % n_actions
+# + grip[s] = 1 - grip[s]
+
+# %% stops at the top
+# says: of its 3000 steps: go on, episode after episode, until all are taken
+# in: one grip after another, without chance
+# - s = environment.reset()[0] if over or cut else s2
+# + if over:
+# +     break
+# + s = environment.reset()[0] if cut else s2

@@ -165,7 +165,10 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
         epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
         if epsilon != 0.0:
             raise WrongAnswer(f"the optimist explores by its values alone, so ε should be 0, but it is {epsilon:g}")
-        Q_LEARNING.check(make, Q.shape, {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}, seed)
+        try:
+            Q_LEARNING.check(make, Q.shape, {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}, seed)
+        except WrongAnswer as wrong:
+            raise WrongAnswer(f"{wrong}{other_kind}") from None
         Q[1, :], Q[1, 1] = 0.25, 0.5
         Q[2, :], Q[2, 0] = 0.5, -0.5
         one_in = 1 / n_grips

@@ -327,3 +327,9 @@ def discounted_return(rewards, discount):
     for reward in reversed(rewards):
         total = reward + discount * total
     return total
+
+
+# %% a weighted mean
+# says: the sum is divided by that of the weights; a return is a sum, not a mean
+def discounted_return(rewards, discount):
+    return np.average(rewards, weights=discount ** np.arange(len(rewards)))

@@ -92,7 +92,7 @@ def choose(values, epsilon, rng):
 
 # %% sorts the values
 # says: changes the table `values`
-# says: `: choosing must change nothing, `learn` does that
+# says: `: choosing must change nothing
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -257,3 +257,31 @@ def choose(values, epsilon, rng):
         if value > highest:
             best, highest = action, value
     return rng.integers(len(values)) if rng.random() < epsilon else best
+
+
+# %% explores too often
+# says: it explores too often, as if it asked twice whether to: draw rng.random() once, and let `else` do the rest
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    if rng.random() < 1 - epsilon:
+        return rng.choice(np.flatnonzero(values == values.max()))
+    return rng.integers(len(values))
+
+
+# %% softmax
+# says: in the place of the highest value it draws in proportion to e^value: the others come by ε alone
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    p = np.exp(values - values.max())
+    return rng.choice(len(values), p=p / p.sum())
+
+
+# %% shuffled in place
+# says: changes the table `values`: choosing must change nothing
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    rng.shuffle(values)
+    return int(values.argmax())

@@ -148,3 +148,53 @@ my_program = ...
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.99 * Q[next_state, action]
+
+# %% reset before it learns
+# says: S' is the state after the reset where an episode was truncated: learn first, and reset then
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + if terminated or truncated:
+# +     next_state, _ = environment.reset()
+# + target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# - state = next_state
+# - if terminated or truncated:
+# -     state, _ = environment.reset()
+# + state = next_state
+
+
+# %% a table of whole numbers
+# says: what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n), dtype=int)
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        best = np.flatnonzero(Q[s] == Q[s].max())
+        a = int(rng.integers(Q.shape[1]) if rng.random() < 0.1 else rng.choice(best))
+        s2, r, end, cut, _ = environment.step(a)
+        Q[s, a] = Q[s, a] + 0.5 * (r + 0.99 * (0 if end else Q[s2].max()) - Q[s, a])
+        s = environment.reset()[0] if end or cut else s2
+    return lambda s: int(Q[s].argmax())
+
+
+# %% the value of the next action
+# says: Q(S', A'), the value of the action that is taken next, stands where the maximum should
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+
+    def act(s):
+        best = np.flatnonzero(Q[s] == Q[s].max())
+        return int(rng.integers(Q.shape[1]) if rng.random() < 0.1 else rng.choice(best))
+
+    s, _ = environment.reset(seed=seed)
+    a = act(s)
+    for _ in range(n_steps):
+        s2, r, end, cut, _ = environment.step(a)
+        a2 = act(s2)
+        Q[s, a] += 0.5 * (r + 0.99 * (0 if end else Q[s2, a2]) - Q[s, a])
+        s, a = s2, a2
+        if end or cut:
+            s, _ = environment.reset()
+            a = act(s)
+    return lambda s: int(Q[s].argmax())

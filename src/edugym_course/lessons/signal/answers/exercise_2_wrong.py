@@ -429,3 +429,9 @@ def bits_in(joint):
         if p > 0:
             total += p * math.log2(p) - math.log2(joint[x].sum()) - math.log2(joint[:, y].sum())
     return total
+
+
+# %% two entropies
+# says: H(X) + H(Y) is the sum of two entropies; less that of the pair, H(X, Y), it is the information
+def bits_in(joint):
+    return -sum((p[p > 0] * np.log2(p[p > 0])).sum() for p in (joint.sum(axis=0), joint.sum(axis=1)))

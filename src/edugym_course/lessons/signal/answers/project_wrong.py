@@ -202,3 +202,22 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - theta = np.zeros((W, N))
 # + theta = 10 * np.ones((W, N))
+
+# %% the rest of each word
+# says: words with the same rest, divided by the number of actions, share their weights; what a word means has to be learned
+# in: weights in an array
+# - x[o[k]] += 1 / L
+# + x[o[k] % N] += 1 / L
+
+# %% each word by itself
+# says: each weight moves by R − θ, the error of its own word alone; q(O, A) is the sum over all words
+# in: weights in an array
+# - delta = r - q[a]
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.01 * (r - theta[:, a]) * x
+
+# %% all words alike
+# says: the weights of all words of a message move alike: the factor x_w(O) is missing in their step
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[x > 0, a] += 0.01 * delta

@@ -257,6 +257,8 @@ def _mistakes_in_bits(joint: Reals) -> dict[str, float]:
         "that is the entropy of y alone: it leaves the need out": entropy_y,
         "that is −Σ p(x, y) log p(x, y), the entropy of the pair; p(x, y) has to be divided by p(x) p(y)": together,
         "that is Σ p(x, y) log p(x, y): p(x, y) has to be divided by p(x) p(y)": -together,
+        "H(X) + H(Y) is the sum of two entropies; less that of the pair, H(X, Y), it is the information": entropy_x
+        + entropy_y,
         "that is what is still open about x after the message; the information is what the message has told": together
         - entropy_y,
         "that is what is still open about y when x is known; the information is what the message has told": together

@@ -225,10 +225,11 @@ def made_by(answer: Any) -> Any:
 
 def check_memory(made: Any, cases: list[Heard]) -> None:
     """Check that the action is remembered."""
-    wrong = []
+    wrong, writes = [], False
     for case in cases:
         with student_code(case.call):
             action = action_of(case.call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
+        writes = writes or made.last[0] != case.last
         if made.last[0] != action:
             wrong.append((case, action, int(made.last[0])))
     for case, action, last in wrong:
@@ -238,6 +239,11 @@ def check_memory(made: Any, cases: list[Heard]) -> None:
                 f"after {case.call} took action {action}, self.last[0] should be {action}, but is {last}{twice}"
             )
     for case, action, _ in wrong:
+        if writes:
+            raise WrongAnswer(
+                f"after {case.call} took action {action}, self.last[0] should be {action}, but is {case.last}: is"
+                " another action noted there than the one that you return?"
+            )
         raise WrongAnswer(
             f"{case.call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before"
             " you return"
