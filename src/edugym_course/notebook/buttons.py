@@ -11,7 +11,7 @@ from edugym.rendering.scene import Scene
 from edugym_course.notebook.widget import NotebookWidget, picture_html, text_html
 
 HIDDEN = (
-    '<div style="width: 240px; padding: 60px 20px; border: 1px solid; text-align: center">'
+    '<div style="max-width: 240px; padding: 60px 20px; border: 1px solid; text-align: center">'
     "The picture is hidden until the episode is over: an agent sees only the observation.</div>"
 )
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from edugym.checks.parameters import in_short, one_of
 from edugym.rendering.drawing import Drawing
-from edugym_course.notebook.widget import NotebookWidget, png_html
+from edugym_course.notebook.widget import NotebookWidget, png_html, svg_html
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,7 +38,7 @@ class Shown(NamedTuple):
         """It as an HTML element."""
         if self.mime_type == "image/png":
             return png_html(base64.b64decode(self.data), self.description)
-        return self.data
+        return svg_html(self.data) if self.mime_type == "image/svg+xml" else self.data
 
 
 class Sliders(NotebookWidget):
@@ -115,7 +115,7 @@ def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
     """The widget for a parameter (see `sliders`); it starts from `default` unless that is None."""
     label = {
         "description": name.replace("_", " "),
-        "style": {"description_width": f"{label_width}ch"},
+        "style": {"description_width": f"{label_width + 2}ch"},  # an m is wider than a digit
         "layout": {"width": "auto", "max_width": "420px"},
     }
     at_the_end = {"continuous_update": False}

@@ -34,13 +34,14 @@ class Film(NotebookWidget):
         """Make the widgets."""
         self.frames = list(frames)
         last = len(self.frames) - 1
-        self.slider = ipywidgets.IntSlider(description="step", max=last)
+        self.slider = ipywidgets.IntSlider(description="step", max=last, layout=ipywidgets.Layout(max_width="100%"))
         self.player = ipywidgets.Play(max=last, interval=round(1000 / frames_per_second))
         self._link = ipywidgets.jslink((self.player, "value"), (self.slider, "value"))
         self._picture, self._line = ipywidgets.HTML(), ipywidgets.HTML()
         self.slider.observe(self.calling(self.show), "value")
         self.show()
-        super().__init__(ipywidgets.HBox([self.player, self.slider]), self._picture, self._line)
+        row = ipywidgets.HBox([self.player, self.slider], layout=ipywidgets.Layout(flex_flow="row wrap"))  # for phones
+        super().__init__(row, self._picture, self._line)
 
     def show(self) -> None:
         """Show the frame that the slider has chosen."""

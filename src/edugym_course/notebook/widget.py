@@ -72,11 +72,16 @@ class NotebookWidget:
 def picture_html(picture: Picture) -> str:
     """A picture of an environment for an HTML widget."""
     if isinstance(picture, Scene):
-        return to_svg(picture).replace("<svg ", '<svg style="max-width: 100%; height: auto" ', 1)  # for phones
+        return svg_html(to_svg(picture))
     if isinstance(picture, str):
         plain = re.sub("\x1b\\[[0-9;]*m", "", picture)  # Gymnasium's environments color their characters
         return f"<pre>{html.escape(plain)}</pre>"
     return png_html(png_of(picture), "The environment")
+
+
+def svg_html(svg: str) -> str:
+    """An SVG picture that is no wider than the page: phones are narrow."""
+    return svg.replace("<svg ", '<svg style="max-width: 100%; height: auto" ', 1)
 
 
 def png_of(pixels: np.ndarray[Any, np.dtype[np.uint8]]) -> bytes:

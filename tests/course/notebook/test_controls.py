@@ -100,7 +100,7 @@ def test_ends_steps_and_labels() -> None:
     tiny: Any = sliders(lambda x=0.0: None, x=(0.0, 1.0, 1e-9)).controls["x"]
     assert tiny.readout_format == ".6f"
     assert [control.description for control in controls.values()] == ["learning rate", "x", "y", "z", "kind"]
-    assert {control.style.description_width for control in controls.values()} == {"13ch"}
+    assert {control.style.description_width for control in controls.values()} == {"15ch"}
     assert (controls["kind"].options, controls["kind"].value) == (("a", "b"), "b")
     assert sliders(lambda x=3: None, x=range(1, 7, 2)).controls["x"].options == (1, 3, 5)
 
@@ -184,6 +184,7 @@ def test_what_functions_return(function: Callable[..., Any], mime_type: str, dat
     assert (result.mime_type, result.description) == (mime_type, description)
     assert result.data.startswith(data)
     assert (result.data == "") == (data == "")
+    assert ("max-width: 100%" in result.html()) == mime_type.startswith("image/")  # for phones
 
 
 def test_figures_of_others_stay_open() -> None:
