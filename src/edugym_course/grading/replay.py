@@ -19,6 +19,7 @@ import numpy as np
 
 from edugym.agents.tables import tied
 from edugym.checks.contract import learns_from
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import (
     NAME,
@@ -201,8 +202,22 @@ def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -
 
 def _best(agent: Any, state: Any) -> list[bool]:
     """Which actions look best to an agent."""
-    values = (agent.values(state) if hasattr(agent, "values") else agent.Q[state]).tolist()
+    return _looks_best(agent.values(state) if hasattr(agent, "values") else agent.Q[state])
+
+
+def _looks_best(row: Reals) -> list[bool]:
+    values = row.tolist()
     return [tied(value, max(values)) for value in values]
+
+
+def histories(steps: Sequence[Step]) -> list[tuple[Any, ...]]:
+    """Return for each step of a run what came before it in its episode: O_0, A_0, O_1, ..., O_t."""
+    found, history = [], tuple[Any, ...]()
+    for step in steps:
+        history = (*history, step.state)
+        found.append(history)
+        history = () if step.terminated or step.truncated else (*history, step.action)
+    return found
 
 
 def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) -> tuple[int, list[Row]]:
@@ -244,7 +259,8 @@ class Rule:
         worlds: in how many small worlds a program is tried.
         n_steps: how many steps it takes in each.
         world: makes one, with the arguments of `SmallWorld`.
-        asks: whether the policy that is returned chooses by one observation, and can be asked about each.
+        remembers: whether the policy that is returned is given the history of an episode, O_0, A_0, O_1, ..., O_t, in
+            the place of O_t alone. The agents of the rule then have a method `row(history)`, the values at its end.
     """
 
     right: Learner
@@ -257,7 +273,7 @@ class Rule:
     worlds: int = 2
     n_steps: int = 2000
     world: Callable[[int, bool, bool], Environment] = SmallWorld
-    asks: bool = True
+    remembers: bool = False
 
     def check(self, program: Any, seed: int) -> None:
         """Check that the actions of a program follow from its steps by the equation.
@@ -290,8 +306,7 @@ class Rule:
         if right.is_usual() and not is_better:
             self._require_steady_tries(runs, right)
             self._require_tries(runs, shape)
-            if self.asks:
-                self._require_best_actions(done[0], shape)
+            self._require_best_actions(done[0], shape)
             return
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
@@ -335,15 +350,21 @@ class Rule:
     def _require_best_actions(self, run: Run, shape: tuple[int, int]) -> None:
         """Refuse a policy that draws its actions, or whose actions are not those that look best after all steps."""
         ((agent, _),) = deque(_learning(run.steps, self.right, shape), maxlen=1)
-        asked = [(step.state, _best(agent, step.state)) for step in run.steps[-ASKED:]]
-        clear = [(state, best.index(True)) for state, best in asked if sum(best) == 1]
-        found = actions_of(run.policy, [state for state, _ in clear], shape[1], "observation")
+        if self.remembers:
+            noun, plural, look_up = "history", "histories", "end of the history"
+            longest = sorted(histories(run.steps), key=len)[-ASKED:]  # who looks up a whole one is found out
+            asked = [(history, _looks_best(agent.row(history))) for history in longest]
+        else:
+            noun, plural, look_up = "observation", "observations", "state"
+            asked = [(step.state, _best(agent, step.state)) for step in run.steps[-ASKED:]]
+        clear = [(question, best.index(True)) for question, best in asked if sum(best) == 1]
+        found = actions_of(run.policy, [question for question, _ in clear], shape[1], noun)
         other = sum(action != best for action, (_, best) in zip(found, clear, strict=True))
         if other > UNEXPLAINED * len(clear):
             raise WrongAnswer(
-                f"in {other} of {len(clear)} observations {POLICY} takes another action than the one"
-                " that the steps of the program make look best: does this policy look up the state that it is given,"
-                " and take the *best* action?"
+                f"in {other} of {len(clear)} {plural} {POLICY} takes another action than the one"
+                f" that the steps of the program make look best: does this policy look up the {look_up} that it is"
+                " given, and take the *best* action?"
             )
 
     def _cause(self, right: Surprises) -> str:

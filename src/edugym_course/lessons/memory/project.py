@@ -1,6 +1,7 @@
 """The project of lesson 5: Q-learning with a memory of its own, a window of what it saw and did, from a blank file."""
 
 from collections import defaultdict
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -16,8 +17,28 @@ from edugym_course.grading.small_world import WIDTH, SmallWorld
 
 N_STEPS, K, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 3, 0.2, 0.8, 0.1
 
+KEPT = 8
+"""How many steps of an episode an agent remembers at most, which its window may cut further."""
 History = tuple[Any, ...]
 """O_0, A_0, O_1, ..., O_t: the observations and actions of an episode so far."""
+Cut = Callable[[History], History]
+"""Makes a window of a history, or what is left of it for the next episode."""
+
+
+def last(history: History, k: int = K) -> History:
+    """The last k observations, and the actions between them."""
+    return history[-(2 * k - 1) :]
+
+
+def nothing(history: History) -> History:
+    """What an episode should begin with."""
+    return ()
+
+
+def swapped(history: History) -> History:
+    """The last five entries, where each action is noted behind the observation that it led to."""
+    pairs = zip(history[2::2], history[1::2], strict=True)
+    return (history[0], *(entry for pair in pairs for entry in pair))[-(2 * K - 1) :]
 
 
 class VeiledWorld(gymnasium.ObservationWrapper[Any, Any, Any]):
@@ -44,35 +65,35 @@ class Windowed:
 
     Args:
         shape: the second entry is the number of actions.
-        k: how many observations a window has.
-        actions: whether it has the actions between them too.
-        empties: whether an episode begins with an empty window.
+        window: makes the window of a history.
+        left: makes what an episode begins with of the history of the last one.
         grows: whether what was seen and done is kept in it.
         moves: whether the value in the target is that of the next window, or of the old one.
         learning_rate: α.
         discount: γ.
+        first: the values at first.
     """
 
     def __init__(
         self,
         shape: tuple[int, int],
-        k: int = K,
-        actions: bool = True,
-        empties: bool = True,
+        window: Cut = last,
+        left: Cut = nothing,
         grows: bool = True,
         moves: bool = True,
         learning_rate: float = LEARNING_RATE,
         discount: float = DISCOUNT,
+        first: float = 0.0,
     ) -> None:
         """Know nothing."""
-        self._Q: defaultdict[History, Reals] = defaultdict(lambda: np.zeros(shape[1]))
+        self._Q: defaultdict[History, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._past: History = ()
-        self._k, self._actions, self._empties, self._grows, self._moves = k, actions, empties, grows, moves
+        self._window, self._left, self._grows, self._moves = window, left, grows, moves
         self._learning_rate, self._discount = learning_rate, discount
 
     def row(self, history: History) -> Reals:
         """The values of the window at the end of a history."""
-        return self._Q[history[-(2 * self._k - 1) :] if self._actions else history[::2][-self._k :]]
+        return self._Q[self._window(history)]
 
     def values(self, state: int) -> Reals:
         """The values after an observation."""
@@ -85,9 +106,9 @@ class Windowed:
         target = reward if terminated else reward + self._discount * self.row(then).max()
         self.move(now, action, target)
         if self._grows:
-            self._past = (*now, action)[-2 * self._k :]
+            self._past = (*now, action)[-2 * KEPT :]
         if truncated or terminated:
-            self.forget_episode()
+            self._past = self._left((*now, action, next_state))[-2 * KEPT :]
 
     def move(self, history: History, action: int, target: float) -> None:
         """Move the value of an action towards a target."""
@@ -95,8 +116,7 @@ class Windowed:
 
     def forget_episode(self) -> None:
         """Begin with an empty window."""
-        if self._empties:
-            self._past = ()
+        self._past = ()
 
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by ε-greedy."""
@@ -143,13 +163,25 @@ RULE = Rule(
         "the state stays the first one of the episode: is `state = next_state` missing?": Learner(
             partial(Windowed, grows=False), stays
         ),
-        "there is no memory: the values hang on the last observation alone": mistake(k=1),
-        "the actions are missing in the window": mistake(actions=False),
-        "the window has two observations, and it should have three": mistake(k=2),
-        "the window has four observations, and it should have three": mistake(k=4),
-        "an episode begins with what is left of the last one in its window: empty it at each reset": mistake(
-            empties=False
+        "there is no memory: the values hang on the last observation alone": mistake(window=partial(last, k=1)),
+        "the actions are missing in the window": mistake(window=lambda history: history[::2][-K:]),
+        "the window has two observations, and it should have three": mistake(window=partial(last, k=2)),
+        "the window has four observations, and it should have three": mistake(window=partial(last, k=4)),
+        "the whole episode is the window: cut it to its last five entries": mistake(window=lambda history: history),
+        "the window has six entries, an action too many at its front": mistake(
+            window=lambda history: history[-2 * K :]
         ),
+        "each action is noted behind the observation that it led to; it belongs before it": mistake(window=swapped),
+        "an episode begins with what is left of the last one in its window: empty it at each reset": mistake(
+            left=lambda history: history[:-1]
+        ),
+        "an episode begins with the last one in its window, with all that it saw: empty it at each reset": mistake(
+            left=lambda history: history
+        ),
+        "an episode begins with the last one in its window, and an action 0: empty it at each reset": mistake(
+            left=lambda history: (*history, 0)
+        ),
+        "the first values are about 1, and not 0": mistake(first=1.0),
         "the target has the value of the old window, without what was just done and seen": mistake(moves=False),
         "γ max_a Q(S', a) is missing in the target": mistake(discount=0.0),
         "Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA": Learner(
@@ -165,7 +197,7 @@ RULE = Rule(
     otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one",
     worlds=8,
     world=VeiledWorld,
-    asks=False,
+    remembers=True,
 )
 CORRIDOR = Race(
     partial(gymnasium.make, "edugym/MemoryCorridor-v0"),

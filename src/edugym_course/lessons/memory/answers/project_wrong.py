@@ -94,6 +94,64 @@
 # +     o, _ = environment.reset()
 # +     w = (*w[:-1], o)
 
+# %% the last episode and its last observation
+# slow
+# says: an episode begins with the last one in its window, with all that it saw: empty it at each reset
+# in: tuples in a dictionary
+# - w = w2
+# - if terminated or truncated:
+# -     o, _ = environment.reset()
+# -     w = (o,)
+# + w = w2
+# + if terminated or truncated:
+# +     o, _ = environment.reset()
+# +     w = (*w, o)[-5:]
+
+# %% the last episode and an action 0
+# slow
+# says: an episode begins with the last one in its window, and an action 0: empty it at each reset
+# in: tuples in a dictionary
+# - w = w2
+# - if terminated or truncated:
+# -     o, _ = environment.reset()
+# -     w = (o,)
+# + w = w2
+# + if terminated or truncated:
+# +     o, _ = environment.reset()
+# +     w = (*w, 0, o)[-5:]
+
+# %% an action too many
+# slow
+# says: the window has six entries, an action too many at its front
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (a, o))[-6:]
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[-6:]).argmax())
+
+# %% the whole episode
+# slow
+# says: the whole episode is the window: cut it to its last five entries
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = w + (a, o)
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history).argmax())
+
+# %% the observation before the action
+# slow
+# says: each action is noted behind the observation that it led to; it belongs before it
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (o, a))[-5:]
+
+# %% first values of 1
+# slow
+# says: the first values are about 1, and not 0
+# in: tuples in a dictionary
+# - Q[w] = np.zeros(n)
+# + Q[w] = np.ones(n)
+
 # %% the old window in the target
 # slow
 # says: the target has the value of the old window, without what was just done and seen
@@ -124,7 +182,7 @@
 
 # %% a policy that forgets
 # slow
-# says: the policy that it returns brings
+# says: does this policy look up the end of the history that it is given, and take the *best* action?
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return lambda history: int(values(history[-1:]).argmax())
