@@ -192,8 +192,8 @@ TAMAGOTCHI = Race(
 )
 TRASHBOT = Race(
     "Trashbot",
-    "Real joints, a few choices. How many bring the box to the middle?",
-    "Turn two joints: pick up the box at the left, and drop it into the container at the right.",
+    "Real joints, a few choices. How many bring the box home best?",
+    "Turn two joints: pick up the box at the left, and drop it into the container at the right, near its middle.",
     (
         Agent("3 bins", "each joint left, still or right: 9 actions", edugym.QLearning, NONE, bins(3)),
         Agent("5 bins", "five angles a joint: 25 actions", edugym.QLearning, NONE, bins(5)),
@@ -239,8 +239,8 @@ SUPERMARKET = Race(
     ("ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"),
     seeds=20,
     answer="A model lets an agent learn without taking steps. With "
-    f"{model_based.N_STEPS} steps (Settings) Q-learning has caught up, and shops better than Dyna-Q and prioritised "
-    "sweeping: these stay with the way that they know.",
+    f"{model_based.N_STEPS // 1000} k steps (Settings) Q-learning has caught up, and shops better than Dyna-Q and "
+    "prioritised sweeping: these stay with the way that they know.",
 )
 
 FLIPPING = {"learning_rate": goals.LEARNING_RATE, "discount": goals.DISCOUNT}

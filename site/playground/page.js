@@ -110,7 +110,7 @@ function legend() {
   const signs = new Map()
   if (state.policy) task.marks.forEach(([, , sign], k) => signs.set(sign, [...signs.get(sign) ?? [], task.actions[k]]))
   const numbered = [...signs.keys()].every(sign => /^\d+$/.test(sign)) // a door, or a machine
-  const named = signs.size && numbered ? [`the number of the ${task.actions[0].split(' ')[0]}`] : [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} ${first.replace(/ \d+$/, '')}` : first.endsWith(sign) ? first : `${sign} ${first}`)
+  const named = signs.size && numbered ? [`the number of the ${task.actions[0].split(' ')[0]}`] : [...signs].map(([sign, [first, ...more]]) => more.length ? `${sign} the ${first.replace(/ \d+$/, '')} that it would take` : first.endsWith(sign) ? first : `${sign} ${first}`)
   const colours = { visits: 'The darker the purple, the more often it was there.', values: 'The brighter, the more points it expects from there on.', nothing: '' }[state.show]
   const seeds = state.several > 1 ? `The numbers are means of ${state.several} seeds, with 95 % intervals; the pictures show seed ${state.seed}. ` : ''
   const says = pictures => {
