@@ -129,7 +129,8 @@ def format_steps(ax: "Axes") -> None:
     """Label few training steps on the x axis, with a space between thousands."""
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-    ax.xaxis.set_major_locator(MaxNLocator(4, integer=True, steps=[1, 2, 5, 10]))
+    most = 4 if ax.get_xlim()[1] < 2_000_000 else 2  # labels of millions are long
+    ax.xaxis.set_major_locator(MaxNLocator(most, integer=True, steps=[1, 2, 5, 10]))
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}".replace(",", "\N{NO-BREAK SPACE}")))
 
 

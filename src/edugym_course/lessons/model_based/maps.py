@@ -12,7 +12,7 @@ from edugym.exact.value_iteration import best_values
 from edugym.exact.values import sweeps
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet, in_pairs
-from edugym.experiments.figures.style import DEEP_BLUE, axes_or_new
+from edugym.experiments.figures.style import axes_or_new
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import BLUE, BRICK, GREEN, INK, PAPER, RED
 from edugym_course.lessons.model_based.methods import DISCOUNT, exact_model
@@ -21,6 +21,8 @@ from edugym_course.lessons.model_based.plans import follow_plan
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+WORTH = PAPER, "#8ecfc9", "#3d8fc4"
+"""The colours of values, from 0 on; arrows can be seen on the darkest too."""
 WALK = 46
 """The seed of a random walk that leaves with no item."""
 STEPS_OF = np.array([(-1, 0), (1, 0), (0, -1), (0, 1)])
@@ -63,7 +65,7 @@ class FloorMap(NamedTuple):
         ax = axes_or_new(ax)
         shop = Supermarket.create()
         values = self.values()
-        colours = LinearSegmentedColormap.from_list("worth", [PAPER, "#8ecfc9", DEEP_BLUE])
+        colours = LinearSegmentedColormap.from_list("worth", WORTH)
         picture = ax.imshow(values, cmap=colours, vmin=0.0, vmax=self.highest)
         walls = np.ma.masked_not_equal(shop.cells, WALL)
         ax.imshow(walls, cmap=ListedColormap([BRICK]), alpha=0.9)

@@ -64,6 +64,8 @@ class Paths(NamedTuple):
     @on_axes
     def draw(self, ax: "Axes") -> None:
         """Draw cells and paths."""
+        from matplotlib.patheffects import withStroke
+
         rows, columns = self.danger.shape
         ax.imshow(self.danger, cmap="Reds", vmin=0, vmax=2 * self.most, origin="upper" if self.down else "lower")
         ax.set_aspect("equal" if self.down else "auto")
@@ -79,6 +81,7 @@ class Paths(NamedTuple):
                         fontsize=7,
                         color=INK,
                         zorder=4,
+                        path_effects=[withStroke(linewidth=2.0, foreground="white")],  # lines run through it
                     )
         for i, (label, path) in zip(self.strokes, self.paths.items(), strict=False):
             shift = 0.11 * (i - (len(self.paths) - 1) / 2)  # so that no path hides another

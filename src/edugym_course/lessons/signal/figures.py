@@ -130,7 +130,7 @@ class Table(NamedTuple):
     @on_axes
     def draw(self, ax: "Axes") -> None:
         """Draw the table."""
-        ax.imshow(self.joint, cmap="Blues", vmin=0.0, vmax=0.35, aspect="auto")
+        ax.imshow(self.joint, cmap="Blues", vmin=0.0, vmax=0.5, aspect="auto")
         for (row, column), share in np.ndenumerate(self.joint):
             ax.text(column, row, f"{share:.2f}", ha="center", va="center", fontsize=8, color=INK)
         ax.set_xticks(range(len(self.words)), self.words)
