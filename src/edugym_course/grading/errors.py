@@ -1,9 +1,12 @@
 """The exceptions that say what is wrong with an answer."""
 
+import textwrap
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
+WIDTH = 100
+"""The most characters in a line of a message: JupyterLab breaks longer ones in the middle of a word."""
 _VERDICTS: ContextVar[bool] = ContextVar("only verdicts", default=False)
 
 
@@ -15,7 +18,8 @@ class WrongAnswer(AssertionError):
 
     def _render_traceback_(self) -> list[str]:
         """Return what IPython shows in place of a traceback."""
-        return [f"✗ {self}"]
+        lines = f"✗ {self}".splitlines()
+        return [textwrap.fill(line, WIDTH, break_long_words=False, break_on_hyphens=False) for line in lines]
 
 
 class Unsolved(WrongAnswer):

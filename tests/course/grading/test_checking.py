@@ -11,6 +11,7 @@ from nbclient import NotebookClient
 from nbformat.v4 import new_code_cell, new_notebook
 
 from edugym_course.grading import Unsolved, WrongAnswer, check, checking
+from edugym_course.grading.errors import WIDTH
 from edugym_course.grading.student_code import student_code
 from tests.messages import named
 
@@ -136,6 +137,15 @@ def test_in_a_notebook_a_flood_is_cut_until_the_end_of_the_cell() -> None:
     assert (first.count("line\n"), first.count("cell\n"), first.count("✓ right")) == (20, 30, 1)
     assert "... and 2 995 more lines" in first
     assert second == "line\n" * 25
+
+
+def test_lines_of_a_message_are_broken_between_words() -> None:
+    """Those that are long; the others, with their spaces, stay as they are."""
+    long = "NotImplementedError " * 8
+    shown = "\n".join(WrongAnswer(f"it is\n  2   3\n{long}")._render_traceback_())
+    assert shown.startswith("✗ it is\n  2   3\nNot")
+    assert shown.split() == f"✗ it is 2 3 {long}".split()
+    assert max(map(len, shown.splitlines())) <= WIDTH < len(long)
 
 
 @pytest.mark.slow
