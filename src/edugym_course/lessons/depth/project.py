@@ -1,6 +1,7 @@
 """The project of lesson 3: n-step SARSA from its definition, from a blank file."""
 
 import math
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -37,6 +38,11 @@ def agent(
     return NStepSARSA.create(shape, n=n, learning_rate=learning_rate, discount=discount)
 
 
+def discounted(rewards: Sequence[float], first: int = 0, step: int = 1) -> float:
+    """Return the sum of rewards by powers of γ: the first exponent, and how much larger each next one is."""
+    return sum(DISCOUNT ** (first + step * k) * reward for k, reward in enumerate(rewards))
+
+
 class FromDefinition:
     """n-step SARSA from lists, with a mistake in its target.
 
@@ -44,8 +50,11 @@ class FromDefinition:
         shape: that of the table.
         largest: whether the largest value of the state after n steps stands in the place of that of the action taken.
         bootstrap: the weight of this value.
+        total: the weighted sum of the rewards of a target.
         from_start: whether the power of γ of a reward is that of its place in the episode.
+        early: whether the value is that of the pair one step earlier.
         last_only: whether at the end of an episode only the pair of n steps before is learned.
+        again: whether at the end of an episode all its pairs are learned, also those that were before.
         cut: what is learned where an episode is truncated: "rewards" alone, the largest "value" too, or "nothing".
     """
 
@@ -55,14 +64,17 @@ class FromDefinition:
         *,
         largest: bool = False,
         bootstrap: float = DISCOUNT**N,
+        total: Callable[[Sequence[float]], float] = discounted,
         from_start: bool = False,
+        early: bool = False,
         last_only: bool = False,
+        again: bool = False,
         cut: str = "rewards",
     ) -> None:
         """Begin with zeros."""
         self.Q = np.zeros(shape)
         self._largest, self._bootstrap, self._from_start, self._last_only = largest, bootstrap, from_start, last_only
-        self._cut = cut
+        self._cut, self._total, self._early, self._again = cut, total, early, again
         self.forget_episode()
 
     def act(self, state: int, rng: Random) -> int:
@@ -93,13 +105,15 @@ class FromDefinition:
             after = 0.0
         elif truncated or self._largest:
             after = float(self.Q[next_state].max())
+        elif self._early:
+            after = float(self.Q[state, action])
         else:
             after = float(self.Q[next_state, next_action])
         left = steps if over and not self._last_only else steps - N + 1
-        for tau in range(max(steps - N, 0), 0 if truncated and self._cut == "nothing" else left):
-            first = tau if self._from_start else 0
+        begin = 0 if over and self._again else max(steps - N, 0)
+        for tau in range(begin, 0 if truncated and self._cut == "nothing" else left):
             rewards = self._rewards[tau : tau + N]
-            target = sum(DISCOUNT ** (first + k) * reward for k, reward in enumerate(rewards))
+            target = discounted(rewards, first=tau) if self._from_start else self._total(rewards)
             weight = self._bootstrap * DISCOUNT ** (len(rewards) - N)  # of fewer rewards than n
             self.Q[self._pairs[tau]] += LEARNING_RATE * (target + weight * after - self.Q[self._pairs[tau]])
         if over:
@@ -137,11 +151,39 @@ RULE = Rule(
         ),
         "the rewards are discounted from the start of the episode, and they should be from step τ: the first reward of"
         " a target has the weight 1": Learner(partial(FromDefinition, from_start=True)),
+        "the value after the n rewards has the weight γⁿ⁻¹, and it should be γⁿ": Learner(
+            partial(FromDefinition, bootstrap=DISCOUNT ** (N - 1))
+        ),
+        "the value after the n rewards has the weight γⁿ⁺¹, and it should be γⁿ": Learner(
+            partial(FromDefinition, bootstrap=DISCOUNT ** (N + 1))
+        ),
+        "the value after the n rewards has the weight γ, and it should be γⁿ": Learner(
+            partial(FromDefinition, bootstrap=DISCOUNT)
+        ),
+        "the value is that of S_τ+n-1 and A_τ+n-1, one step too early": Learner(partial(FromDefinition, early=True)),
+        "the rewards are not discounted: the second one has the weight γ, and the third γ²": Learner(
+            partial(FromDefinition, total=sum)
+        ),
+        "all rewards have the same weight γ: the first one has the weight 1, the second γ, and the third γ²": Learner(
+            partial(FromDefinition, total=partial(discounted, first=1, step=0))
+        ),
+        "the powers of γ run backwards: the *first* reward of a target has the weight 1": Learner(
+            partial(FromDefinition, total=lambda rewards: discounted(rewards[::-1]))
+        ),
+        "the first reward is left out of the target, that of step τ itself, R_τ+1": Learner(
+            partial(FromDefinition, total=lambda rewards: discounted(rewards[1:]))
+        ),
+        "the mean of the rewards stands where their sum should": Learner(
+            partial(FromDefinition, total=lambda rewards: discounted(rewards) / len(rewards))
+        ),
+        "at the end of an episode all its pairs are learned, also those that have learned before": Learner(
+            partial(FromDefinition, again=True)
+        ),
     }
     | other_settings(
         agent,
-        discount=("γ", DISCOUNT, (1.0, 0.99, 0.9, 0.7, 0.5)),
-        learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.75, 1.0)),
+        discount=("γ", DISCOUNT, (1.0, 0.99, 0.95, 0.9, 0.85, 0.75, 0.7, 0.6, 0.5)),
+        learning_rate=("α", LEARNING_RATE, (0.1, 0.25, 0.4, 0.6, 0.75, 1.0)),
     )
     | other_tables(agent),
     EPSILON,

@@ -120,3 +120,82 @@
 # in: three steps later
 # - t, s = 0, environment.reset(seed=seed)[0]
 # + t, s = 0, environment.reset()[0]
+
+# %% a discount a little too large
+# slow
+# says: γ is about 0.85, and it should be 0.8
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.85**k * r for k, r in enumerate(R[tau : tau + n]))
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.85**n * Q[S[tau + n], A[tau + n]]
+
+# %% a power of γ too low
+# slow
+# says: the value after the n rewards has the weight γⁿ⁻¹, and it should be γⁿ
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8 ** (n - 1) * Q[S[tau + n], A[tau + n]]
+
+# %% a power of γ too high
+# slow
+# says: the value after the n rewards has the weight γⁿ⁺¹, and it should be γⁿ
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8 ** (n + 1) * Q[S[tau + n], A[tau + n]]
+
+# %% a value discounted once
+# slow
+# says: the value after the n rewards has the weight γ, and it should be γⁿ
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8 * Q[S[tau + n], A[tau + n]]
+
+# %% the pair before
+# slow
+# says: the value is that of S_τ+n-1 and A_τ+n-1, one step too early
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8**n * Q[S[tau + n - 1], A[tau + n - 1]]
+
+# %% rewards without a discount
+# slow
+# says: the rewards are not discounted: the second one has the weight γ, and the third γ²
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(R[tau : tau + n])
+
+# %% one weight for all rewards
+# slow
+# says: all rewards have the same weight γ: the first one has the weight 1, the second γ, and the third γ²
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8 * r for r in R[tau : tau + n])
+
+# %% powers backwards
+# slow
+# says: the powers of γ run backwards: the *first* reward of a target has the weight 1
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8**k * r for k, r in enumerate(reversed(R[tau : tau + n])))
+
+# %% without the first reward
+# slow
+# says: the first reward is left out of the target, that of step τ itself, R_τ+1
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8**k * r for k, r in enumerate(R[tau + 1 : tau + n]))
+
+# %% the mean of the rewards
+# slow
+# says: the mean of the rewards stands where their sum should
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n])) / len(R[tau : tau + n])
+
+# %% all pairs once more
+# slow
+# says: at the end of an episode all its pairs are learned, also those that have learned before
+# in: three steps later
+# - if tau < 0 or (over and tau < len(R) - n):
+# + if tau < 0:
