@@ -47,14 +47,14 @@ export function verdict(agents, t, steps, bet, optimum) {
   const winners = good.filter(({ reached }) => reached <= soonest + steps / 50)
   const named = (some, of = ({ greedy }) => greedy) => some.map(one => `${one.label} (${within(of(one))})`)
   const how = winners.length === results.length ? 'did equally well' : 'did best'
-  const said = [`${begun(listed(named(winners)))} ${how} in the last tenth of training${good.length > winners.length ? ', and got there first' : ''}`]
+  const said = (some, one, several = one) => some.length ? [`${begun(listed(named(some)))} ${some.length > 1 ? several : one}.`] : []
+  const sentences = [`${begun(listed(named(winners)))} ${how} in the last tenth of training${good.length > winners.length ? ', and got there first' : ''}.`]
   const rest = results.filter(one => !winners.includes(one)), later = rest.filter(one => good.includes(one))
   const failed = rest.filter(({ greedy, start }) => greedy[0] - start < NOTHING * (top[0] - start))
   const behind = rest.filter(one => !failed.includes(one) && !later.includes(one))
-  if (later.length) said.push(`as good, but later: ${listed(named(later))}`)
-  if (behind.length) said.push(`behind: ${listed(named(behind))}`)
-  if (failed.length) said.push(`nothing learned that shows: ${listed(named(failed))}`)
-  const sentences = [`${said.join('; ')}.`]
+  sentences.push(...said(later, 'did as well, but got there later'))
+  sentences.push(...said(behind, 'is behind', 'are behind'))
+  sentences.push(...said(failed, 'has learned nothing that shows', 'have learned nothing that shows'))
   if (results.every(({ exploring }) => exploring)) {
     const earning = best(results, ({ exploring }) => exploring, optimum)
     if (winners.some(one => !earning.includes(one))) sentences.push(`While still exploring, ${listed(named(earning, ({ exploring }) => exploring))} earned most.`)

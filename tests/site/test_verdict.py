@@ -35,6 +35,10 @@ def said(name: str, *given: Any) -> str:
         ([[0.5] * 20, [0.5] * 20], None, "Nobody has learned"),
         ([[0.0] * 20, [0.0] * 20], 1.0, "Nobody has learned"),
         ([[0.0] + [1.0] * 20, [0.0] * 10 + [1.0] * 11], 1.0, "A (1) did best"),
+        ([[0.0] + [1.0] * 20, [0.0] * 10 + [1.0] * 11], 1.0, "got there first. B (1) did as well"),
+        ([[0.0] + [1.0] * 20, [0.0] + [0.5] * 20], 1.0, "training. B (0.5) is behind."),
+        ([[0.0] + [1.0] * 20, [0.0] * 21], 1.0, "training. B (0) has learned nothing that shows."),
+        ([[0.0] + [1.0] * 20, [0.0] * 21, [0.0] * 21], 1.0, "B (0) and C (0) have learned nothing"),
         ([[-9.0] + [-2.0] * 20] * 2, -2.0, "did equally well"),
         ([[1.0] * 5 + [0.0] * 3 + [1.0] * 12, [1.0] * 20], 1.0, "before training too, if not always between"),
         ([[0.0] + [1.0] * 20, [0.0] * 10 + [1.0] * 11], 1.0, "Your bet was right. A"),
@@ -42,7 +46,7 @@ def said(name: str, *given: Any) -> str:
 )
 def test_a_verdict(curves: list[list[float]], optimum: float | None, says: str) -> None:
     """Whoever stays where it began has learned nothing, unless nothing more can be had."""
-    agents = list(map(agent, "AB", curves))
+    agents = list(map(agent, "ABC", curves))
     assert says in said("verdict", agents, [], 2000, 0, optimum)
 
 
