@@ -434,10 +434,13 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - `compare(first, second)` asks the teacher: True if she prefers the first night. A night is a list of `(observation, action,
 #   next_observation)`, one for each step from `reset` to the end. She may be asked `n_comparisons` times (the check allows 300).
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
+# - A night has no discount: what comes late counts in full.
+#
+# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is not enough.
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (We
 # plan with rewards from random nights; you may do better by asking in rounds.) Then it lets three *other* teachers answer, who want something
-# else. Only their answers tell what, so a clock that you wrote by hand will not please them.
+# else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
 

@@ -17,7 +17,7 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.own_problem.morning import Morning, State
+from edugym_course.lessons.own_problem.morning import ASLEEP, AWAKE, QUIET, RING, Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
 
 TASK = Morning(length=10, ring=6.0, late=30.0)
@@ -41,6 +41,32 @@ class Wish(NamedTuple):
     def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
         """The depth of sleep, less the cost of the action."""
         return self.depths[next_state[1]] - self.costs[action]
+
+
+@wrapper
+class Settled(NamedTuple):
+    """A sleeper who stays as she is after the first step, and a teacher who pays for a ring then, or for sleep at last.
+
+    Attributes:
+        mdp: the morning.
+        soon: what she pays for a ring in the first step, which wakes her.
+        late: what she pays for silence in the last step, if the sleeper is still asleep.
+    """
+
+    mdp: Any
+    soon: float = 3.8
+    late: float = 6.0
+
+    def transition(self, state: State, action: int, rng: Random) -> State:
+        """A ring wakes her in the first step, and nothing changes her sleep after it."""
+        time, depth = state
+        return time + 1, (AWAKE if action == RING else ASLEEP) if time == 0 else depth
+
+    def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
+        """Pay at once, or in the end."""
+        if state[0] == 0:
+            return self.soon if action == RING else 0.0
+        return self.late if next_state == (TASK.length, ASLEEP) and action == QUIET else 0.0
 
 
 class Other(NamedTuple):
@@ -83,6 +109,8 @@ PARTS = (
 """Wishes that mislead whoever leaves out a part. Of 18 right programs (tables of other kinds, planning, Q-learning,
 policy gradients, rounds, more and less of a prior) the middle run goes 0.8 of the way or more. Without p, or with its
 sign wrong, it goes 0.5 with the first; with γ = 0.5, it goes 0.34 with the second."""
+SETTLED, PATIENT_SEEDS, FEWEST_PATIENT = Settled(TASK), 7, 3
+"""Two right programs choose sleep in 61 of 70 runs; two with γ = 0.9 in 13 of 70, and two with a mean in none of 16."""
 N_COMPARISONS = 300
 FEWEST = 20
 SEEDS, OTHER_SEEDS = 5, 3
@@ -238,6 +266,7 @@ def project_14(answer: Any, seed: int) -> str:
         why = "" if nobody_asks_why() else f": {symptom(middle)}"
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
     _check_other_wishes(answer, seed)
+    _check_patience(answer, seed)
     return f"Right: {told} (ours {np.median(ours):.1f}); random buttons {_random():.1f}, the best clock {_best():.1f}."
 
 
@@ -256,6 +285,22 @@ def _check_other_wishes(answer: Any, seed: int) -> None:
                 f" her, and it should be worth {lowest:.1f} or more (random buttons {least:.1f}, the best clock"
                 f" {most:.1f}){'' if nobody_asks_why() else f': {why}'}"
             )
+
+
+def _check_patience(answer: Any, seed: int) -> None:
+    """Check that a program counts what comes late in full, and by the best action.
+
+    Raises:
+        WrongAnswer: most of its clocks take what is paid at once.
+    """
+    found = [judged(answer, PATIENT_SEEDS * seed + number, SETTLED).meant for number in range(PATIENT_SEEDS)]
+    if (patient := sum(meant > SETTLED.soon for meant in found)) < FEWEST_PATIENT:
+        raise WrongAnswer(
+            f"Another sleeper stays as she is after the first step. The teacher pays {SETTLED.soon:g} for a ring then,"
+            f" or {SETTLED.late:g} for silence in the last step, if she is still asleep. Her answers tell so, and yet"
+            f" {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a discount,"
+            " and the value of a state is that of its *best* action, not a mean"
+        )
 
 
 def symptom(run: Judged) -> str:
