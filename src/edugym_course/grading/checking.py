@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from edugym.checks.parameters import in_short, true_or_false, whole_number
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer, folded
 from edugym_course.grading.own_numbers import belongs_to_others, own_parameters
 from edugym_course.grading.printed import few_lines
 from edugym_course.grading.student_code import student_code
@@ -47,12 +47,11 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
     if number:
         record_passed(lesson, int(number[1]))
     if not quiet:
-        print(f"✓ {worth_knowing}")
+        print(folded(f"✓ {worth_knowing}"))
         if why := _cannot_be_compiled(answer, prints=printed.lines > lines_before):
-            print(
-                f"But {answer.__name__} {why}: it cannot be compiled, so that what trains it below may take minutes"
-                " instead of seconds. A race with fewer runs, `repetitions=2`, shows enough to find a mistake."
-            )
+            slow = f"But {answer.__name__} {why}: it cannot be compiled, so that what trains it below may take minutes"
+            faster = "A race with fewer runs, `repetitions=2`, shows enough to find a mistake."
+            print(folded(f"{slow} instead of seconds. {faster}"))
 
 
 def _cannot_be_compiled(answer: Any, prints: bool) -> str:

@@ -18,8 +18,7 @@ class WrongAnswer(AssertionError):
 
     def _render_traceback_(self) -> list[str]:
         """Return what IPython shows in place of a traceback."""
-        lines = f"✗ {self}".splitlines()
-        return [textwrap.fill(line, WIDTH, break_long_words=False, break_on_hyphens=False) for line in lines]
+        return [folded(f"✗ {self}")]
 
 
 class Unsolved(WrongAnswer):
@@ -28,6 +27,12 @@ class Unsolved(WrongAnswer):
 
 class TooSlow(WrongAnswer):
     """An answer was ended because it took too long."""
+
+
+def folded(message: str) -> str:
+    """The message, its long lines broken between words."""
+    lines = message.splitlines()
+    return "\n".join(textwrap.fill(line, WIDTH, break_long_words=False, break_on_hyphens=False) for line in lines)
 
 
 @contextmanager
