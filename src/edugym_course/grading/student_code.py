@@ -61,6 +61,7 @@ HINTS = (
         "that is no function: leave the parentheses out, or take an entry with [ ]",
     ),
     ("cannot be empty", "nothing is left to choose from: for which values does that happen?"),
+    ("with size 0", "it is empty, so it has no entries: is something left to choose from in all cases?"),
     ("too many indices", "the array has fewer axes than there are indices"),
     (
         "out of bounds|index out of range",

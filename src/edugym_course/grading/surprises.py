@@ -9,7 +9,9 @@ import numpy as np
 from edugym.mdp.protocol import Reals
 
 SLACK = 0.3
-"""The share by which a right program may explore more or less often, as one that draws among the *other* actions."""
+"""The share by which a right program may explore more often, as one that draws among the *other* actions."""
+LESS = 0.1
+"""The share by which it may explore less often."""
 NATS = 20.0
 """How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
 UNEXPLAINED = 0.25
@@ -70,8 +72,9 @@ class Surprises(NamedTuple):
         return float(off @ (self.found - share * self.chances)) / math.sqrt(max(variance, 1e-9))
 
     def is_usual(self, slack: float = SLACK) -> bool:
-        """Whether there are as many as are to be expected, or more or fewer by chance and a share of them."""
-        return abs(self.too_many) <= SIGMAS * self.deviation + slack * self.expected
+        """Whether there are as many as are to be expected, or more by chance and a share of them, or a little fewer."""
+        by_chance = SIGMAS * self.deviation
+        return -by_chance - min(slack, LESS) * self.expected <= self.too_many <= by_chance + slack * self.expected
 
     def explains_better_than(self, other: "Surprises", nats: float = NATS) -> bool:
         """Whether it makes the actions more probable, by more than chance.

@@ -88,6 +88,7 @@ ERRORS = [
     ("return 1 / 0", "the number below the line can be 0"),
     ("return Pair.a[0]", "that is the field of the class"),
     ("return np.zeros(2)[0, 1]", "the array has fewer axes than there are indices"),
+    ("return np.zeros(0)[0]", "it is empty, so it has no entries"),
     ("return np.zeros(2)[2]", "indices go from 0 to the size less 1"),
     ("return [1, 2][2]", "indices go from 0 to the size less 1"),
     ("return math.exp(710)", "the exponential of a number above 709 is too large"),

@@ -56,6 +56,21 @@ MISTAKES: dict[str, Maker] = {
     "the return is not discounted: γ is 0.8 in the text": partial(
         Gaussians, returns=lambda rewards, _: returns_from(rewards, 1.0)
     ),
+    "the returns stand in the reverse order, as in a list that was filled from the last step on: turn it": partial(
+        Gaussians, returns=lambda rewards, discount: returns_from(rewards, discount)[::-1]
+    ),
+    "γ is 0.99, and it should be 0.8": partial(Gaussians, discount=0.99),
+    "the baseline is the mean of the returns of the episode, and it should be V(S)": partial(Gaussians, averages=True),
+    "all states have the same V: is the index of the state missing where V changes?": partial(Gaussians, shared="V"),
+    "the returns of a truncated episode go on with V(S'), and they should stop at its last reward": partial(
+        Gaussians, goes_on=True
+    ),
+    "the factor γ^t counts the steps from the end of the episode, and it should be from its start": partial(
+        Gaussians, fades="backwards"
+    ),
+    "ln σ moves twice as far as it should: the 2 in 2σ² and the square cancel": partial(
+        Gaussians, of_log=lambda off, spread: 2 * score_of_log(off, spread)
+    ),
     "there is no baseline: δ = G − V(S), and V is learned too": partial(Gaussians, value_rate=0.0),
     "the factor γ^t is missing": partial(Gaussians, fades=False),
     "the policy moves away from actions that were better than the baseline: is a minus sign too many?": partial(
@@ -129,6 +144,8 @@ KEPT = [partial(Gaussians, keeps=True, backwards=backwards) for backwards in (Fa
 """They learn from all episodes so far again and again. The order matters, since states come twice in such a list."""
 REPEATED = 0.01
 """The share of the steps in which one and the same action is no chance."""
+BEFORE = 1_000
+"""So many steps come before most μ that fly away; after that the last digits decide where to."""
 EARLY = 300
 """After so many steps a list that is never emptied is found; a program that has one soon needs minutes."""
 
@@ -198,13 +215,14 @@ def check_equations(program: Any, seed: int) -> None:
             " drawn, and do not cut it off"
         )
     runs = [run.steps for run in done]
-    right, fits = fit(runs, Gaussians), {sentence: fit(runs, make) for sentence, make in MISTAKES.items()}
-    likely = max(fits, key=lambda sentence: fits[sentence].log)
-    is_better = fits[likely].log > right.log + NATS
+    right = fit(runs, Gaussians)
+    likely, is_better = _likeliest(runs, right)
     if right.is_usual and not is_better:
         return
-    followed = max(fit(runs, make).log for make in FOLLOWERS)
-    if is_better and fits[likely].is_usual and fits[likely].log > followed + NATS:
+    if not is_better or not _explains(likely, runs):
+        runs = [steps[:BEFORE] for steps in runs]
+        likely, is_better = _likeliest(runs, fit(runs, Gaussians))
+    if is_better and _explains(likely, runs):
         cause = f"They fit a usual mistake: {likely}"
     else:
         cause = (
@@ -215,6 +233,19 @@ def check_equations(program: Any, seed: int) -> None:
         f"the actions of {NAME} should lie one σ from μ (the root of the mean square), with the μ and the σ that its"
         f" own steps give by the equations of this lesson, and they lie {right.far:.3g} σ from it. {cause}"
     )
+
+
+def _likeliest(runs: Sequence[Sequence[Step]], right: Fit) -> tuple[str, bool]:
+    """Return the mistake that makes the actions most probable, and whether the right equations make them less so."""
+    logs = {sentence: fit(runs, make).log for sentence, make in MISTAKES.items()}
+    likely = max(logs, key=lambda sentence: logs[sentence])
+    return likely, logs[likely] > right.log + NATS
+
+
+def _explains(likely: str, runs: Sequence[Sequence[Step]]) -> bool:
+    """Whether the actions can be those of a mistake, and of none that only follows them."""
+    found, followed = fit(runs, MISTAKES[likely]), max(fit(runs, make).log for make in FOLLOWERS)
+    return found.is_usual and found.log > followed + NATS
 
 
 def _require_means(policy: Policy) -> None:

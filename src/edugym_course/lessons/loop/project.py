@@ -47,6 +47,7 @@ class _Slips:
         adds_up: whether the old value is not subtracted from the target.
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
+        of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
         next_action: whether it has that of the action that is taken next; after a cut nobody sees that one, so it has
             the highest there.
     """
@@ -55,6 +56,7 @@ class _Slips:
     adds_up: bool = False
     counts: bool = False
     same_action: bool = False
+    of_the_best: bool = False
     next_action: bool = False
     _updates: Integers = field(init=False)
     _waiting: tuple[int, int, float, int] | None = field(init=False, default=None)
@@ -82,7 +84,8 @@ class _Slips:
             self._waiting = state, action, reward, next_state
         else:
             future = row[action] if self.same_action else row.max()
-            self._move(state, action, reward + (0.0 if terminated else DISCOUNT * float(future)))
+            moved = int(self.Q[state].argmax()) if self.of_the_best else action
+            self._move(state, moved, reward + (0.0 if terminated else DISCOUNT * float(future)))
 
     def _move(self, state: int, action: int, target: float) -> None:
         self._updates[state, action] += 1
@@ -115,6 +118,9 @@ RULE = Rule(
         "− Q(S, A) is missing in the brackets, so the values grow and grow": Learner(partial(slips, adds_up=True)),
         "the learning rate falls with the number of updates, and it is 0.5 in the text": Learner(
             partial(slips, counts=True)
+        ),
+        "the value of the action that looks best moves, and it should be that of the action that was taken": Learner(
+            partial(slips, of_the_best=True)
         ),
         "Q(S', A), the value of the *same* action, stands where the maximum over all actions should": Learner(
             partial(slips, same_action=True)

@@ -88,6 +88,11 @@ def first_word(message: Message) -> Weights:
     return shares(message[:1])
 
 
+def last_word(message: Message) -> Weights:
+    """The last word alone."""
+    return shares(message[-1:])
+
+
 def whole(message: Message) -> Weights:
     """The message as one thing: a row of a table."""
     return [(tuple(message.tolist()), 1.0)]
@@ -112,7 +117,8 @@ class Listener:
         discount: γ, of the largest value after the next message.
         first: the first weights.
         alone: whether each weight learns from R less itself, not less the value of the whole message.
-        fully: whether the weights of all words move alike, however often they occur.
+        fully: whether the weights of all words of a message move alike, however often they occur.
+        unheard: whether those of all other words move with them.
     """
 
     def __init__(
@@ -128,9 +134,10 @@ class Listener:
         first: float = 0.0,
         alone: bool = False,
         fully: bool = False,
+        unheard: bool = False,
     ) -> None:
         """Know no word."""
-        self._alone, self._fully = alone, fully
+        self._alone, self._fully, self._unheard = alone, fully, unheard
         self._n_actions = shape[1]
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
@@ -147,7 +154,8 @@ class Listener:
         actions = action if self._one else slice(None)
         future = self._discount * self.values(next_state).max() if self._discount and not terminated else 0.0
         delta = reward + future - self.values(messages[self._valued])[actions] * self._surprised
-        for word, weight in self._take(messages[self._moved][1:]):
+        heard = self._take(messages[self._moved][1:])
+        for word, weight in [(word, 1.0) for word in range(WORDS)] if self._unheard else heard:
             delta = reward - self._theta[word][actions] if self._alone else delta
             self._theta[word][actions] += self._learning_rate * (1.0 if self._fully else weight) * delta
 
@@ -174,6 +182,10 @@ RULE = Rule(
         ),
         "the place of a word in the message counts, and it should not": mistake(take=of_places),
         "the first word alone is heard": mistake(take=first_word),
+        "the last word alone is heard: is x overwritten in a loop?": mistake(take=last_word),
+        "the weights of all words move, and those of the words that are not in the message should stay": mistake(
+            unheard=True
+        ),
         "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
         "words with the same rest, divided by the number of actions, share their weights; what a word means has to be"
         " learned": mistake(take=kinds),

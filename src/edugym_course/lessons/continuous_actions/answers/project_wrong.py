@@ -307,3 +307,57 @@
 # in: lists of an episode
 # - for k in range(len(S)):
 # + for k in range(0 if truncated else len(S)):
+
+# %% returns in the reverse order
+# slow
+# says: the returns stand in the reverse order, as in a list that was filled from the last step on: turn it
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(0.8**i * r for i, r in enumerate(R[len(R) - 1 - k :]))
+
+# %% the usual discount
+# slow
+# says: γ is 0.99, and it should be 0.8
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(0.99**i * r for i, r in enumerate(R[k:]))
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.005 * 0.99**k * delta
+
+# %% the mean of the returns
+# slow
+# says: the baseline is the mean of the returns of the episode, and it should be V(S)
+# in: lists of an episode
+# - delta = G - V[S[k]]
+# + delta = G - np.mean([sum(0.8**i * r for i, r in enumerate(R[j:])) for j in range(len(R))])
+
+# %% one V
+# slow
+# says: all states have the same V: is the index of the state missing where V changes?
+# in: lists of an episode
+# - delta = G - V[S[k]]
+# - V[S[k]] += 0.1 * delta
+# + delta = G - V[0]
+# + V[0] += 0.1 * delta
+
+# %% goes on where time ran out
+# slow
+# says: the returns of a truncated episode go on with V(S'), and they should stop at its last reward
+# in: lists of an episode
+# - for k in range(len(S)):
+# + R[-1] += 0.8 * V[s] * truncated
+# + for k in range(len(S)):
+
+# %% counted from the end
+# slow
+# says: the factor γ^t counts the steps from the end of the episode, and it should be from its start
+# in: lists of an episode
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.005 * 0.8 ** (len(S) - 1 - k) * delta
+
+# %% twice as far
+# slow
+# says: ln σ moves twice as far as it should: the 2 in 2σ² and the square cancel
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] += 2 * step * (z**2 / sigma**2 - 1)

@@ -91,9 +91,12 @@ class Gaussians:
         of_log: the score of ln σ.
         policy_rate: α^θ.
         value_rate: α^w.
-        fades: whether later steps count less, by γ^t.
+        fades: whether later steps count less, by γ^t; "backwards", whether the earlier ones do.
+        discount: γ.
+        averages: whether the baseline is the mean of the returns of the episode.
+        goes_on: whether the returns of a truncated episode go on with the value of its last state.
         bounds: of σ.
-        shared: which of "μ" and "σ" all states share.
+        shared: which of "μ", "σ" and "V" all states share.
         first: σ at first.
         power: the standard deviation of an action is this power of σ.
         fresh: whether the policy learns from G less the V that has just moved.
@@ -115,7 +118,10 @@ class Gaussians:
         of_log: Score = score_of_log,
         policy_rate: float = POLICY_RATE,
         value_rate: float = VALUE_RATE,
-        fades: bool = True,
+        fades: bool | str = True,
+        discount: float = DISCOUNT,
+        averages: bool = False,
+        goes_on: bool = False,
         bounds: tuple[float, float] = (SMALLEST, LARGEST),
         shared: str = "",
         first: float = 1.0,
@@ -138,6 +144,7 @@ class Gaussians:
         self._fades, self._shared, self._power, self._fresh, self._moves = fades, shared, power, fresh, moves
         self._cut, self._bootstraps, self._itself, self._cut_short = cut, bootstraps, itself, cut_short
         self._all_steps, self.keeps, self._backwards = all_steps, keeps, backwards
+        self._discount, self._averages, self._goes_on = discount, averages, goes_on
         self._least, self._most = map(math.log, bounds)
 
     def gaussian(self, state: int) -> tuple[float, float]:
@@ -152,19 +159,24 @@ class Gaussians:
         """Learn from an episode."""
         if episode[-1].truncated and not self._cut_short:
             return
-        returns = self._returns([step.reward for step in episode], DISCOUNT)
+        rewards = [step.reward for step in episode]
+        if self._goes_on and episode[-1].truncated:
+            rewards[-1] += self._discount * self._V[episode[-1].next_state]
+        returns = self._returns(rewards, self._discount)
         times = range(len(episode) if self._all_steps else len(episode) - 1)
         for t in reversed(times) if self._backwards else times:
             step = episode[t]
             G, mean, log = returns[t], self._row("μ", step.state), self._row("σ", step.state)
             if self._bootstraps:
                 G = step.reward + (DISCOUNT * self._V[step.next_state] if t + 1 < len(episode) else 0.0)
-            delta = G - self._V[step.state]
-            self._V[step.state] += self._value_rate * delta
-            delta = G - self._V[step.state] if self._fresh else delta
+            value = self._row("V", step.state)
+            delta = G - (sum(returns) / len(returns) if self._averages else self._V[value])
+            self._V[value] += self._value_rate * delta
+            delta = G - self._V[value] if self._fresh else delta
             action, spread = min(max(step.action, -self._cut), self._cut), math.exp(self._log[log])
             off = action - self.mean[mean]
-            rate = self._policy_rate * (DISCOUNT**t if self._fades else 1.0)
+            power = len(episode) - 1 - t if self._fades == "backwards" else t
+            rate = self._policy_rate * (self._discount**power if self._fades else 1.0)
             if self._moves == "μ":
                 self.mean[mean] += rate * delta * self._of_mean(off, spread)
                 off = action - self.mean[mean]

@@ -198,3 +198,26 @@ def my_program(environment, n_steps, seed):
             s, _ = environment.reset()
             a = act(s)
     return lambda s: int(Q[s].argmax())
+
+
+# %% the best action learns
+# says: the value of the action that looks best moves, and it should be that of the action that was taken
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + action = Q[state].argmax()
+# + target = reward if terminated else reward + 0.99 * Q[next_state].max()
+
+
+# %% half of the ε
+# says: So it seldom tries an action at random: is ε that of the text, up to the last step?
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+    s, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        best = np.flatnonzero(Q[s] == Q[s].max())
+        a = int(rng.integers(Q.shape[1]) if rng.random() < 0.05 else rng.choice(best))
+        s2, r, end, cut, _ = environment.step(a)
+        Q[s, a] += 0.5 * (r + 0.99 * (0 if end else Q[s2].max()) - Q[s, a])
+        s = environment.reset()[0] if end or cut else s2
+    return lambda s: int(Q[s].argmax())

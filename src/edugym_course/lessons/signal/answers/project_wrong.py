@@ -221,3 +221,16 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 # + theta[x > 0, a] += 0.01 * delta
+
+# %% the last word
+# says: the last word alone is heard: is x overwritten in a loop?
+# in: weights in an array
+# - x[o[k]] += 1 / L
+# + x = np.zeros(W)
+# + x[o[k]] = 1
+
+# %% all weights of the action
+# says: the weights of all words move, and those of the words that are not in the message should stay
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.01 * delta
