@@ -667,7 +667,7 @@ live = {}
 try:
     live["PPO with a CNN, trained now"] = networks.train_network(networks.PPO_IMAGE, 12_000, seed=1)
 except ImportError:
-    print('Stable-Baselines3 is not installed here (pip install "edugym[deep]"); these are the stored runs alone.')
+    print("Stable-Baselines3, of the extra deep, is not installed here; these are the stored runs alone.")
 stored = networks.STORED.load()
 display(figures.stored_networks(live))
 needed = {label: int((stored.curves(label).mean(axis=1) >= 0.9).idxmax()) for label in networks.METHODS}
