@@ -5,7 +5,7 @@ from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
 SIDE, N_TILES, SHIFT = 1.6, 4, 0.5
 """The side of a tile, how many a grid has in a row, and by what share of a tile the second grid is displaced."""
-PLACES = {"A": (3.2, 3.15), "B": (4.1, 3.25)}
+PLACES = {"A": (3.2, 3.37), "B": (4.05, 3.4)}
 
 
 def tile_coding() -> Scene:
@@ -22,7 +22,7 @@ def tile_coding() -> Scene:
             left, top = (origin + SIDE * ((place - origin) // SIDE) for place in (x, y))
             shapes.append(Rectangle(left, top, SIDE, SIDE, fill=None, outline=colour, outline_width=0.16))
     for name, (x, y) in PLACES.items():
-        shapes += [Circle(x, y, 0.12, fill=INK), Text(x - 0.02, y - 0.36, name, 0.45)]
+        shapes += [Circle(x, y, 0.12, fill=INK), Text(x, y - 0.33, name, 0.42)]
     for k, (words, colour) in enumerate((("grid 1", BLUE), ("grid 2, displaced", ORANGE))):
         shapes += [Line([(9.0, 1.6 + k), (9.8, 1.6 + k)], colour=colour, line_width=0.1)]
         shapes += [Text(10.1, 1.6 + k, words, 0.5, anchor="start")]
