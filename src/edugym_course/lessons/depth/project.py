@@ -38,9 +38,9 @@ def agent(
     return NStepSARSA.create(shape, n=n, learning_rate=learning_rate, discount=discount)
 
 
-def discounted(rewards: Sequence[float], first: int = 0, step: int = 1) -> float:
-    """Return the sum of rewards by powers of γ: the first exponent, and how much larger each next one is."""
-    return sum(DISCOUNT ** (first + step * k) * reward for k, reward in enumerate(rewards))
+def discounted(rewards: Sequence[float], first: int = 0) -> float:
+    """Return the sum of rewards, weighted by powers of γ from the first exponent on."""
+    return sum(DISCOUNT ** (first + k) * reward for k, reward in enumerate(rewards))
 
 
 class FromDefinition:
@@ -161,11 +161,8 @@ RULE = Rule(
             partial(FromDefinition, bootstrap=DISCOUNT)
         ),
         "the value is that of S_τ+n-1 and A_τ+n-1, one step too early": Learner(partial(FromDefinition, early=True)),
-        "the rewards are not discounted: the second one has the weight γ, and the third γ²": Learner(
+        "all rewards have the same weight: the first one has the weight 1, the second γ, and the third γ²": Learner(
             partial(FromDefinition, total=sum)
-        ),
-        "all rewards have the same weight γ: the first one has the weight 1, the second γ, and the third γ²": Learner(
-            partial(FromDefinition, total=partial(discounted, first=1, step=0))
         ),
         "the powers of γ run backwards: the *first* reward of a target has the weight 1": Learner(
             partial(FromDefinition, total=lambda rewards: discounted(rewards[::-1]))

@@ -166,8 +166,7 @@ RULE = Rule(
         "there is no memory: the values hang on the last observation alone": mistake(window=partial(last, k=1)),
         "the actions are missing in the window": mistake(window=lambda history: history[::2][-K:]),
         "the window has two observations, and it should have three": mistake(window=partial(last, k=2)),
-        "the window has four observations, and it should have three": mistake(window=partial(last, k=4)),
-        "the whole episode is the window: cut it to its last five entries": mistake(window=lambda history: history),
+        "the window has four observations or more, and it should have three": mistake(window=partial(last, k=4)),
         "the window has six entries, an action too many at its front": mistake(
             window=lambda history: history[-2 * K :]
         ),

@@ -160,14 +160,14 @@
 
 # %% rewards without a discount
 # slow
-# says: the rewards are not discounted: the second one has the weight γ, and the third γ²
+# says: all rewards have the same weight: the first one has the weight 1, the second γ, and the third γ²
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # + G = sum(R[tau : tau + n])
 
 # %% one weight for all rewards
 # slow
-# says: all rewards have the same weight γ: the first one has the weight 1, the second γ, and the third γ²
+# says: all rewards have the same weight: the first one has the weight 1, the second γ, and the third γ²
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # + G = sum(0.8 * r for r in R[tau : tau + n])
@@ -199,3 +199,10 @@
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 0:
+
+# %% half the exploration
+# slow
+# says: So it seldom tries an action at random: is ε that of the text, up to the last step?
+# in: three steps later
+# - def choose(values, rng, epsilon=0.1):
+# + def choose(values, rng, epsilon=0.05):

@@ -70,7 +70,7 @@
 
 # %% four observations
 # slow
-# says: the window has four observations, and it should have three
+# says: the window has four observations or more, and it should have three
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
 # + w2 = (w + (a, o))[-7:]
@@ -131,7 +131,7 @@
 
 # %% the whole episode
 # slow
-# says: the whole episode is the window: cut it to its last five entries
+# says: the window has four observations or more, and it should have three
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
 # + w2 = w + (a, o)
