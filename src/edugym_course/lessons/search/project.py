@@ -134,8 +134,14 @@ RIDDLES = (
     ),
     Riddle(
         "a reward comes nine steps later that is worth waiting for",
-        f"does each simulation look {DEPTH} steps ahead, roll-out included?",
-        written({ROOT: ((0.0, 1), (3.0, END), (3.0, END)), **line(0.0, 30.0, 9)}),
+        f"does each simulation look {DEPTH} steps ahead, roll-out included, and is γ not below 0.9?",
+        written({ROOT: ((0.0, 1), (8.0, END), (8.0, END)), **line(0.0, 30.0, 9)}),
+    ),
+    Riddle(
+        "one action seldom pays much, and the others pay more on average",
+        "is a value the *mean* of all returns, and not the highest of them?",
+        lambda place, action, rng: (gamble(place, 0, rng)[0] if action == 0 else 6.0, END),
+        (1, 2),
     ),
     ROUND,
     Riddle(

@@ -500,7 +500,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 # - Take $\gamma = 0.9$, and a learning rate of about 0.2.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check lets your program learn five small games, and computes exactly what the best opponent wins from your policy in each place. It does not look
+# The check lets your program learn six small games, and computes exactly what the best opponent wins from your policy in each place. It does not look
 # at your code. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]

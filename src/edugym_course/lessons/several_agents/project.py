@@ -6,6 +6,7 @@ part of the method is missing.
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -139,12 +140,12 @@ def _cut(rng: Random) -> House:
     return _way(rng, max_steps=1)
 
 
-def _soon(rng: Random) -> House:
-    """A hall in which player 0 chooses between a room that is worth 5, 4.75 at once, and nothing."""
+def _soon(rng: Random, at_once: float = 4.75) -> House:
+    """A hall in which player 0 chooses between a room that is worth 5, so much at once, and nothing."""
     order = rng.permutation(N_ACTIONS)
     hall, pays = np.ones((N_ACTIONS, N_ACTIONS), int), np.zeros(N_ACTIONS)
     hall[order[0]] = 2
-    pays[order[1]] = 4.75
+    pays[order[1]] = at_once
     rooms = np.stack([_turned(ROCK, rng) / 2 + one for one in (0.0, 5.0)])
     return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=tuple(pays.tolist()))
 
@@ -164,6 +165,10 @@ RIDDLES = (
     Riddle(
         _soon,
         "there 4.75 at once is more than 5 a step later: what follows is multiplied by γ = 0.9",
+    ),
+    Riddle(
+        partial(_soon, at_once=4.2),
+        "there 5 a step later is more than 4.2 at once: what follows is multiplied by γ = 0.9, and by no less",
     ),
     Riddle(
         _alike,
@@ -357,4 +362,4 @@ def project_13(answer: Any, seed: int) -> str:
     """Check a program that trains two players and returns the policy of the first."""
     _require_reproducible(answer, seed)
     most = max(check_riddle(answer, riddle, seed) for riddle in RIDDLES)
-    return f"Right: in five riddles the best opponent wins at most {most:.2f} from it that it would not win anyway."
+    return f"Right: in six riddles the best opponent wins at most {most:.2f} from it that it would not win anyway."

@@ -123,7 +123,7 @@
 # %% five steps
 # says: a reward comes nine steps later that is worth waiting for
 # says: does each simulation look
-# says: steps ahead, roll-out included?
+# says: steps ahead, roll-out included, and is γ not below 0.9?
 # in: nodes are objects
 # - visit(root, state, 10)
 # + visit(root, state, 5)
@@ -228,3 +228,19 @@ my_program = 3
 # in: a loop and a path
 # - action = int(rng.choice(untried))
 # + action = int(untried[0])
+
+# %% γ = 0.8
+# says: in a task in which a reward comes nine steps later that is worth waiting for
+# says: steps ahead, roll-out included, and is γ not below 0.9?
+# in: a loop and a path
+# - weight *= 0.9
+# + weight *= 0.8
+# - G = reward + 0.9 * G
+# + G = reward + 0.8 * G
+
+# %% the highest return
+# says: one action seldom pays much, and the others pay more on average
+# says: is a value the *mean* of all returns, and not the highest of them?
+# in: a loop and a path
+# - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
+# + Q[visited][action] = G if N[visited][action] == 1 else max(G, Q[visited][action])
