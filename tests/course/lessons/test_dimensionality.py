@@ -24,7 +24,7 @@ from edugym_course.lessons.dimensionality import (
 from edugym_course.lessons.dimensionality.boards import Offset
 from edugym_course.lessons.dimensionality.layers import SmallCNN
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
-from edugym_course.lessons.dimensionality.project import RIDDLES, Move
+from edugym_course.lessons.dimensionality.project import RIDDLES, Move, Riddle
 from edugym_course.lessons.model_based.figures import steps_to
 from tests.course.lessons.answers import Answer, verdict
 from tests.course.lessons.made_up import Curve, made_up, measured
@@ -200,24 +200,34 @@ def program() -> Answer:
     return Answer(LESSON, 0, True, "program", (), checked_by(Answer(LESSON, 0, True, "", (), "")).solution)
 
 
-def value(move: Move, follows: bool = True, masked: bool = True, truncated_ends: bool = False) -> float:
-    """The target of a move when the good image is worth 1 and the bad one −1."""
+def value(
+    riddle: Riddle,
+    move: Move,
+    follows: bool = True,
+    masked: bool = True,
+    truncated_ends: bool = False,
+    discount: float = DISCOUNT,
+) -> float:
+    """The target of a move when the bad image is worth −1, and the good one what it pays for ever or once."""
+    worth = riddle.good.reward / (1.0 if riddle.good.terminated else 1.0 - discount)
     ends = masked and (move.terminated or (truncated_ends and move.truncated))
-    return move.reward + (0.0 if ends else DISCOUNT * follows * (1.0 if move.image == project.GOOD else -1.0))
+    return move.reward + (0.0 if ends else discount * follows * (worth if move.image == project.GOOD else -1.0))
 
 
 @pytest.mark.parametrize(
     ("mistake", "solved"),
     [
-        ({}, [True, True, True, True]),
-        ({"follows": False}, [True, False, True, False]),
-        ({"masked": False}, [True, True, False, True]),
-        ({"truncated_ends": True}, [True, True, True, False]),
+        ({}, [True, True, True, True, True]),
+        ({"follows": False}, [True, False, True, False, True]),
+        ({"masked": False}, [True, True, False, True, False]),
+        ({"truncated_ends": True}, [True, True, True, False, True]),
+        ({"discount": 0.95}, [True, True, True, True, False]),
+        ({"discount": 0.5}, [True, True, True, False, True]),
     ],
 )
-def test_what_a_riddle_asks_for(mistake: dict[str, bool], solved: list[bool]) -> None:
+def test_what_a_riddle_asks_for(mistake: dict[str, Any], solved: list[bool]) -> None:
     """With right targets the right action is the best one; with a mistake not in the riddles that ask for it."""
-    found = [value(riddle.right, **mistake) > value(riddle.wrong, **mistake) for riddle in RIDDLES]
+    found = [value(riddle, riddle.right, **mistake) > value(riddle, riddle.wrong, **mistake) for riddle in RIDDLES]
     assert found == solved
 
 

@@ -30,7 +30,7 @@ def last(history: History, k: int = K) -> History:
     return history[-(2 * k - 1) :]
 
 
-def nothing(history: History) -> History:
+def emptied(history: History) -> History:
     """What an episode should begin with."""
     return ()
 
@@ -78,7 +78,7 @@ class Windowed:
         self,
         shape: tuple[int, int],
         window: Cut = last,
-        left: Cut = nothing,
+        left: Cut = emptied,
         grows: bool = True,
         moves: bool = True,
         learning_rate: float = LEARNING_RATE,
