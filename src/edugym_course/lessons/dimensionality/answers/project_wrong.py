@@ -176,6 +176,7 @@ def my_program(environment, n_steps, seed):
 # says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
 # says: of the questions.
 # says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
+# says: idden units that keep their first weights
 # in: a memory in arrays
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
 
