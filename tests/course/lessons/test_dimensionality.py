@@ -254,7 +254,7 @@ def test_an_album(seed: int) -> None:
     ids=lambda answer: answer.name,
 )
 def test_an_answer_at_another_seed(answer: Answer, seed: int) -> None:
-    """Right ones pass, and of wrong ones the last hint is told, which names the mistake; the quick tests have seed 0."""
+    """Right ones pass; of wrong ones the last hint is told, which names the mistake. The quick tests have seed 0."""
     asked = checked_by(answer)
     asked = asked._replace(check=asked.check.replace("my_program)", f"my_program, seed={seed}, quiet=True)"))
     said = verdict(answer, asked, exercises_of(LESSON)[0])
