@@ -173,12 +173,22 @@ def my_program(environment, n_steps, seed):
 
 # %% a hidden layer that never learns
 # slow
-# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
-# says: of the questions.
-# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
 # says: idden units that keep their first weights
 # in: a memory in arrays
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
+
+# %% a large hidden layer that never learns, one step at a time
+# slow
+# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
+# says: of the questions.
+# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
+# in: SARSA from each step once
+# - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
+# - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
+# + W, b = rng.normal(0, np.sqrt(0.5 / n), (256, n)), np.zeros(256)
+# + V, c = rng.normal(0, 0.1, (k, 256)), np.zeros(k)
+# - W += 0.05 * delta * np.outer(g, x)
+# - b += 0.05 * delta * g
 
 # %% a small hidden layer that never learns, one step at a time
 # slow
