@@ -66,6 +66,8 @@ def add(built: Path, folder: Path, name: str) -> list[str]:
         raise ValueError(f"there is no website in {built}: build it with `make site` first")
     folder.mkdir(parents=True, exist_ok=True)
     new, old = folder / f".new-{name}", folder / f".old-{name}"
+    if old.exists() and not (folder / name).exists():  # it was killed between the two names
+        old.rename(folder / name)
     for left in (new, old):
         shutil.rmtree(left, ignore_errors=True)
     shutil.copytree(built, new)

@@ -1,5 +1,6 @@
 """Several versions of the website side by side: the switch, the banner, and what leads to the newest."""
 
+import errno
 import html
 import os
 import re
@@ -76,14 +77,25 @@ def test_stable_leads_to_the_newest_release(tmp_path: Path) -> None:
         assert (page.parent / target).exists()
 
 
-def test_a_version_takes_the_place_of_one_of_its_name(tmp_path: Path) -> None:
-    """Adding it again changes nothing else; where there is no website, nothing changes and the way out is said."""
+def no_space(*paths: Path) -> None:
+    """What copying does on a full disk."""
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+def test_a_version_takes_the_place_of_one_of_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Adding it again changes nothing else, nor does a call that fails; without a website the way out is said."""
     folder = together(tmp_path)
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     versions.add(tmp_path / "built-1.9.0", folder, "1.9.0")
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
     with pytest.raises(ValueError, match="make site"):
         versions.add(tmp_path / "nothing", folder, "3.0.0")
+    (folder / "dev").rename(folder / ".old-dev")  # as a build leaves it that was killed at the worst moment
+    with monkeypatch.context() as patch:
+        patch.setattr(shutil, "copytree", no_space)
+        with pytest.raises(OSError, match="No space"):
+            versions.add(tmp_path / "built-dev", folder, "dev")
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
     versions.add(built(tmp_path / "less", "dev", ("index.html",)), folder, "dev")
     assert not (folder / "dev" / "new.html").exists()
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}.keys() < before.keys()
