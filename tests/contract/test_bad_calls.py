@@ -182,7 +182,14 @@ def fault(call: Callable[[], object], names: tuple[str, ...], value: Any, takes:
 
 
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize("name", [*dir(edugym), *ROOMS, "environments"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *dir(edugym),
+        *(pytest.param(room, marks=[pytest.mark.slow] * (room == "deep")) for room in ROOMS),  # it trains networks
+        "environments",
+    ],
+)
 def test_bad_calls(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each odd value in the place of each argument."""
     faults, calls = [], 0

@@ -138,10 +138,14 @@ PLACES: list[tuple[Task, Wrong, str]] = [
 """Where each answer is wrong: expressions of its arguments, of which one is true at a time."""
 
 
+LONG = {SWITCH, TWO_POLICIES, TWO_WEIGHTS, REINFORCE}
+"""The tasks whose checks take a second or more."""
+
+
 def rows(table: list[Any]) -> list[Any]:
-    """Return a row for each place; the checks of one task take seconds."""
+    """Return a row for each place."""
     return [
-        pytest.param(*row, where, id=f"{row[0].lesson}-{where}", marks=[pytest.mark.slow] * (row[0] is SWITCH))
+        pytest.param(*row, where, id=f"{row[0].lesson}-{where}", marks=[pytest.mark.slow] * (row[0] in LONG))
         for *row, places in table
         for where in places.split("; ")
     ]
@@ -233,7 +237,10 @@ LEARNED += [(LINEAR, "learn", "w"), (REINFORCE, "learn", "preferences"), (REINFO
 LEARNED += [(DEEP, "hand_back", "Q")]  # its `learn` also stores steps, and an error in between would break ties
 
 
-@pytest.mark.parametrize(("task", "method", "table"), LEARNED)
+@pytest.mark.parametrize(
+    ("task", "method", "table"),
+    [pytest.param(*row, marks=[pytest.mark.slow] * (row[0] in LONG)) for row in LEARNED],
+)
 @pytest.mark.parametrize(("error", "accepted"), [(1e-12, True), (1e-7, False)])
 def test_how_far_tables_may_be(task: Task, method: str, table: str, error: float, accepted: bool) -> None:
     """As far as rounding takes them."""
@@ -263,7 +270,7 @@ OTHER_TABLES: list[tuple[Task, str, str]] = [
 @pytest.mark.parametrize(
     ("task", "method", "table"),
     [
-        pytest.param(task, method, table, id=f"{task.name}-{method}-{table}")
+        pytest.param(task, method, table, id=f"{task.name}-{method}-{table}", marks=[pytest.mark.slow] * (task in LONG))
         for task, methods, tables in OTHER_TABLES
         for method in methods.split()
         for table in tables.split()

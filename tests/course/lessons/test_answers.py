@@ -223,7 +223,9 @@ def test_every_mistake_of_q_learning_is_told() -> None:
     assert not {sentence for sentence in Q_LEARNING.mistakes if sentence not in told}
 
 
-@pytest.mark.parametrize("lesson", LESSONS)
+@pytest.mark.parametrize(
+    "lesson", [pytest.param(lesson, marks=[pytest.mark.slow] * (lesson == "15_profiles")) for lesson in LESSONS]
+)
 def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The lesson's own solution of an exercise is right, and counts; its empty cell is told that it is empty."""
     counted: list[tuple[str, int]] = []

@@ -262,11 +262,10 @@ def test_an_answer_at_another_seed(answer: Answer, seed: int) -> None:
     assert answer.right or all(words in said for words in answer.says), said
 
 
-@pytest.mark.parametrize(
-    "check", ["check_riddle(my_torch_program, RIDDLES[1], 0)", pytest.param("", marks=pytest.mark.slow)]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("check", ["check_riddle(my_torch_program, RIDDLES[1], 0)", ""])
 def test_pytorch(check: str) -> None:
-    """The program in PyTorch solves a riddle, and in the slow tests it passes."""
+    """The program in PyTorch solves a riddle, and it passes."""
     pytest.importorskip("torch").set_num_threads(1)
     asked = checked_by(program())
     imports = "from edugym_course.lessons.dimensionality.project import RIDDLES, check_riddle\n"

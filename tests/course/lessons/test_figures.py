@@ -21,6 +21,8 @@ NO_SENTENCE = re.compile(
     r"(?i:and|but|nor|or|so|than|then|that|which|who|whose|it|its|they|their|this|these|too|also)\b|[a-z]{2,}"
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
+LONG_REPORTS = {"several_agents", "search"}
+"""The lessons whose reports take ten seconds or more, since they solve games exactly."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
 BOUND = re.compile(
     r"at (?:least|most) ([\d.]+)|up to ([\d.]+)(?=,|$)|within ([\d.]+) of each|([\d.]+) or more"
@@ -61,7 +63,9 @@ def compare(lesson: str, name: str, parts: dict[str, Iterable[str]]) -> None:
     assert not changed, f"{changed}\nIf this is meant: REWRITE=1 .venv/bin/python -m pytest -k as_written"
 
 
-@pytest.mark.parametrize("lesson", NOTEBOOKS)
+@pytest.mark.parametrize(
+    "lesson", [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG_REPORTS)) for name in NOTEBOOKS]
+)
 def test_the_report_is_as_written(lesson: str) -> None:
     """What it trains, claims and draws, the numbers that its files name, and those that stand for what nobody says."""
     runs: dict[str, None] = {}

@@ -33,9 +33,8 @@ def submit(course: Path, student: str, notebook: NotebookNode, name: str) -> Non
 
 
 @pytest.mark.skipif(importlib.util.find_spec("nbgrader") is None, reason="nbgrader is not installed")
-@pytest.mark.parametrize(
-    "lesson", ["", *(pytest.param(name, marks=pytest.mark.slow) for name in build.lesson_sources())]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("lesson", ["", *build.lesson_sources()])
 def test_solutions_get_full_marks_and_blanks_none(lesson: str, tmp_path: Path) -> None:
     """What is handed out has no solution; each student fills in the cells that are theirs; quickly in a tiny lesson."""
     from nbgrader.api import Gradebook

@@ -1,4 +1,5 @@
 # %% a constant step size
+# slow
 # says: the step size is constant: with 1/N(A) every reward counts equally in the mean
 # says: in small worlds with
 # in: with lists
@@ -6,6 +7,7 @@
 # + means[arm] += 0.1 * (reward - means[arm])
 
 # %% counted too late
+# slow
 # says: the mean moves by 1/(N + 1), as if a reward of 0 had come first: count the pull, then divide by N
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -30,6 +32,7 @@
 # + means[arm] = pulls[arm]
 
 # %% each arm once
+# slow
 # says: every arm is pulled once before anything else; in the text the first values are 0, and ties are broken at random
 # in: with lists
 # - top = max(means)
@@ -38,6 +41,7 @@
 # + top = max(means)
 
 # %% a win is a win
+# slow
 # says: a reward counts as 1 or 0, for a win or none: take the reward itself into the mean
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -50,6 +54,7 @@
 # + top = min(means)
 
 # %% ties go to the first arm
+# slow
 # says: first, though all arms look equally good then: argmax takes the first of several equal values; draw one of them at random
 # says: runs my_program pulls arm
 # in: with lists
@@ -70,6 +75,7 @@
 # + arm = int(rng.integers(n)) if rng.random() < 0.01 else best()
 
 # %% always random
+# slow
 # says: So many come from chance alone, or from a table that never changes
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
@@ -88,6 +94,7 @@
 # + rng = np.random.default_rng()
 
 # %% the policy takes the worst
+# slow
 # says: does this policy look up the state that it is given, and take the *best* action?
 # in: with lists
 # - return lambda state: int(np.argmax(means))
@@ -103,6 +110,7 @@
 # +     means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
 
 # %% first values of 1
+# slow
 # says: the first values are 1; in the text they are 0
 # in: with lists
 # - means, pulls = [0.0] * n, [0] * n
@@ -127,6 +135,7 @@
 # + means[arm] += (reward + means[arm]) / pulls[arm]
 
 # %% random half of the time
+# slow
 # says: the first values
 # says: If ε is right, compare the first values with those of the text
 # in: with lists
@@ -134,6 +143,7 @@
 # + arm = int(rng.integers(n)) if rng.random() < 0.5 else best()
 
 # %% counted twice
+# slow
 # says: ; N has a number for each arm, and N(A) counts the pull that is learned from
 # in: with lists
 # - pulls[arm] += 1
@@ -146,12 +156,14 @@
 # + arm = int(rng.integers(n)) if taken < 0.1 * n_steps else best()
 
 # %% never the last arm at random
+# slow
 # says: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n - 1)) if rng.random() < 0.1 else best()
 
 # %% a random policy
+# slow
 # says: the policy that my_program returns draws its actions: asked twice about one observation, it gives two of them in
 # says:  cases. It should take the *best* action, and never a random one
 # in: with lists
@@ -159,6 +171,7 @@
 # + return lambda state: int(np.argmax(means)) if rng.random() > 0.1 else int(rng.integers(n))
 
 # %% a falling ε
+# slow
 # says: Their share falls during a run: ε should be the same from the first step to the last
 # in: sums of rewards
 # - if rng.random() < 0.1:

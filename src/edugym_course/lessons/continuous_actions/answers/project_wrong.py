@@ -163,6 +163,7 @@
 # +     over = False
 
 # %% a policy that draws
+# slow
 # says: the policy that
 # says:  returns draws its actions: asked twice about state
 # says: , it gives two of them. It should return the mean μ of the state
@@ -281,6 +282,7 @@
 # + A.append(min(max(a, -1), 1))
 
 # %% an action that is cut off
+# slow
 # says:  steps the action of
 # says: : give the environment what is drawn, and do not cut it off
 # in: lists of an episode

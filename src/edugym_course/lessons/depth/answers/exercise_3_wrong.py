@@ -246,6 +246,7 @@ def hand_back(self, length):
 
 
 # %% one step too many
+# slow
 # says: a value changes that is not on the path: the steps of the episode are 0 to length - 1
 # in: reversed
 # - for k in reversed(range(length)):
@@ -444,6 +445,7 @@ def hand_back(self, length):
 
 
 # %% a value that was not visited
+# slow
 # says: ] should stay
 # says: a value changes that is not on the path: the steps of the episode are 0 to length - 1
 def hand_back(self, length):

@@ -1,28 +1,33 @@
 # %% one reward
+# slow
 # says: the target has one reward only: that is SARSA
 # in: three steps later
 # - n = 3
 # + n = 1
 
 # %% two rewards
+# slow
 # says: the target has two rewards, and it should have three
 # in: three steps later
 # - n = 3
 # + n = 2
 
 # %% four rewards
+# slow
 # says: the target has four rewards, and it should have three
 # in: three steps later
 # - n = 3
 # + n = 4
 
 # %% Monte Carlo
+# slow
 # says: the target has all rewards to the end of the episode: that is Monte Carlo
 # in: three steps later
 # - n = 3
 # + n = 1000
 
 # %% the next reward
+# slow
 # says: the target has the next reward alone
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
@@ -31,12 +36,14 @@
 # + G = R[tau]
 
 # %% slow
+# slow
 # says: α is about 0.1, and it should be 0.5
 # in: three steps later
 # - Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
 # + Q[S[tau], A[tau]] += 0.1 * (G - Q[S[tau], A[tau]])
 
 # %% beyond the end
+# slow
 # says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
 # in: three steps later
 # - if not over:
@@ -44,18 +51,21 @@
 # + G += 0.8**n * Q[S[min(tau + n, len(S) - 1)], A[min(tau + n, len(S) - 1)]]
 
 # %% no value
+# slow
 # says: no value comes after the n rewards: γⁿ Q(S_τ+n, A_τ+n) is missing
 # in: three steps later
 # - if not over:
 # -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
 
 # %% only the last pair at the end
+# slow
 # says: at the end of an episode only one pair is learned, and the others that are left have rewards to learn from too
 # in: three steps later
 # - for tau in range(len(R)) if over else [len(R) - n]:
 # + for tau in [len(R) - n]:
 
 # %% nothing at the end
+# slow
 # says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
 # in: three steps later
 # - for tau in range(len(R)) if over else [len(R) - n]:
@@ -64,36 +74,42 @@
 # + for tau in [] if over or len(R) < n else [len(R) - n]:
 
 # %% the lowest value
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: three steps later
 # - return values.argmax()
 # + return values.argmin()
 
 # %% the old state after a reset
+# slow
 # says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
 # in: three steps later
 # - s, _ = environment.reset()
 # + environment.reset()
 
 # %% the largest value
+# slow
 # says: after the rewards comes the largest value of S_τ+n, and it should be that of the action taken there, A_τ+n: with the maximum the target is the uncorrected one of this lesson
 # in: three steps later
 # - G += 0.8**n * Q[S[tau + n], A[tau + n]]
 # + G += 0.8**n * Q[S[tau + n]].max()
 
 # %% a value that is not discounted
+# slow
 # says: the value after the n rewards is not discounted: it is γⁿ Q(S_τ+n, A_τ+n)
 # in: three steps later
 # - G += 0.8**n * Q[S[tau + n], A[tau + n]]
 # + G += Q[S[tau + n], A[tau + n]]
 
 # %% discounted from the start of the episode
+# slow
 # says: the rewards are discounted from the start of the episode, and they should be from step τ: the first reward of a target has the weight 1
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # + G = sum(0.8 ** (tau + k) * r for k, r in enumerate(R[tau : tau + n]))
 
 # %% no discount
+# slow
 # says: γ is about 1, and it should be 0.8
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
@@ -110,6 +126,7 @@
 # + over = terminated
 
 # %% nothing where the clock stops
+# slow
 # says:  learns nothing at the end of an episode that is truncated: there, too, all pairs that are left have the rewards that there are
 # in: when the episode is over
 # - for tau in range(len(episode)):

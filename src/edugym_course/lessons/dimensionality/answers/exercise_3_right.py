@@ -1,4 +1,5 @@
 # %% with one_step_target
+# slow
 # says: Right: an old network gives the target, and every transition in memory has the same chance. See it learn:
 def target_of(self, row):
     memory = self.memory
@@ -7,6 +8,7 @@ def target_of(self, row):
 
 
 # %% a loop for the maximum
+# slow
 def target_of(self, row):
     y = self.memory.rewards[row]
     if not self.memory.terminated[row]:
@@ -19,6 +21,7 @@ def target_of(self, row):
 
 
 # %% backwards
+# slow
 def row_for(self, u):
     n = min(self.steps[0], len(self.memory.rewards))
     return n - 1 - int(u * n)

@@ -15,12 +15,14 @@
 # + return int(self.layers(image.reshape(1, -1))[2].argmin())
 
 # %% reward with a minus
+# slow
 # says: It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = -r - Q[a] if terminated else -r + 0.9 * q(x2)[1][a2] - Q[a]
 
 # %% too fast
+# slow
 # says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - W += 0.05 * delta * np.outer(g, x)
@@ -40,6 +42,7 @@
 # + self.W[0] -= 0.002 * x.T @ back / len(x)
 
 # %% weights of 0
+# slow
 # says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
@@ -142,12 +145,14 @@ def my_program(environment, n_steps, seed):
 # + rng = np.random.default_rng()
 
 # %% no end, one step at a time
+# slow
 # says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row?)
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = r + 0.9 * q(x2)[1][a2] - Q[a]
 
 # %% W2 before W1
+# slow
 # says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, so that no pixel counts?
 # in: SARSA from each step once
 # - g = V[a] * (h > 0)
@@ -210,6 +215,7 @@ def my_program(environment, n_steps, seed):
 # + return rng.integers(k) if rng.random() > 0.1 else np.argmax(q(x)[1])
 
 # %% no discount
+# slow
 # says: the right action brings 2.5 at once. Another one leads to an image in which every action brings 0.2 and that comes again, so that it is worth 0.2 / (1 − γ): is this value multiplied by γ in the target, and is γ 0.9?
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]

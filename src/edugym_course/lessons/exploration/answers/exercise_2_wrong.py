@@ -129,6 +129,7 @@ def optimist(wall):
 
 
 # %% with a bonus
+# slow
 # says: ; and the exercise asks for `QLearning`
 def optimist(wall):
     return CountBased.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)

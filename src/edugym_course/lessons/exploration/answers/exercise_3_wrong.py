@@ -8,6 +8,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% a visit is noted, not counted
+# slow
 # says: `visits` is set to 1 there
 # says: ` is set to 1 there, and it should become one more: write `+= 1`
 def learn(self, state, action, reward, next_state, terminated):
@@ -16,6 +17,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% counted down
+# slow
 # says: `tries` changes by -1 there
 # says: there, and every time it should be one more
 def learn(self, state, action, reward, next_state, terminated):
@@ -150,6 +152,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the whole row learns
+# slow
 # says: 2 entries of `Q` change, and only one should
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
@@ -229,6 +232,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the last step is not counted
+# slow
 # says: `tries` does not change there, and every time it should be one more
 def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1

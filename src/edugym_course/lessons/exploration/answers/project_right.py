@@ -1,4 +1,5 @@
 # %% optimism
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     Q = np.ones((environment.observation_space.n, environment.action_space.n))

@@ -8,6 +8,7 @@ def choose(values, epsilon, rng):
 
 
 # %% probabilities
+# slow
 def choose(values, epsilon, rng):
     n = len(values)
     best = values == values.max()

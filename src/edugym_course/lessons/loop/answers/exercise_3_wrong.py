@@ -295,6 +295,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the last reward in full
+# slow
 # says: terminated=True), where
 # says: in your code the reward counts once, and should count 0.25 times; Q[0, 0] counts 0 times, and should count 0.75 times
 def learn(self, state, action, reward, next_state, terminated):
@@ -306,6 +307,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% the second best
+# slow
 # says: in your code Q[3, 0] counts 0 times, and should count 0.175 times; Q[3, 1] counts 0.175 times, and should count 0
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else sorted(self.Q[next_state])[-2]

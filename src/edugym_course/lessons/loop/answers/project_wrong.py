@@ -3,12 +3,14 @@
 my_program = ...
 
 # %% looks beyond the end
+# slow
 # says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward + 0.99 * Q[next_state].max()
 
 # %% truncated is terminated
+# slow
 # says: a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has its value
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
@@ -16,6 +18,7 @@ my_program = ...
 # + target = reward if done else reward + 0.99 * Q[next_state].max()
 
 # %% the end is not learned
+# slow
 # says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
@@ -40,6 +43,7 @@ my_program = ...
 # - state = next_state
 
 # %% the lowest value
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: ε-greedy written out
 # - action = Q[state].argmax()
@@ -52,6 +56,7 @@ my_program = ...
 # + target = -reward if terminated else -reward + 0.99 * Q[next_state].max()
 
 # %% no future
+# slow
 # says: γ max_a Q(S', a), the value of the next state, is missing in the target
 # says: They fit a usual mistake:
 # in: ε-greedy written out
@@ -59,24 +64,28 @@ my_program = ...
 # + target = reward
 
 # %% the state that was left
+# slow
 # says: the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.99 * Q[state].max()
 
 # %% slow
+# slow
 # says: α is about 0.1, and it should be 0.5
 # in: ε-greedy written out
 # - Q[state, action] += 0.5 * (target - Q[state, action])
 # + Q[state, action] += 0.1 * (target - Q[state, action])
 
 # %% the target in its place
+# slow
 # says: the old value is lost, as with a learning rate of 1: it should move halfway to the target
 # in: ε-greedy written out
 # - Q[state, action] += 0.5 * (target - Q[state, action])
 # + Q[state, action] = target
 
 # %% seldom tries
+# slow
 # says: So it seldom tries an action at random: is ε that of the text, up to the last step?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
@@ -89,6 +98,7 @@ my_program = ...
 # + if rng.random() < 0.0:
 
 # %% tries too much
+# slow
 # says: are not those that its own steps make look best by the equation of this lesson, and with ε = 0.1 it should be some
 # says: If all else is right, ε is about 0.
 # says: . If ε is right, compare α, γ and the first values with those of the text, and the update with its equation, term by term
@@ -104,36 +114,42 @@ my_program = ...
 # + if rng.random() > 0.0:
 
 # %% the policy of the lowest value
+# slow
 # says: observations the policy that my_program returns takes another action than the one that the steps of the program make look best: does this policy look up the state that it is given, and take the *best* action?
 # in: ε-greedy written out
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state].argmin())
 
 # %% the mean
+# slow
 # says: the mean over the actions of the next state stands where the maximum should
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.99 * Q[next_state].mean()
 
 # %% another discount
+# slow
 # says: γ is about 0.9, and it should be 0.99
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.9 * Q[next_state].max()
 
 # %% the policy explores
+# slow
 # says: the policy that my_program returns draws its actions: asked twice about one observation
 # in: ε-greedy written out
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state].argmax() if rng.random() > 0.1 else rng.integers(len(Q[state])))
 
 # %% the old value is not subtracted
+# slow
 # says: − Q(S, A) is missing in the brackets, so the values grow and grow
 # in: ε-greedy written out
 # - Q[state, action] += 0.5 * (target - Q[state, action])
 # + Q[state, action] += 0.5 * target
 
 # %% a mean of the targets
+# slow
 # says: the learning rate falls with the number of updates, and it is 0.5 in the text
 # in: ε-greedy written out
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
@@ -144,12 +160,14 @@ my_program = ...
 # + Q[state, action] += (target - Q[state, action]) / N[state, action]
 
 # %% the same action again
+# slow
 # says: Q(S', A), the value of the *same* action, stands where the maximum over all actions should
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if terminated else reward + 0.99 * Q[next_state, action]
 
 # %% reset before it learns
+# slow
 # says: S' is the state after the reset where an episode was truncated: learn first, and reset then
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
@@ -163,6 +181,7 @@ my_program = ...
 
 
 # %% a table of whole numbers
+# slow
 # says: what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
@@ -178,6 +197,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% the value of the next action
+# slow
 # says: Q(S', A'), the value of the action that is taken next, stands where the maximum should
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
@@ -201,6 +221,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% the best action learns
+# slow
 # says: the value of the action that looks best moves, and it should be that of the action that was taken
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
@@ -209,6 +230,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% half of the ε
+# slow
 # says: So it seldom tries an action at random: is ε that of the text, up to the last step?
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)

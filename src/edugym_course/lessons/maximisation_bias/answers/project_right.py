@@ -24,6 +24,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% with lists
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     n_states, n_actions = int(environment.observation_space.n), int(environment.action_space.n)

@@ -1,4 +1,5 @@
 # %% Q-learning
+# slow
 # says: in an environment of 2 steps the first step pays 1 and ends its episode, and the same action then pays -0.92 and
 #   ends one too: a loss if one table has learned both, and a gain if each has learned one; after that the policy takes
 #   this action again in
@@ -8,12 +9,14 @@
 # + own = other = Q1
 
 # %% one table learns nearly always
+# slow
 # says: in each step *one* table learns, and a coin says which, each time anew
 # in: two tables and a dictionary of names
 # - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
 # + own, other = (Q1, Q2) if rng.random() < 0.1 else (Q2, Q1)
 
 # %% both by the table that learns
+# slow
 # says: what does the table that learns ask the *other* table? Its own argmax chooses the action in the next state, and
 #   the other table says what that action is worth
 # in: two tables and a dictionary of names
@@ -21,12 +24,14 @@
 # + target += own[after].max()
 
 # %% the other's maximum
+# slow
 # says: what does the table that learns ask the *other* table?
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += other[after].max()
 
 # %% the mean of the other's values
+# slow
 # says: what does the table that learns ask the *other* table?
 # says: It counts where the episode goes on, with γ = 1
 # in: two tables and a dictionary of names
@@ -34,30 +39,35 @@
 # + target += other[after].mean()
 
 # %% the roles swapped
+# slow
 # says: are the two swapped?
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += own[after, other[after].argmax()]
 
 # %% a discount
+# slow
 # says: the discount is 1, and α is 0.1: what follows in state 0 is worth 0.1, or 0
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += 0.9 * other[after, own[after].argmax()]
 
 # %% cut off is not ended
+# slow
 # says: only `terminated` means that nothing follows; a step that is truncated has its future
 # in: two tables and a dictionary of names
 # - if not terminated:
 # + if not (terminated or truncated):
 
 # %% the end has a future
+# slow
 # says: where `terminated` is True, nothing follows: the target is the reward
 # in: two tables and a dictionary of names
 # - if not terminated:
 # + if True:
 
 # %% the other's action 0
+# slow
 # says: in a casino that pays, where one of
 # says: machines wins 1 on average, the policy goes in and plays it in
 # says: runs, and it should in
@@ -76,6 +86,7 @@
 # + return lambda state: int(Q1[state].argmax())
 
 # %% Q-learning as soon as both tables know something
+# slow
 # says: in a casino that does not pay,
 # says: of episodes 31 to 100 lead into it; with double Q-learning
 # says: do, with Q-learning
@@ -125,6 +136,7 @@
 # + action = int(total.argmax())
 
 # %% all at once
+# slow
 # says: a value moves a *tenth* of the way to its target (α = 0.1), and only that of the table that learns
 # in: two tables and a dictionary of names
 # - own[state, action] += 0.1 * (target - own[state, action])
@@ -138,6 +150,7 @@
 # + if rng.random() < min(0.1 * (1 + _), 0.4):
 
 # %% the state stands still
+# slow
 # says: or more: it
 # in: two tables and a dictionary of names
 # - state = after

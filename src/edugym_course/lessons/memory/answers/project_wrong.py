@@ -36,6 +36,7 @@
 # - w = w2
 
 # %% the least value
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: tuples in a dictionary
 # - a = int(values(w).argmax())

@@ -333,6 +333,7 @@ def sweep(self):
 
 
 # %% the last state is left out
+# slow
 # says: state 5 is never swept: are all rows of Q?
 # says: is never swept: are all rows of Q?
 # in: the solution of sweep

@@ -9,6 +9,7 @@
 
 
 # %% no model
+# slow
 # says: should plan, and 'mine' learns from real steps alone
 # says: the third method should plan, and
 # in: a smaller rate
@@ -17,6 +18,7 @@
 
 
 # %% no planning steps
+# slow
 # says: learns from real steps alone: make it with DynaQ, PrioritisedSweeping or RMax, and let `planning_steps` be above
 #   0
 # in: a smaller rate
@@ -59,6 +61,7 @@ lake_results = repeat(
 )
 
 # %% a short sight
+# slow
 # says: its values average over many outcomes already, so look at its other settings: a discount far below 1 hides a goal
 #   that is some steps away, a tiny learning rate takes long, and so do few updates
 # in: a smaller rate

@@ -19,6 +19,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% remembers the best dive
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     best, highest = [], -1.0
@@ -64,6 +65,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% plans with what it saw
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     after, worth = {}, {}
@@ -89,6 +91,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% one plan for each column
+# slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     taken, highest, kept = 0, 0.0, {}

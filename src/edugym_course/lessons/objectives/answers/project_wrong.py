@@ -1,4 +1,5 @@
 # %% no limit
+# slow
 # says: that is the most valuable treasure of all, however long it takes: does a dive that takes more than seven steps
 #   count for nothing in what your program learns?
 # in: late dives count for nothing
@@ -7,6 +8,7 @@
 
 
 # %% fewer than seven
+# slow
 # says: that is the best one of those nearer than seven steps, and exactly seven are allowed
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
@@ -14,6 +16,7 @@
 
 
 # %% counted from the second step
+# slow
 # says: that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
@@ -21,6 +24,7 @@
 
 
 # %% a price
+# slow
 # says: in nearly all seas that is what a price of about
 # says: for each step prefers; a price cannot find every compromise, so let the limit itself say what a dive is worth
 # in: late dives count for nothing
@@ -29,6 +33,7 @@
 
 
 # %% the shore
+# slow
 # says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the value of a treasure come back to the states before it?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
@@ -36,6 +41,7 @@
 
 
 # %% the deepest
+# slow
 # says: that is always the deepest treasure within seven steps; a nearer one may be worth more
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
@@ -43,6 +49,7 @@
 
 
 # %% the poorest
+# slow
 # says: that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
@@ -50,6 +57,7 @@
 
 
 # %% never down
+# slow
 # says: with the treasures
 # says: comes to no treasure, and
 # says: it should pick up the
@@ -60,6 +68,7 @@
 
 
 # %% never counted anew
+# slow
 # says: each dive is short enough, but not the best: does your program try all of them often enough?
 # in: late dives count for nothing
 # - state, _ = environment.reset()
@@ -110,6 +119,7 @@
 
 
 # %% limits that change
+# slow
 # says: seas the dive takes too long; what is a dive worth that does? It must be less than the poorest of the others
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
@@ -117,6 +127,7 @@
 
 
 # %% a discount
+# slow
 # says: that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
@@ -133,6 +144,7 @@
 
 
 # %% a late dive is worth 5
+# slow
 # says: seas the dive takes too long; what is a dive worth that does? It must be less than the poorest of the others
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0

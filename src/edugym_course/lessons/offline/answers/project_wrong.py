@@ -64,6 +64,7 @@ def my_program(steps, n_states, n_actions, seed):
 my_program = [0, 1, 2]
 
 # %% beyond the end
+# slow
 # says: does nothing follow where `terminated` is True, and is the best action taken?
 # in: sums and counts
 # - for _ in range(30):

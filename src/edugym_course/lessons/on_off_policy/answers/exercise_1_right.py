@@ -14,11 +14,13 @@ while high - low > 0.01:
 negative_reward = high
 
 # %% by the switch
+# slow
 negative_reward = -38.0
 while exact.switch(finite_model(make_mdp("Roadrunner", negative_reward=negative_reward))) < 0.1:
     negative_reward += 0.1
 
 # %% with two digits
+# slow
 negative_reward = -40.0
 while len(exact.best_run(0.1, negative_reward=negative_reward)) > 5:
     negative_reward = round(negative_reward + 0.01, 2)

@@ -37,6 +37,7 @@ negative_reward = -35
 negative_reward = -36.5
 
 # %% the change of the path
+# slow
 # says: there the *path* of the safe run changes; the number of its steps changes elsewhere
 negative_reward = -100.0
 while exact.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
@@ -49,6 +50,7 @@ negative_reward = [-36.9, -36.8, -36.7]
 
 
 # %% in steps of 0.05
+# slow
 # says: with negative_reward = -36.95 the best run at ε = 0.1 takes 4 steps
 # says: , and so it does for lower numbers: with more digits than one, take the lowest that has them
 negative_reward = -38.0

@@ -1,4 +1,5 @@
 # %% no return
+# slow
 # says: is a `return` missing?
 # says: switch(model) for W =
 def switch(model):
@@ -10,6 +11,7 @@ def switch(model):
 
 
 # %% the number of the lesson
+# slow
 # says: that is the ε of the lesson's road; compute it from the `model` that is given
 # says: and negative_reward =
 def switch(model):
@@ -22,6 +24,7 @@ switch = 0.032
 
 
 # %% the ε-soft return
+# slow
 # says: that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,
 #   since the ε-soft return is always lower, and two policies may differ where no run leads
 def switch(model):
@@ -65,6 +68,7 @@ def switch(model):
 
 
 # %% the comparison the wrong way round
+# slow
 # says: the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,
 #   with `<`, with the greedy policy for ε, played *without* slips?
 def switch(model):
@@ -85,6 +89,7 @@ def switch(model):
 
 
 # %% the estimate
+# slow
 # says: that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model
 def switch(model):
     return 3 / abs(model.mdp.negative_reward)
@@ -146,6 +151,7 @@ def switch(model):
 
 
 # %% the ε-soft return in steps of 0.01
+# slow
 # says: that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not the
 #   ε-soft return
 def switch(model):
@@ -168,6 +174,7 @@ def switch(model):
 
 
 # %% the estimate of the lesson
+# slow
 # says: that is the estimate for the lesson's road; compute the exact value from the `model` that is given
 def switch(model):
     return 0.03

@@ -1,34 +1,40 @@
 # %% Q-learning
+# slow
 # says: the target has max_a Q(S', a), the value of the *best* next action: that is Q-learning
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r if terminated else r + Q[s2].max()
 
 # %% drawn again
+# slow
 # says: ; look at two places: A', whose value is in the target, is the action that is taken next, and is not drawn a second time; at the end of an episode the target is the reward alone
 # in: the next action is kept
 # - s, a = s2, a2
 # + s, a = s2, choose(Q[s2], rng)
 
 # %% beyond the end
+# slow
 # says: ; look at two places: A', whose value is in the target, is the action that is taken next, and is not drawn a second time; at the end of an episode the target is the reward alone
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r + Q[s2, a2]
 
 # %% the reward alone
+# slow
 # says: Q(S', A') is missing in the target
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r
 
 # %% slow
+# slow
 # says: α is about 0.1, and it should be 0.5
 # in: the next action is kept
 # - Q[s, a] += 0.5 * (target - Q[s, a])
 # + Q[s, a] += 0.1 * (target - Q[s, a])
 
 # %% the end is not learned
+# slow
 # says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
 # in: the next action is kept
 # - Q[s, a] += 0.5 * (target - Q[s, a])
@@ -36,6 +42,7 @@
 # +     Q[s, a] += 0.5 * (target - Q[s, a])
 
 # %% the old state after a reset
+# slow
 # says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
 # in: the next action is kept
 # - s2, _ = environment.reset()
@@ -48,6 +55,7 @@
 # + return values.argmin()
 
 # %% seldom tries
+# slow
 # says: So it seldom tries an action at random
 # in: the next action is kept
 # - def choose(values, rng, epsilon=0.1):
@@ -60,12 +68,14 @@
 # + rng = np.random.default_rng(1)
 
 # %% a discount
+# slow
 # says: γ is about 0.9, and it should be 1
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r if terminated else r + 0.9 * Q[s2, a2]
 
 # %% the last action is never drawn
+# slow
 # says: tries the action 3
 # says: times where another one looks better, and with ε =
 # says: times: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
@@ -80,18 +90,21 @@
 # + return rng.integers(4)
 
 # %% the policy explores
+# slow
 # says: returns draws its actions: asked twice about one observation
 # in: the next action is kept
 # - return lambda s: int(Q[s].argmax())
 # + return lambda s: int(choose(Q[s], rng))
 
 # %% the policy takes the lowest value
+# slow
 # says: takes another action than the one that the steps of the program make look best
 # in: the next action is kept
 # - return lambda s: int(Q[s].argmax())
 # + return lambda s: int(Q[s].argmin())
 
 # %% first values of 1
+# slow
 # says: the first values are about 1, and not 0
 # in: the next action is kept
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))

@@ -1,4 +1,5 @@
 # %% a loop and a path
+# slow
 # says: Right: it solves all 12 riddles, and asks of the model what a search may ask.
 def my_program(model, n_actions, state, n_simulations, seed):
     rng = np.random.default_rng(seed)
@@ -35,6 +36,7 @@ def my_program(model, n_actions, state, n_simulations, seed):
 
 
 # %% nodes are objects
+# slow
 class Node:
     def __init__(self, n_actions):
         self.returns = [[] for _ in range(n_actions)]

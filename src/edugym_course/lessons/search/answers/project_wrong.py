@@ -107,6 +107,7 @@
 # + G = weight * reward
 
 # %% no discount
+# slow
 # says: a larger reward comes eight steps later
 # says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?
 # in: nodes are objects
@@ -114,6 +115,7 @@
 # + G += visit(child, after, left - 1)
 
 # %% no discount in the roll-out
+# slow
 # says: a larger reward comes eight steps later, and there is one simulation for each action
 # says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?
 # in: a loop and a path
@@ -129,6 +131,7 @@
 # + visit(root, state, 5)
 
 # %% an action without a simulation
+# slow
 # says: all actions lose, and there are fewer simulations than actions
 # says: an action that was not simulated from the root has no value: choose among those that were
 # in: a loop and a path
@@ -136,6 +139,7 @@
 # + return int(np.argmax(Q[()]))
 
 # %% the bound in the end
+# slow
 # says: two actions are nearly as good as the best one
 # says: is the action in the end the one with the highest value, without the exploration term?
 # in: a loop and a path
@@ -177,6 +181,7 @@
 # + G += 0.9 * visit(child, after + 100, left - 1)
 
 # %% without a depth
+# slow
 # says: simulates more than
 # says: steps in a row: each simulation looks
 # says: steps ahead
@@ -193,6 +198,7 @@
 # + for _ in range(n_simulations - 1):
 
 # %% a generator without a seed
+# slow
 # says: my_program does not repeat itself: two searches with seed
 # says: simulate different actions. Draw every random number from rng = np.random.default_rng(seed)
 # in: a loop and a path
@@ -224,12 +230,14 @@ my_program = 3
 # + return int(np.argmax(N[()]))
 
 # %% the untried ones in order
+# slow
 # says: my_program begins every search with the action 0, though none was tried yet: among equals draw one at random
 # in: a loop and a path
 # - action = int(rng.choice(untried))
 # + action = int(untried[0])
 
 # %% γ = 0.8
+# slow
 # says: in a task in which a reward comes nine steps later that is worth waiting for
 # says: steps ahead, roll-out included, and is γ not below 0.9?
 # in: a loop and a path
@@ -239,6 +247,7 @@ my_program = 3
 # + G = reward + 0.8 * G
 
 # %% the highest return
+# slow
 # says: one action seldom pays much, and the others pay more on average
 # says: is a value the *mean* of all returns, and not the highest of them?
 # in: a loop and a path

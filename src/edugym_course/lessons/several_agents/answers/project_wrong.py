@@ -1,4 +1,5 @@
 # %% the best action
+# slow
 # says: in a riddle with
 # says:  places, who knows the policy of
 # says:  more from it in place
@@ -9,18 +10,21 @@
 # + return lambda state: np.eye(shape[1])[Q[state].mean(axis=1).argmax()]
 
 # %% random play
+# slow
 # says: It is random play: does the policy that is returned come from what was learned?
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda state: [1 / shape[1]] * shape[1]
 
 # %% the reward of the other
+# slow
 # says: In one room it takes the worst action: is the reward that of player_0, with its own sign, and are its actions the rows of the matrix game, and the probabilities that are returned its own?
 # in: all pairs at random
 # - target = rewards[me]
 # + target = rewards[you]
 
 # %% columns
+# slow
 # says: In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix game the actions of player_0?
 # in: all pairs at random
 # - solved[state] = games.solve_zero_sum(Q[state])

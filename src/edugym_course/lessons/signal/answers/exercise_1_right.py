@@ -7,5 +7,6 @@ words = 22
 words = next(L for L in range(1, 57) if information(0.1, L) >= 0.4)
 
 # %% of NumPy
+# slow
 bits = np.array([information(0.1, L) for L in range(1, 40)])
 words = np.searchsorted(bits, 0.4) + 1

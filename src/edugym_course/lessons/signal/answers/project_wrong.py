@@ -1,4 +1,5 @@
 # %% no end
+# slow
 # says: what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and look then whether the episode is over
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
@@ -6,17 +7,20 @@
 # +     theta[:, a] += 0.01 * delta * x
 
 # %% the old message after a reset
+# slow
 # says: after an end the program goes on from the last state of the old episode: state, info = environment.reset() gives the first state of the new one
 # in: weights in an array
 # - o, _ = environment.reset()
 # + environment.reset()
 
 # %% the first message for ever
+# slow
 # says: the state stays the first one of the episode: is `state = next_state` missing?
 # in: weights in an array
 # - o = o2
 
 # %% the least value
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
@@ -54,6 +58,7 @@ def my_program(environment, n_steps, seed):
 # + x[o[k] * L + k - 1] += 1 / L
 
 # %% the first word
+# slow
 # says: the first word alone is heard
 # in: weights in an array
 # - for k in range(1, L + 1):
@@ -61,12 +66,14 @@ def my_program(environment, n_steps, seed):
 # + x[o[1]] = 1
 
 # %% presence
+# slow
 # says: a word counts once, however often it occurs: x_w is its share of the message
 # in: weights in an array
 # - x[o[k]] += 1 / L
 # + x[o[k]] = 1 / L
 
 # %% counts, not shares
+# slow
 # says: the counts are not divided by the length L of the message
 # in: weights in an array
 # - x[o[k]] += 1 / L
@@ -89,6 +96,7 @@ def my_program(environment, n_steps, seed):
 # + theta += 0.01 * np.outer(x, delta)
 
 # %% a large rate
+# slow
 # says: the learning rate is much too large: it is 0.01 in the text
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
@@ -105,12 +113,14 @@ def my_program(environment, n_steps, seed):
 
 
 # %% the weights of the next message
+# slow
 # says: the weights of the *next* message move: those of the message before the action should
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 # + theta[:, a] += 0.01 * delta * shares(o2)
 
 # %% the next message alone
+# slow
 # says: it learns from the *next* message alone: keep the one before the action until its weights have moved
 # in: a dictionary, word by word
 # - listener.learn(words, action, reward)
@@ -139,12 +149,14 @@ def my_program(environment, n_steps, seed):
 # + x[o[k]] += 1 / len(o)
 
 # %% without the first word
+# slow
 # says: the first word of each message is left out: the words begin with entry 1 of the observation
 # in: weights in an array
 # - for k in range(1, L + 1):
 # + for k in range(2, L + 1):
 
 # %% without the last word
+# slow
 # says: the last word of each message is left out: is a `range` too short?
 # in: weights in an array
 # - for k in range(1, L + 1):
@@ -165,6 +177,7 @@ def my_program(environment, n_steps, seed):
 # + return lambda o: int(np.bincount(o[1:] % 4, minlength=4).argmax())
 
 # %% a rate of 0.1
+# slow
 # says: the learning rate is too large, as 0.1: it is 0.01 in the text
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
@@ -192,24 +205,28 @@ def my_program(environment, n_steps, seed):
 # + delta = r + (0.0 if terminated else 0.9 * (shares(o2) @ theta).max()) - q[a]
 
 # %% first weights of 1
+# slow
 # says: the first weights are 1, and they should be 0
 # in: weights in an array
 # - theta = np.zeros((W, N))
 # + theta = np.ones((W, N))
 
 # %% first weights of 10
+# slow
 # says: the first weights are far above 0, as 10, and they should be 0
 # in: weights in an array
 # - theta = np.zeros((W, N))
 # + theta = 10 * np.ones((W, N))
 
 # %% the rest of each word
+# slow
 # says: words with the same rest, divided by the number of actions, share their weights; what a word means has to be learned
 # in: weights in an array
 # - x[o[k]] += 1 / L
 # + x[o[k] % N] += 1 / L
 
 # %% each word by itself
+# slow
 # says: each weight moves by R − θ, the error of its own word alone; q(O, A) is the sum over all words
 # in: weights in an array
 # - delta = r - q[a]
@@ -217,12 +234,14 @@ def my_program(environment, n_steps, seed):
 # + theta[:, a] += 0.01 * (r - theta[:, a]) * x
 
 # %% all words alike
+# slow
 # says: the weights of all words of a message move alike: the factor x_w(O) is missing in their step
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 # + theta[x > 0, a] += 0.01 * delta
 
 # %% the last word
+# slow
 # says: the last word alone is heard: is x overwritten in a loop?
 # in: weights in an array
 # - x[o[k]] += 1 / L
@@ -230,6 +249,7 @@ def my_program(environment, n_steps, seed):
 # + x[o[k]] = 1
 
 # %% all weights of the action
+# slow
 # says: the weights of all words move, and those of the words that are not in the message should stay
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x

@@ -1,4 +1,5 @@
 # %% tanh and lists
+# slow
 import math
 
 
@@ -20,6 +21,7 @@ def my_program(env, n_steps, seed):
 
 
 # %% the weight in one line
+# slow
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)
@@ -34,6 +36,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a probability for each action
+# slow
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)

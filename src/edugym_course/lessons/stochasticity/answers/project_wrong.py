@@ -1,40 +1,47 @@
 # %% Q-learning
+# slow
 # says: all surprises weigh the same: that is Q-learning
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * delta
 
 # %% the sign
+# slow
 # says: good surprises weigh more than bad ones: β is below 0
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(-0.5 * delta)) * delta
 
 # %% no 2
+# slow
 # says: the weight is half as large as it should be: 2σ(βδ) is 1 where δ = 0
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 / (1 + np.exp(0.5 * delta)) * delta
 
 # %% the reward alone
+# slow
 # says: γ max_a Q(S', a) is missing in the target
 # in: the weight in one line
 # - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
 # + delta = r - Q[s, a]
 
 # %% beyond the end
+# slow
 # says: the value of a state after the end is looked up
 # in: the weight in one line
 # - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
 # + delta = r + 0.9 * Q[s2].max() - Q[s, a]
 
 # %% first values of 10
+# slow
 # says: the first values are about 10, and not 0
 # in: the weight in one line
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # + Q = np.full((environment.observation_space.n, environment.action_space.n), 10.0)
 
 # %% the worst at the fork
+# slow
 # says: a sure payment of 1, or a coin that pays 5 or -2: with β = -0.5 the sure payment is worth more, but the policy takes it in
 # says:  runs only; does it take the best action?
 # in: the weight in one line
@@ -42,6 +49,7 @@
 # + return lambda s: int(Q[s].argmax() if len(Q) > 4 else Q[s].argmin())
 
 # %% no brackets
+# slow
 # says: They fit a usual mistake:
 # says: − Q(S, A) is missing at the end of an episode: put brackets around `... if terminated else ...`
 # in: the weight in one line
@@ -49,30 +57,35 @@
 # + delta = r if over else r + 0.9 * Q[s2].max() - Q[s, a]
 
 # %% a smaller α
+# slow
 # says: α is about 0.1, and it should be 0.4
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.1 * 2 / (1 + np.exp(0.5 * delta)) * delta
 
 # %% a weight without δ
+# slow
 # says: ; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta))
 
 # %% a weight by the reward
+# slow
 # says: the weight is made of the reward, and it should be made of δ
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * r)) * delta
 
 # %% another β
+# slow
 # says: β is about -1, and it should be -0.5
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(delta)) * delta
 
 # %% an ε that falls
+# slow
 # says: actions of my_program are not those that its own steps make look best in the first half of its runs, and
 # says: in the second. Their share falls during a run: ε should be the same from the first step to the last
 # in: the weight in one line
