@@ -136,13 +136,24 @@ def _judgings(rng: np.random.Generator) -> list[Judging]:
     return [([_episode(rng, n) for n in lengths], *_policies(rng)) for lengths in ((2,), (2, 3), (1, 2, 4), (3, 3, 2))]
 
 
+NEVER = "π never takes the first action of the first episode, whose weight is 0: leave no ratio out, and replace none"
+
+
+def _never(rng: np.random.Generator) -> Judging:
+    """Make up two episodes; π never takes the first action of the first."""
+    target, behaviour = _policies(rng)
+    (state, action, _), *_ = first = _episode(rng, 3)
+    target[state] = np.arange(N_ACTIONS) != action
+    other = [(s, 1 - action if s == state else a, r) for s, a, r in _episode(rng, 2)]
+    return [first, other], target, behaviour
+
+
 def exercise_1(answer: Any, seed: int, discount: Discount = 1.0) -> str:
     """Check the weighted estimate of what a policy is worth."""
     require_function("weighted_estimate", answer, "episodes, target and behaviour")
     right = partial(weighed, discount=discount)
-    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in WEIGHED_MISTAKES.values())]
-    cases = []
-    for case in _judgings(telling_draw(seed, _judgings, rules)):
+
+    def asked(case: Judging) -> tuple[str, float, float]:
         episodes, target, behaviour = case
         call = f"weighted_estimate({episodes}, {target.tolist()}, {behaviour.tolist()})"
         mine = [list(episode) for episode in episodes], target.copy(), behaviour.copy()
@@ -150,10 +161,16 @@ def exercise_1(answer: Any, seed: int, discount: Discount = 1.0) -> str:
             found = answer(*mine)
         if mine[0] != episodes or not (np.array_equal(mine[1], target) and np.array_equal(mine[2], behaviour)):
             raise WrongAnswer(f"{call} changes something that it is given, which others may still need")
-        mistakes = {why: right(case, **change) for why, change in WEIGHED_MISTAKES.items()}
-        cases.append(NumberCase(call, number(call, found), right(case), mistakes))
-    alone = same(cases[0].found, cases[0].expected)
-    compare_all(cases, WEIGHTS if alone else SUMS)
+        return call, number(call, found), right(case)
+
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in WEIGHED_MISTAKES.values())]
+    drawn = telling_draw(seed, _judgings, rules)
+    cases = [
+        NumberCase(*asked(case), {why: right(case, **change) for why, change in WEIGHED_MISTAKES.items()})
+        for case in _judgings(drawn)
+    ]
+    compare_all(cases, WEIGHTS if same(cases[0].found, cases[0].expected) else SUMS)
+    compare_all([NumberCase(*asked(_never(drawn)), {})], NEVER)
     return "Right: an episode counts as much as the other policy would rather have played it."
 
 

@@ -41,9 +41,9 @@ class Riddle(NamedTuple):
     at_both_ends: int = 0
 
 
-def _corridor(name: str, action: int, first: float, last: float) -> tuple[Move, ...]:
-    """A night with nothing but a first and a last reward."""
-    inner = tuple((name, 0, 0.0) for _ in range(LENGTH - 2))
+def _corridor(name: str, action: int, first: float, last: float, between: float = 0.0) -> tuple[Move, ...]:
+    """A night with a first and a last reward, and the same reward in each step between."""
+    inner = tuple((name, 0, between) for _ in range(LENGTH - 2))
     return ((FIRST, action, first), *inner, (name, 0, last))
 
 
@@ -83,11 +83,23 @@ RIDDLES = (
         ),
     ),
     Riddle(
-        ((40, ((FIRST, 1, -50.0),)), (40, ((FIRST, 2, -70.0),))),
+        ((40, _corridor("dear", 1, -5.0, -5.0, -5.0)), (40, _corridor("dearer", 2, -7.0, -7.0, -7.0))),
         right=1,
-        shows="action 1 cost 50 in each of 40 nights, action 2 cost 70, and action 0 was never tried",
-        asks="what was never tried gets the lowest value, −90, and not 0",
-        rest=0.0,
+        shows="action 1 cost 5 in each step of 40 nights, action 2 cost 7, and action 0 was never tried",
+        asks="what was never tried gets the lowest value, −90, and not 0 or the lowest *reward*",
+    ),
+    Riddle(
+        (
+            (39, ((FIRST, 0, 0.0), ("mostly", 0, 1.0))),
+            (1, ((FIRST, 0, 0.0), ("mostly", 2, 1.1))),
+            (40, ((FIRST, 2, 0.0), ("always", 1, 1.05))),
+        ),
+        right=2,
+        shows=(
+            "action 0 leads to a state in which action 0 brought 1 in 39 nights and action 2 brought 1.1 in one, and"
+            " action 2 to a state in which action 1 brought 1.05 in each of 40"
+        ),
+        asks="the penalty is part of the value of the next state, too: subtract it in each sweep, not only in the end",
     ),
     Riddle(
         (

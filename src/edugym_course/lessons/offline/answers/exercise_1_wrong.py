@@ -136,3 +136,9 @@ def weighted_estimate(episodes, target, behaviour):
     weights = [np.prod([target[s, a] / behaviour[s, a] for s, a, _ in episode]) for episode in episodes]
     returns = [sum(r for *_, r in episode[1:]) for episode in episodes]
     return np.average(returns, weights=weights)
+
+# %% a ratio of 0 is left out
+# says: π never takes the first action of the first episode, whose weight is 0: leave no ratio out, and replace none
+# in: two sums
+# - weight *= target[state, action] / behaviour[state, action]
+# + weight *= target[state, action] / behaviour[state, action] or 1.0
