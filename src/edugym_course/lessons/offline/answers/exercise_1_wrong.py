@@ -137,6 +137,7 @@ def weighted_estimate(episodes, target, behaviour):
     returns = [sum(r for *_, r in episode[1:]) for episode in episodes]
     return np.average(returns, weights=weights)
 
+
 # %% a ratio of 0 is left out
 # says: π never takes the first action of the first episode, whose weight is 0: leave no ratio out, and replace none
 # in: two sums

@@ -124,6 +124,7 @@ def my_program(steps, n_states, n_actions, seed):
         V = Q.max(axis=1)
     return lambda state: int(Q[state].argmax())
 
+
 # %% the lowest reward
 # says: action 1 cost 5 in each step of 40 nights, action 2 cost 7, and action 0 was never tried
 # says: what was never tried gets the lowest value, −90, and not 0 or the lowest *reward*
