@@ -34,7 +34,7 @@ from edugym_course.grading.programs import (
     shape_of,
 )
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
-from edugym_course.grading.surprises import NATS, SIGMAS, UNEXPLAINED, Row, Surprises
+from edugym_course.grading.surprises import NATS, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -275,12 +275,13 @@ class Rule:
     world: Callable[[int, bool, bool], Environment] = SmallWorld
     remembers: bool = False
 
-    def check(self, program: Any, seed: int) -> None:
+    def check(self, program: Any, seed: int, tries: float | None = None) -> None:
         """Check that the actions of a program follow from its steps by the equation.
 
         Args:
             program: the program.
             seed: the number from which the worlds are drawn.
+            tries: its ε, if that is known from a task in which the update hardly matters.
 
         Raises:
             WrongAnswer: they do not; or the program breaks the contract.
@@ -306,7 +307,7 @@ class Rule:
         if right.is_usual() and not is_better:
             self._require_steady_tries(runs, right)
             self._require_tries(runs, shape)
-            self._require_best_actions(done[0], shape)
+            self.require_best_actions(done[:1], shape)
             return
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
@@ -315,7 +316,7 @@ class Rule:
         elif is_better and likely.explains_those_of(right, mistake.leaves):
             cause = f"They fit a usual mistake: {sentence}"
         else:
-            cause = self._cause(right)
+            cause = self._cause(right, tries)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
             " that its own steps make look best by the equation of this lesson, and with ε ="
@@ -347,27 +348,40 @@ class Rule:
                 " *all* n actions, 0 to n - 1? rng.integers(n) draws one of these"
             )
 
-    def _require_best_actions(self, run: Run, shape: tuple[int, int]) -> None:
-        """Refuse a policy that draws its actions, or whose actions are not those that look best after all steps."""
-        ((agent, _),) = deque(_learning(run.steps, self.right, shape), maxlen=1)
+    def require_best_actions(self, runs: Sequence[Run], shape: tuple[int, int], most: float = UNEXPLAINED) -> None:
+        """Refuse policies that draw their actions, or whose actions are not those that look best after all steps.
+
+        Args:
+            runs: of a program that learns by the equation, each with the policy that it returned.
+            shape: of the table.
+            most: in which share of the observations, or histories, they may be others.
+
+        Raises:
+            WrongAnswer: they are refused.
+        """
+        noun, plural, look_up = "observation", "observations", "state"
         if self.remembers:
             noun, plural, look_up = "history", "histories", "end of the history"
-            longest = sorted(histories(run.steps), key=len)[-ASKED:]  # who looks up a whole one is found out
-            asked = [(history, _looks_best(agent.row(history))) for history in longest]
-        else:
-            noun, plural, look_up = "observation", "observations", "state"
-            asked = [(step.state, _best(agent, step.state)) for step in run.steps[-ASKED:]]
-        clear = [(question, best.index(True)) for question, best in asked if sum(best) == 1]
-        found = actions_of(run.policy, [question for question, _ in clear], shape[1], noun)
-        other = sum(action != best for action, (_, best) in zip(found, clear, strict=True))
-        if other > UNEXPLAINED * len(clear):
+        other = total = 0
+        for run in runs:
+            ((agent, _),) = deque(_learning(run.steps, self.right, shape), maxlen=1)
+            if self.remembers:
+                longest = sorted(histories(run.steps), key=len)[-ASKED:]  # who looks up a whole one is found out
+                asked = [(history, _looks_best(agent.row(history))) for history in longest]
+            else:
+                asked = [(step.state, _best(agent, step.state)) for step in run.steps[-ASKED:]]
+            clear = [(question, best.index(True)) for question, best in asked if sum(best) == 1]
+            found = actions_of(run.policy, [question for question, _ in clear], shape[1], noun)
+            other += sum(action != best for action, (_, best) in zip(found, clear, strict=True))
+            total += len(clear)
+        if other > most * total:
             raise WrongAnswer(
-                f"in {other} of {len(clear)} {plural} {POLICY} takes another action than the one"
+                f"in {other} of {total} {plural} {POLICY} takes another action than the one"
                 f" that the steps of the program make look best: does this policy look up the {look_up} that it is"
                 " given, and take the *best* action?"
             )
 
-    def _cause(self, right: Surprises) -> str:
+    def _cause(self, right: Surprises, tries: float | None) -> str:
         """Return the likely cause of surprises that no usual mistake explains."""
         found, by_chance = float(right.found.sum()), right.expected / self.epsilon
         if found < right.expected:
@@ -379,7 +393,9 @@ class Rule:
                 "So many come from chance alone, or from a table that never changes: are the actions chosen by the"
                 " values, with probability 1 − ε, and does the update change these values?"
             )
+        is_known = tries is not None and abs(tries / self.epsilon - 1) <= SLACK
+        unknown = f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare"
         return (
-            f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare {self.settings}"
-            f" with those of the text, and the update with its equation, term by term{self.otherwise}"
+            f"{'ε is right, so compare' if is_known else unknown} {self.settings} with those of the text, and the"
+            f" update with its equation, term by term{self.otherwise}"
         )

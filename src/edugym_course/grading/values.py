@@ -174,9 +174,15 @@ def all_near(found: Sequence[float], expected: Sequence[float]) -> bool:
 
 
 def rounded_alike(found: Sequence[float], expected: Sequence[float]) -> bool:
-    """Whether numbers are the right ones, all rounded alike: to whole numbers towards 0, or to a few decimal places."""
+    """Whether numbers are the right ones, all rounded alike: to whole numbers towards 0, or to a few decimal places.
+
+    What should be infinite does not count: no whole number is.
+    """
+    pairs = [pair for pair in zip(found, expected, strict=True) if math.isfinite(pair[1])]
     roundings: list[Callable[[float], float]] = [math.trunc, *(partial(round, ndigits=places) for places in range(5))]
-    return any(all(map(same, found, map(rounding, expected))) for rounding in roundings)
+    return any(not same(*pair) for pair in pairs) and any(
+        all(same(one, rounding(right)) for one, right in pairs) for rounding in roundings
+    )
 
 
 def _rounded(found: float, expected: float) -> bool:

@@ -190,7 +190,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # %% [markdown]
 # On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
 # Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
-# Optimism looks around at the beginning only. In 94 % of the runs that is enough; in the others it ends with a worse arm.
+# Optimism looks around at the beginning above all. In 94 % of the runs that is enough; in the others it ends with a worse arm. With a constant $\alpha$ its values never come to rest either, so now and then a worse arm looks best for a while.
 
 # %% [markdown]
 # ## Your turn
@@ -298,7 +298,7 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
 # too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
-# test costs hardly more than Thompson sampling at any of these gaps, or even less. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
+# test costs no more than Thompson sampling at any of these gaps. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
 # </details>
 
 # %% [markdown]
@@ -329,7 +329,7 @@ follows.measured(follows.options[2 if abs(mean / constant - 1) < 0.1 else 1 if c
 # **Measured.** The constant rate: 905 against 1397. After thousands of pulls $1/N(A)$ is tiny, and the mean of an arm that was once the best hardly moves. The sample average forgets nothing,
 # and here what it remembers is no longer true. Without drift it is the other way round, 240 against 730: a value that forgets never becomes exact. Each agent is right about
 # one world. UCB does best here, though it has sample averages too: its bonus goes on sending it to arms that it left. Without this bonus from pull 1000 on (the last
-# line) it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, the best without drift, is worse than the constant rate.
+# line) it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
 # </details>
 
 # %% [markdown]
@@ -478,12 +478,12 @@ check(project_0b, my_program)
 # - ε-greedy's regret goes on growing evenly, by 0.018 a pull. With a falling $\varepsilon$, UCB, Thompson sampling and the gradient bandit it grows ever more slowly.
 # - After 10 000 pulls ε-greedy has paid 240, a falling $\varepsilon$ 181, UCB 160, Thompson sampling 108. To try each arm 100 times first costs 180.
 # - Regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
-# - Where arms drift, a constant learning rate pays less than a sample average; where they do not, more.
+# - Where arms drift, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. UCB pays least where they drift, for it goes on testing.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. So an agent must go on looking, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
 # and pays at the same rate for ever. UCB and Thompson sampling try an arm the less, the less likely it is the best one: UCB by a bonus that shrinks with the number of pulls (optimism in the face of uncertainty), Thompson sampling
-# by a draw from what it believes. Nobody who is good on every bandit pays less than a logarithm of time. If the arms change, whoever never forgets stays behind.
+# by a draw from what it believes. Nobody who is good on every bandit pays less than a logarithm of time. If the arms change, an agent must forget what is old, or go on putting it to the test.
 #
 # ### Limits
 # There is one state, and an arm changes nothing of what comes. In the next lessons an action also leads somewhere, and what is to be explored may be a hundred steps away: lesson 1

@@ -1,6 +1,8 @@
 """The project of lesson 0b: ε-greedy with sample averages, from a blank file."""
 
+import math
 from collections import Counter
+from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -14,30 +16,35 @@ from edugym.agents.sample_average import SampleAverage
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import APART, Step, run_program
-from edugym_course.grading.replay import LOW, Learner, Rule, mistakes_of_loops
+from edugym_course.grading.programs import APART, SELDOM, Step, run_program, shape_of
+from edugym_course.grading.replay import LOW, Learner, Rule, mistakes_of_loops, other_tables
+from edugym_course.grading.surprises import SIGMAS, SLACK
 from edugym_course.lessons.bandits.methods import EPSILON, LEARNING_RATE
 
 N_STEPS, PULLS = 3_000, 100
 FIRST_PULLS = 30
-"""In so many runs the first arm is looked at: who breaks ties at random does not pull the same one in most of them."""
+"""In so many runs of 10 steps the first arm is looked at: who breaks ties at random does not pull the same one in most
+of them. And the policy: after so few pulls the best arm is often another one than the last, or than the most pulled."""
 MOST_ALIKE = 0.6
-SURE_PULLS, SURE_ARMS = 2_000, 5
+SURE_PULLS, SURE_ARMS = 4_000, 5
 """In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end."""
 LAYOUTS = 0, 1
-"""The best arms of these are the last one and another, so that one bandit shows every arm that is left out."""
-LATE = 1_000
-"""So many of these pulls are looked at. In fewer than one of 10⁷ runs there is an arm that no random pull takes."""
+"""Two such bandits, with another best arm each."""
+LATE = 3_500
+"""So many of these pulls are looked at."""
+EXACTLY = 0.05
+"""What a mistake may leave that sticks to one arm: a little of this is in much else that goes wrong."""
 
 
 class Machines(gymnasium.Env[Any, Any]):
-    """Four arms with rewards around means of their own; episodes end after 40 pulls.
+    """Four arms with rewards around means of their own; episodes end after 40 pulls, or after 2.
 
     In every third world all means are below 0. An arm that was never pulled looks best there, with its value of 0. In
-    every third one rewards hardly depend on chance: whoever begins with other values than 0 pulls other arms there.
+    every third one rewards hardly depend on chance: whoever begins with other values than 0 pulls other arms there. In
+    three of six episodes are short: whoever does not learn from their last pull misses half of all.
 
     Args:
-        seed: the number from which the means are drawn, and which says whether they are below 0.
+        seed: the number from which the means are drawn, and which says which of these worlds it is.
         truncates: whether an end is a truncation.
         noisy: whether rewards also depend on chance.
     """
@@ -48,6 +55,7 @@ class Machines(gymnasium.Env[Any, Any]):
         self.observation_space, self.action_space = spaces.Discrete(1), spaces.Discrete(4)
         self._means: Reals = rng.permutation([-0.5, 0.5, 0.8, 1.0]) - 2.0 * (seed % 3 == 1)
         self._truncates, self._noise, self._pulls = truncates, (0.1 if seed % 3 == 2 else 2.0) * noisy, 0
+        self._length = 2 if seed % 6 > 2 else 40
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Begin an episode; the arms stay the same."""
@@ -59,7 +67,7 @@ class Machines(gymnasium.Env[Any, Any]):
         """Pull an arm."""
         self._pulls += 1
         reward = float(self._means[action] + self._noise * self.np_random.normal())
-        over = self._pulls == 40
+        over = self._pulls == self._length
         return 0, reward, over and not self._truncates, over and self._truncates, {}
 
 
@@ -78,6 +86,7 @@ class Counting(NamedTuple):
         towards: 1, or -1 for a mean that moves away from rewards.
         less: how much of the old mean is subtracted from a reward.
         forgets: whether nothing is left of an episode that has ended.
+        power: that of the number of pulls by which the mean moves.
     """
 
     Q: Reals
@@ -91,6 +100,7 @@ class Counting(NamedTuple):
     towards: float = 1.0
     less: float = 1.0
     forgets: bool = False
+    power: float = 1.0
 
     def values(self, state: int) -> Reals:
         """What the arms look worth."""
@@ -117,7 +127,7 @@ class Counting(NamedTuple):
             return
         self.N[state, action] += 1
         pulls = (self.N.sum() if self.shared else self.N[state, action]) + self.plus
-        step = self.towards * (1.0 if self.sums else 1.0 / pulls)
+        step = self.towards * (1.0 if self.sums else 1.0 / pulls**self.power)
         self.Q[state, action] += step * (reward - self.less * self.Q[state, action])
         if self.forgets and (terminated or truncated):
             self.Q[:], self.N[:] = 0.0, 0.0
@@ -142,6 +152,8 @@ def _wins(step: Step, before: Step | None) -> Step:
     return step._replace(reward=float(step.reward > 0))
 
 
+WHOLE_NUMBERS = other_tables(right, ())
+"""Many values are equal then, so it explains whatever comes from chance. It still finds an arm that always pays."""
 RULE = Rule(
     Learner(right),
     {
@@ -152,11 +164,14 @@ RULE = Rule(
         "the mean moves by 1/t, with the pulls of all arms together: each arm has a number of its own": Learner(
             partial(counting, shared=True)
         ),
+        "the mean moves by 1/√N(A), so that late rewards count more than early ones: it moves by 1/N(A)": Learner(
+            partial(counting, power=0.5)
+        ),
         "rewards are added up and not averaged, so the arm that is pulled most looks best: divide by N": Learner(
             partial(counting, sums=True, less=0.0)
         ),
         "the arm that was *pulled* most is taken, and not that which pays best: is it N in place of Q?": Learner(
-            partial(counting, counts=True)
+            partial(counting, counts=True), leaves=EXACTLY
         ),
         "every arm is pulled once before anything else; in the text the first values are 0, and ties are broken at"
         " random": Learner(partial(counting, first=1e9)),
@@ -173,8 +188,12 @@ RULE = Rule(
         ),
         "random pulls are not learned from, but every reward counts": Learner(partial(counting, only=True)),
         "a reward counts as 1 or 0, for a win or none: take the reward itself into the mean": Learner(right, _wins),
+        "the last pull of an episode is not learned from: learn first, and look then whether the episode is over": (
+            Learner(right, skips=lambda step: step.terminated or step.truncated)
+        ),
         LOW: mistakes_of_loops(right)[LOW],
-    },
+    }
+    | WHOLE_NUMBERS,
     EPSILON,
     settings="the first values",
     otherwise="; N has a number for each arm, and N(A) counts the pull that is learned from",
@@ -182,34 +201,49 @@ RULE = Rule(
     n_steps=350,
     world=Machines,
 )
-TEN_ARMS = Race(partial(make_environment, "Bandit", gap=0.5, max_steps=PULLS), N_STEPS, program_of(right), episodes=10)
+TEN_ARMS = Race(partial(make_environment, "Bandit", gap=0.5, max_steps=PULLS), N_STEPS, program_of(right), episodes=30)
 
 
 def project_0b(answer: Any, seed: int) -> str:
     """Check a program with ε-greedy and sample averages."""
-    if any(len(arms) == 1 for arms in _late_arms(answer, seed)):
+    late = _late_arms(answer, seed)
+    if any(len(arms) == 1 for arms in late):
         raise WrongAnswer(
             f"in the last {LATE} of {SURE_PULLS} steps my_program pulls one arm only: a random one has the probability"
             " ε up to the last step"
         )
-    RULE.check(answer, seed)
-    first = Counter(
-        run_program(answer, Machines(number), 10, number).steps[0].action
+    others = sum(arms.total() - max(arms.values()) for arms in late)
+    pulls, share = LATE * len(LAYOUTS), 1 - 1 / SURE_ARMS
+    tries = others / pulls / share
+    impossible = {} if abs(tries / EPSILON - 1) <= SLACK else WHOLE_NUMBERS
+    possible = {sentence: mistake for sentence, mistake in RULE.mistakes.items() if sentence not in impossible}
+    replace(RULE, mistakes=possible).check(answer, seed, tries)
+    runs = [
+        run_program(answer, Machines(number), 10, number)
         for number in range(FIRST_PULLS * seed, FIRST_PULLS * (seed + 1))
-    )
-    ((arm, times),) = first.most_common(1)
+    ]
+    ((arm, times),) = Counter(run.steps[0].action for run in runs).most_common(1)
     if times > MOST_ALIKE * FIRST_PULLS:
         raise WrongAnswer(
             f"in {times} of {FIRST_PULLS} runs my_program pulls arm {arm} first, though all arms look equally good"
             " then: argmax takes the first of several equal values; draw one of them at random"
         )
+    RULE.require_best_actions(runs, shape_of(Machines(0)), SELDOM)
+    for found, sign in ((EPSILON * share, -1), (EPSILON, 1)):  # the random arm may be one of all, or of the others
+        if sign * (others - found * pulls) > SIGMAS * math.sqrt(found * (1 - found) * pulls):
+            raise WrongAnswer(
+                f"in bandits whose best arm always pays, and no other ever does, my_program pulls the others in"
+                f" {others} of {pulls} late steps, and with ε = {EPSILON} it should be some"
+                f" {EPSILON * share * pulls:.0f}: its ε is about {tries:.2f}"
+            )
     return f"Right: every reward counts equally. {compare_with_ours(answer, TEN_ARMS, seed)}"
 
 
-def _late_arms(answer: Any, seed: int) -> list[set[int]]:
-    """Return which arms a program pulls late, in two bandits whose best arm it has long found."""
+def _late_arms(answer: Any, seed: int) -> list[Counter[int]]:
+    """Return how often a program pulls each arm late, in bandits whose best arm it has long found."""
     arms = []
     for number in LAYOUTS:
         sure = make_environment("Bandit", n_arms=SURE_ARMS, gap=1.0, layout_seed=number, max_steps=PULLS)
-        arms.append({step.action for step in run_program(answer, sure, SURE_PULLS, seed).steps[-LATE:]})
+        run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
+        arms.append(Counter(step.action for step in run.steps[-LATE:]))
     return arms

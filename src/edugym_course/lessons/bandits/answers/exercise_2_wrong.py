@@ -240,3 +240,12 @@ def upper_bounds(Q, N, c):
 # - bounds.append(inf if n == 0 else q + c * sqrt(log(t) / n))
 # + t += n
 # + bounds.append(inf if n == 0 else q + c * sqrt(log(t) / n))
+
+
+# %% an array of whole numbers
+# says: is it rounded, or stored in an array of whole numbers? An array of floats, as of np.zeros(...), keeps what is
+def upper_bounds(Q, N, c):
+    bounds = np.full_like(N, 10**9)
+    for arm in np.flatnonzero(N):
+        bounds[arm] = Q[arm] + c * np.sqrt(np.log(N.sum() + 1) / N[arm])
+    return bounds

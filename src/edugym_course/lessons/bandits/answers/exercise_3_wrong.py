@@ -190,3 +190,11 @@ def gradient_update(H, arm, reward, mean, learning_rate):
 # in: with an indicator
 # - indicator[arm] = 1
 # + indicator[np.argmax(H)] = 1
+
+
+# %% the arm first
+# says: H(A) changes before π is worked out; all changes follow from the preferences before
+def gradient_update(H, arm, reward, mean, learning_rate):
+    step = learning_rate * (reward - mean)
+    H[arm] += step
+    H -= step * np.exp(H) / np.exp(H).sum()

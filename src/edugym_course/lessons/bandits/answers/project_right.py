@@ -39,3 +39,23 @@ def my_program(environment, n_steps, seed):
         if terminated or truncated:
             environment.reset()
     return lambda state: (total / np.maximum(N, 1)).argmax()
+
+
+# %% a probability for each arm, and a random arm that is another one
+# slow
+def my_program(environment, n_steps, seed):
+    rng = np.random.default_rng(seed)
+    n = int(environment.action_space.n)
+    arms, Q, N = np.arange(n), np.zeros(n, np.float32), np.zeros(n, int)
+    environment.reset(seed=seed)
+    for t in range(n_steps):
+        looks_best = np.flatnonzero(Q == Q.max())
+        if rng.random() < 0.1 and len(looks_best) < n:
+            looks_best = np.setdiff1d(arms, looks_best)
+        arm = int(rng.choice(n, p=np.isin(arms, looks_best) / len(looks_best)))
+        _, reward, terminated, truncated, _ = environment.step(arm)
+        N[arm] += 1
+        Q[arm] += (reward - Q[arm]) / N[arm]
+        if terminated or truncated:
+            environment.reset()
+    return lambda state: np.argmax(Q)

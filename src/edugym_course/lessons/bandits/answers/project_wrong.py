@@ -176,3 +176,52 @@
 # in: sums of rewards
 # - if rng.random() < 0.1:
 # + if rng.random() < min(1, 200 / (t + 1)):
+
+# %% the last pull is not learned from
+# says: the last pull of an episode is not learned from: learn first, and look then whether the episode is over
+# in: with lists
+# - pulls[arm] += 1
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# - over, taken = terminated or truncated, taken + 1
+# + over, taken = terminated or truncated, taken + 1
+# + if over:
+# +     continue
+# + pulls[arm] += 1
+# + means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+
+# %% a root of N
+# says: the mean moves by 1/√N(A), so that late rewards count more than early ones: it moves by 1/N(A)
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += (reward - means[arm]) / pulls[arm] ** 0.5
+
+# %% whole numbers
+# says: what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does
+# in: with lists
+# - means, pulls = [0.0] * n, [0] * n
+# + means, pulls = np.array([0] * n), [0] * n
+
+# %% ten at most
+# says: ε is right, so compare the first values with those of the text, and the update with its equation
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += (reward - means[arm]) / min(pulls[arm], 10)
+
+# %% a little too often at random
+# says: in bandits whose best arm always pays, and no other ever does, my_program pulls the others in
+# says: of 7000 late steps, and with ε = 0.1 it should be some 560: its ε is about 0.1
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if rng.random() < 0.15 else best()
+
+# %% a little too seldom at random
+# says: of 7000 late steps, and with ε = 0.1 it should be some 560: its ε is about 0.07
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if rng.random() < 0.07 else best()
+
+# %% the arm that was pulled most
+# says: takes another action than the one that the steps of the program make look best
+# in: with lists
+# - return lambda state: int(np.argmax(means))
+# + return lambda state: int(np.argmax(pulls))

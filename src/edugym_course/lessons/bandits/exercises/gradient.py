@@ -43,8 +43,10 @@ def preferred(
         after = preferred(case._replace(H=chosen_first), cost=cost)
         after[arm] = chosen_first[arm]
         return after
+    moved_first = preferred(case, moved="only indicator", cost=cost) if pi == "late" else H
     shares = {
         "softmax": np.exp(H) / np.exp(H).sum(),
+        "late": np.exp(moved_first) / np.exp(moved_first).sum(),
         "values": H / H.sum() if H.sum() else H,
         "unscaled": np.exp(H),
         "minus": np.exp(-H) / np.exp(-H).sum(),
@@ -89,6 +91,7 @@ GRADIENT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the arm that was pulled moves back again by π(A): its change is 1 − π(A) in all": {"moved": "twice"},
     "π is worked out again after each change; all changes follow from the preferences before": {"pi": "moving"},
     "π is worked out again after the first change; all changes follow from the preferences before": {"pi": "moved"},
+    "H(A) changes before π is worked out; all changes follow from the preferences before": {"pi": "late"},
     "all others move by the probability of the arm that was pulled; each moves by its own": {"moved": "own share"},
     "the arm that was pulled moves by a whole step; it moves by 1 − π(A)": {"moved": "whole"},
     "π is H divided by its sum; it is e to the power of H, divided by the sum of that": {"pi": "values"},
