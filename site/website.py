@@ -129,13 +129,16 @@ def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict
 
 
 def _gallery() -> str:
-    """Return the environments, moving: each leads to its race if there is one, with a small link to its page."""
+    """Return the environments, moving: each leads to its race if there is one, with a small link to its page.
+
+    The films are those of the environments' pages. They wait for the first race, see site.js.
+    """
     raced = {race.environment for race in RACES}
     cards = []
     for e in in_course_order():
         page = f"environments/{e.name.lower()}"
         leads = f"playground/index.html#task={e.name}" if e.name in raced else f"{page}.html"
-        film = f"![An episode of {e.name}](pictures/{e.name.lower()}.gif)"
+        film = f'<img src="_images/{e.name.lower()}.gif" alt="An episode of {e.name}" loading="lazy">'
         cards.append(
             f'<a href="{leads}">{film} **{e.name}** {WORDS[e.name].challenge}</a> '
             f"<small>*{e.challenge}* · [details of {e.name}]({page}.md)</small>"

@@ -32,6 +32,16 @@ if (films.length) {
   set(calm.matches)
 }
 
+// The films of the gallery are large: they are loaded when the first race, which stands before them, is there.
+const gallery = document.querySelector('.gallery'), LONGEST = 5000 // milliseconds that they wait
+const waiting = gallery && setInterval(() => {
+  const race = document.querySelector('iframe.playground').contentDocument
+  if (!race?.querySelector('article:last-child .numbers b') && performance.now() < LONGEST) return
+  clearInterval(waiting)
+  gallery.classList.add('due')
+  for (const film of gallery.querySelectorAll('img')) film.loading = 'eager'
+}, 50)
+
 // Whoever has no mouse scrolls a wide table, formula or program with the arrow keys.
 const scrollable = '.table-wrapper, .highlight pre, .formula, .output, .picture'
 const SMALLEST = 0.75 // of a formula that is too wide

@@ -1,13 +1,15 @@
 """The playground in a real browser, as a reader would use it: bet, run, play, pass the link on."""
 
 import json
+import time
+from collections.abc import Iterator
 from typing import Any
 
 import playground
 import pytest
 from races import BOULDER, RACES
 
-from tests.course.lab.browser import until
+from tests.course.lab.browser import chromium, until
 from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader
 
 pytestmark = IN_A_BROWSER
@@ -182,6 +184,38 @@ def test_a_race_begins_as_fast_as_it_can_be_watched(address: str, browser: Any) 
     assert reader.text("#speed-shown") == "1 steps a second"
     assert "speed=0" in reader("location.hash")
     assert "minutes" in reader.text("#verdict")
+
+
+@pytest.fixture(scope="module")
+def traced() -> Iterator[Any]:
+    """A browser that notes how long each of its tasks takes."""
+    with chromium(traced=True) as driver:
+        yield driver
+
+
+def longest_task(driver: Any) -> float:
+    """Of all that pages did since it was last asked: milliseconds of the processor, so other programs do not count."""
+    driver.get("about:blank")  # or the last events are not in the log yet
+    messages = [json.loads(entry["message"])["message"] for entry in driver.get_log("performance")]
+    events = [message["params"] for message in messages if message["method"] == "Tracing.dataCollected"]
+    names = {(one["pid"], one["tid"]): one["args"]["name"] for one in events if one["name"] == "thread_name"}
+    pages = [one for one in events if names.get((one["pid"], one["tid"])) == "CrRendererMain"]
+    return float(max(one.get("tdur", 0) for one in pages)) / 1000
+
+
+@pytest.mark.parametrize("task", ["Golf", "Catch", "Switches"])
+def test_the_page_is_free_while_agents_learn(task: str, address: str, traced: Any) -> None:
+    """At the speed of the beginning and as fast as it goes, nothing keeps it busy for 50 milliseconds."""
+    reader = Reader(traced, f"{address}#task={task}")
+    reader("(until => { while (performance.now() < until); })(performance.now() + 600)")
+    assert longest_task(traced) > 50  # one that was long is seen, also where others take the processor
+    reader = Reader(traced, f"{address}#task={task}")
+    traced.get_log("performance")
+    reader.click("#run")
+    time.sleep(2)
+    reader.move("speed", 9)
+    until(lambda: reader.text("#run") == "Run", "the end of the race")
+    assert 0 < longest_task(traced) < 50
 
 
 def test_the_first_race_is_small(address: str) -> None:

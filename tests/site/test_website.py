@@ -313,6 +313,23 @@ def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> Non
 
 
 @needs_browser
+def test_the_first_race_is_there_before_the_films(browser: Any, address: str) -> None:
+    """What the first race needs is not behind a megabyte of films; they come when it shows its agents."""
+    opened(browser, address, "index")
+    if browser.execute_script("return fetch('playground/data/playground.json').then(answer => !answer.ok)"):
+        pytest.skip("there is no playground: make site")
+    films = "document.querySelectorAll('.gallery img')"
+    until(lambda: browser.execute_script(f"return [...{films}].every(film => film.naturalWidth)"), "the films")
+    begun, there = browser.execute_script(
+        """const race = document.querySelector('iframe').contentWindow.performance
+           const of = (page, part) => page.getEntriesByType('resource').filter(({ name }) => name.includes(part))
+           return [Math.min(...of(performance, '.gif').map(({ startTime }) => startTime)) + performance.timeOrigin,
+                   of(race, 'data/').at(-1).responseEnd + race.timeOrigin]"""
+    )
+    assert there < begun
+
+
+@needs_browser
 def test_the_films_stop(browser: Any, address: str) -> None:
     """One button stops all moving pictures, and starts them."""
     opened(browser, address, "index")

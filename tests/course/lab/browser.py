@@ -86,8 +86,8 @@ def _answers(address: str) -> bool:
 
 
 @contextmanager
-def chromium() -> Iterator[Any]:
-    """Start a headless Chromium, and yield Selenium's driver."""
+def chromium(traced: bool = False) -> Iterator[Any]:
+    """Start a headless Chromium, and yield Selenium's driver; `traced`, its log "performance" has every task."""
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
 
@@ -102,6 +102,10 @@ def chromium() -> Iterator[Any]:
         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",  # a lesson needs no other host
     ):
         options.add_argument(argument)
+    if traced:
+        options.set_capability("goog:loggingPrefs", {"performance": "ALL"})
+        logged = {"enableNetwork": False, "enablePage": False, "traceCategories": "toplevel"}
+        options.add_experimental_option("perfLoggingPrefs", logged)
     driver = webdriver.Chrome(options=options, service=Service(DRIVER))
     driver.set_script_timeout(LESSON_SECONDS)
     try:
