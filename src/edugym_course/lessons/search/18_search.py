@@ -139,7 +139,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains most with 20 steps and 1000 simulations.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains clearly only with 20 steps and 1000 simulations.
 # With $c = 0$ UCT stays with what looked good first, and gets much less. With $c = 100$ it gets about what plain roll-outs get.
 # </details>
 
@@ -169,7 +169,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With a small $c$ the tree grows deep where it once was good. With a large one it grows wide, and stays near the entrance. Grey cells have no node.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between it needs 3000 simulations to get far. Grey cells have no node, nor has an item or the exit on white.
 
 # %% [markdown]
 # ### What holds UCT back?
@@ -187,7 +187,7 @@ longer = [methods.told(told, simulations=10_000, repetitions=5).mean() for told 
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 
 # %% [markdown]
-# Both do, and only without both it gets 95. If it knows the value of good play, but $c = 10$, it gets 78: the root above shows that it then tries a wall nearly as often as the way, and a
+# Both do, and only without both it gets 95. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$, as the root above shows, a wall is tried nearly as often as the way, and a
 # value is the mean over all tries. With $c = 1$ and roll-outs it gets 65. Told the value of random play without errors, UCT gets
 # 59, no more than plain roll-outs, and 10 000 simulations change neither 59 nor 78. So here even the errors of the roll-outs help.
 

@@ -18,7 +18,7 @@ from edugym_course.grading.programs import NAME
 from edugym_course.grading.student_code import student_code
 
 DEPTH, RUNS = 10, 7
-N_SIMULATIONS, N_ACTIONS = 400, 3
+N_SIMULATIONS, FEW, N_ACTIONS = 400, 100, 3
 ROOT, END = 0, -1
 MOST_SLIPS = 1
 """How many of the runs of a riddle may go wrong: the search draws random numbers."""
@@ -75,11 +75,20 @@ def losses(place: int, action: int, rng: Random) -> Step:
     return -5.0 if action == 0 else -6.0, END
 
 
+def changing(place: int, action: int, rng: Random) -> Step:
+    """Pay 1 for each action that is another than the one before, after action 0 from the root; 1.2 once for any other.
+
+    Whoever rolls out by one action again and again gets at most 0.9.
+    """
+    if place == ROOT:
+        return (0.0, 1) if action == 0 else (1.2, END)
+    return float(action != place - 1), action + 1
+
+
 BASICS = (
     "is the action with the highest value returned, and does an action that was never tried come first in its node, as"
     " if its bound were infinite?"
 )
-DISCOUNTED = "is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?"
 ROUND = Riddle(
     "two actions are nearly as good as the best one",
     "is the action in the end the one with the highest value, without the exploration term?",
@@ -123,14 +132,8 @@ RIDDLES = (
     ),
     Riddle(
         "a larger reward comes eight steps later",
-        DISCOUNTED,
-        written({ROOT: ((10.0, END), (0.0, 1), (0.0, 1)), **line(0.0, 15.0, 8)}),
-    ),
-    Riddle(
-        "a larger reward comes eight steps later, and there is one simulation for each action",
-        DISCOUNTED,
-        written({ROOT: ((10.0, END), (0.0, 1), (0.0, 1)), **line(0.0, 15.0, 8)}),
-        n_simulations=N_ACTIONS,
+        "is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)",
+        written({ROOT: ((10.0, END), (0.0, 1), (0.0, 1)), **line(0.0, 18.0, 8)}),
     ),
     Riddle(
         "a reward comes nine steps later that is worth waiting for",
@@ -143,7 +146,20 @@ RIDDLES = (
         lambda place, action, rng: (gamble(place, 0, rng)[0] if action == 0 else 6.0, END),
         (1, 2),
     ),
+    Riddle(
+        "each later action that differs from the one before is paid, and there is one simulation for each action",
+        "is each action of a roll-out drawn anew?",
+        changing,
+        n_simulations=N_ACTIONS,
+    ),
     ROUND,
+    Riddle(
+        f"{FEW} simulations are too few to forget the bad tries after an action",
+        "is the return of the simulation passed on to the node before, and not the highest value of the node after?",
+        written({ROOT: ((0.0, 1), (2.2, END), (2.2, END)), 1: ((3.0, END), (0.0, END), (0.0, END))}),
+        (1, 2),
+        FEW,
+    ),
     Riddle(
         "all actions lose, and there are fewer simulations than actions",
         "an action that was not simulated from the root has no value: choose among those that were",

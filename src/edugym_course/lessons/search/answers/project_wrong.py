@@ -109,15 +109,15 @@
 # %% no discount
 # slow
 # says: a larger reward comes eight steps later
-# says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?
+# says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)
 # in: nodes are objects
 # - G += 0.9 * visit(child, after, left - 1)
 # + G += visit(child, after, left - 1)
 
 # %% no discount in the roll-out
 # slow
-# says: a larger reward comes eight steps later, and there is one simulation for each action
-# says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs?
+# says: a larger reward comes eight steps later
+# says: is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)
 # in: a loop and a path
 # - weight *= 0.9
 # + weight *= 1
@@ -253,3 +253,32 @@ my_program = 3
 # in: a loop and a path
 # - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
 # + Q[visited][action] = G if N[visited][action] == 1 else max(G, Q[visited][action])
+
+# %% γ = 0.95, as in the shop
+# slow
+# says: in a task in which a larger reward comes eight steps later
+# says: discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)
+# in: a loop and a path
+# - weight *= 0.9
+# + weight *= 0.95
+# - G = reward + 0.9 * G
+# + G = reward + 0.95 * G
+
+# %% one action for a whole roll-out
+# slow
+# says: each later action that differs from the one before is paid, and there is one simulation for each action
+# says: is each action of a roll-out drawn anew?
+# in: a loop and a path
+# - G, weight = 0.0, 1.0
+# + G, weight, again = 0.0, 1.0, int(rng.integers(n_actions))
+# - reward, here, ended = model(here, int(rng.integers(n_actions)))
+# + reward, here, ended = model(here, again)
+
+# %% the highest value of a node
+# slow
+# says: 100 simulations are too few to forget the bad tries after an action
+# says: is the return of the simulation passed on to the node before, and not the highest value of the node after?
+# in: a loop and a path
+# - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
+# + Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
+# + G = Q[visited][N[visited] > 0].max()
