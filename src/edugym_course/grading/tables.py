@@ -59,6 +59,13 @@ def entries_that_differ(right: Reals, found: Reals, n_wrong: int, n_cases: int) 
     return f"{others}{told}" if told else ""
 
 
+def _told_apart(right: Reals, found: Reals) -> tuple[Any, Any]:
+    """Return two arrays as lists, with four decimal places or as many as tell them apart."""
+    rounded = ([np.round(table, places) for table in (right, found)] for places in range(4, 17))
+    one, other = next((pair for pair in rounded if not np.array_equal(*pair)), (right, found))
+    return one.tolist(), other.tolist()
+
+
 def compare_tables(
     cases: Sequence[Any],
     found: Sequence[Reals],
@@ -98,5 +105,5 @@ def compare_tables(
     else:
         where = entries_that_differ(right[first], found[first], sum(wrong), len(cases))
         why = mistake_in_cases(mistakes, explained, wrong, with_what_differs(otherwise(wrong), where))
-    told, came = (np.round(table[first], 4).tolist() for table in (right, found))
+    told, came = _told_apart(right[first], found[first])
     raise WrongAnswer(told_wrong(f"{calls[first]} should {verb} {told}, but {verb}s {came}", why))

@@ -349,7 +349,7 @@ Times = Annotated[
 
 
 def _odds(
-    cases: Sequence[Choice], found: Sequence[Reals], wrong: Sequence[bool], rule: Callable[[Choice], Reals]
+    cases: Sequence[Choice], found: Sequence[Reals], rule: Callable[[Choice], Reals], wrong: Sequence[bool]
 ) -> str:
     """Return what an unusual policy has in the place of e^(Q / β), by the first case that is wrong."""
     at = [*wrong].index(True)
@@ -357,6 +357,8 @@ def _odds(
         return "where two values are equal the reference decides, however small the penalty is"
     if not same(float(found[at].sum()), 1.0):
         return "they do not sum to 1: divide by their sum, last of all"
+    if found[at][cases[at][1] == 0].any():
+        return "an action that the reference never takes keeps the probability 0"
     if not (found[at][:2] > 0).all() or not (cases[at][1][:2] > 0).all():
         return UNUSUAL
     mine, expected = (
@@ -373,7 +375,13 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
     require_function("with_penalty", answer, "values, reference and penalty")
     rules: list[Callable[[Any], Any]] = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
     cases = [*_choices(telling_draw(seed, _choices, rules)), *EXTREMES]
-    found, calls = [], []
+    right = partial(weighed, times=times)
+    found, calls = list[Reals](), list[str]()
+
+    def compare() -> None:
+        why = partial(_odds, cases, found, right)
+        compare_tables(cases[: len(found)], found, calls, POLICY_MISTAKES, right, otherwise=why)
+
     for values, reference, penalty in cases:
         call = f"with_penalty({in_brackets(values)}, {in_brackets(reference)}, {penalty:g})"
         mine = values.copy(), reference.copy()
@@ -383,15 +391,13 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
             raise WrongAnswer(f"{call} changes one of the arrays that it is given: make a new one")
         table = table_of(call, policy, values.shape, finite=penalty > EXTREMES[0][2])
         if not np.isfinite(table).all():
+            compare()  # what is wrong without any overflow is told first
             raise WrongAnswer(
-                f"{call} should give {in_brackets(weighed((values, reference, penalty), times=times))}, but gives"
+                f"{call} should give {in_brackets(right((values, reference, penalty)))}, but gives"
                 f" {in_brackets(table)}: an exponential overflows, or all of them are 0; first subtract the largest"
                 " value *among the actions that the reference takes* from all values"
             )
         found.append(table)
         calls.append(call)
-    right = partial(weighed, times=times)
-    compare_tables(
-        cases, found, calls, POLICY_MISTAKES, right, otherwise=lambda wrong: _odds(cases, found, wrong, right)
-    )
+    compare()
     return "Right: the reference, tilted towards what is worth more. An action that it never takes is never taken."

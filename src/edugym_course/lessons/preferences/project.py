@@ -17,7 +17,7 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.own_problem.morning import ASLEEP, AWAKE, QUIET, RING, Morning, State
+from edugym_course.lessons.own_problem.morning import ASLEEP, AWAKE, CHIME, QUIET, RING, Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
 
 TASK = Morning(length=10, ring=6.0, late=30.0)
@@ -47,6 +47,9 @@ class Wish(NamedTuple):
 class Settled(NamedTuple):
     """A sleeper who stays as she is after the first step, and a teacher who pays for a ring then, or for sleep at last.
 
+    A chime wakes her in one night of two, and is not paid: if only a ring woke her, it could share its reward with all
+    the steps in which she is awake, and then a discount would take most of that, too.
+
     Attributes:
         mdp: the morning.
         soon: what she pays for a ring in the first step, which wakes her.
@@ -54,13 +57,15 @@ class Settled(NamedTuple):
     """
 
     mdp: Any
-    soon: float = 3.8
-    late: float = 6.0
+    soon: float = 8.0
+    late: float = 11.0
 
     def transition(self, state: State, action: int, rng: Random) -> State:
-        """A ring wakes her in the first step, and nothing changes her sleep after it."""
+        """A ring wakes her in the first step, a chime perhaps, and nothing changes her sleep after it."""
         time, depth = state
-        return time + 1, (AWAKE if action == RING else ASLEEP) if time == 0 else depth
+        if time > 0:
+            return time + 1, depth
+        return 1, AWAKE if action == RING or (action == CHIME and rng.random() < 0.5) else ASLEEP
 
     def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
         """Pay at once, or in the end."""
@@ -109,8 +114,9 @@ PARTS = (
 """Wishes that mislead whoever leaves out a part. Of 18 right programs (tables of other kinds, planning, Q-learning,
 policy gradients, rounds, more and less of a prior) the middle run goes 0.8 of the way or more. Without p, or with its
 sign wrong, it goes 0.5 with the first; with γ = 0.5, it goes 0.34 with the second."""
-SETTLED, PATIENT_SEEDS, FEWEST_PATIENT = Settled(TASK), 7, 3
-"""Two right programs choose sleep in 61 of 70 runs; two with γ = 0.9 in 13 of 70, and two with a mean in none of 16."""
+SETTLED, PATIENT_SEEDS, FEWEST_PATIENT = Settled(TASK), 5, 3
+"""Eight right programs choose sleep in 245 of 245 runs, and one with too few nights of Q-learning in 10 of 15; two with
+γ = 0.9 in 2 of 55, two with γ = 0.95 in 31 of 55, and one with a mean in none of 40."""
 N_COMPARISONS = 300
 FEWEST = 20
 SEEDS, OTHER_SEEDS = 5, 3
@@ -299,7 +305,7 @@ def _check_patience(answer: Any, seed: int) -> None:
             f"Another sleeper stays as she is after the first step. The teacher pays {SETTLED.soon:g} for a ring then,"
             f" or {SETTLED.late:g} for silence in the last step, if she is still asleep. Her answers tell so, and yet"
             f" {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a discount,"
-            " and the value of a state is that of its *best* action, not a mean"
+            " the value of a state is that of its *best* action, not a mean, and it takes nights enough to learn that"
         )
 
 

@@ -159,3 +159,19 @@ def with_penalty(values, reference, penalty):
         return np.eye(len(values))[values.argmax()]
     weights = reference * np.exp((values - values.max()) / penalty)
     return weights / weights.sum()
+
+
+# %% the sign, and an overflow
+# says: the sign is wrong: an action with a higher value becomes more likely
+def with_penalty(values, reference, penalty):
+    weights = reference * np.exp(-(values - values.max()) / penalty)
+    return weights / weights.sum()
+
+
+# %% never quite never
+# says: should give [0.0, 0.
+# says: an action that the reference never takes keeps the probability 0
+def with_penalty(values, reference, penalty):
+    logits = np.log(np.maximum(reference, 1e-8)) + values / penalty
+    weights = np.exp(logits - logits.max())
+    return weights / weights.sum()
