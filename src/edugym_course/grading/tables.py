@@ -61,8 +61,10 @@ def entries_that_differ(right: Reals, found: Reals, n_wrong: int, n_cases: int) 
 
 def _told_apart(right: Reals, found: Reals) -> tuple[Any, Any]:
     """Return two arrays as lists, with four decimal places or as many as tell them apart."""
-    rounded = ([np.round(table, places) for table in (right, found)] for places in range(4, 17))
-    one, other = next((pair for pair in rounded if not np.array_equal(*pair)), (right, found))
+    for places in range(4, 17):
+        one, other = (np.round(table, places) for table in (right, found))
+        if not np.array_equal(one, other):
+            break
     return one.tolist(), other.tolist()
 
 
