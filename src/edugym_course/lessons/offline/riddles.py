@@ -116,10 +116,17 @@ RIDDLES = (
         at_both_ends=1,
     ),
     Riddle(
-        ((25, ((FIRST, 0, 3.0),)), (15, ((FIRST, 0, -20.0),)), (40, ((FIRST, 1, 0.0),))),
+        (
+            (25, ((FIRST, 0, 0.0), ("well", 0, 3.0))),
+            (15, ((FIRST, 0, 0.0), ("ill", 0, -20.0))),
+            (40, ((FIRST, 1, 0.0), ("so-so", 0, 0.0))),
+        ),
         right=1,
-        shows="action 0 brought 3 in 25 nights and cost 20 in 15, and action 1 brought 0 in each of 40",
-        asks="what is seldom counts in the mean, too; a median forgets it",
+        shows=(
+            "action 0 led in 25 nights to a state that brought 3, and in 15 to another that cost 20, and action 1 in 40"
+            " to one that brought 0"
+        ),
+        asks="what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state",
     ),
 )
 

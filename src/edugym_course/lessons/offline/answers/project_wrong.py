@@ -110,8 +110,8 @@ my_program = [0, 1, 2]
 
 
 # %% a median
-# says: action 0 brought 3 in 25 nights and cost 20 in 15, and action 1 brought 0 in each of 40
-# says: what is seldom counts in the mean, too; a median forgets it
+# says: action 0 led in 25 nights to a state that brought 3, and in 15 to another that cost 20
+# says: what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state
 def my_program(steps, n_states, n_actions, seed):
     seen = {}
     for s, a, *step in steps:
@@ -140,3 +140,19 @@ def my_program(steps, n_states, n_actions, seed):
 # + Q = np.where(counts > 0, np.maximum(lowest, sums / n), lowest)
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int((Q[state] - 2.0 / np.sqrt(n[state])).argmax())
+
+
+# %% the most frequent next state
+# says: what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state
+def my_program(steps, n_states, n_actions, seed):
+    found = {}
+    for s, a, *step in steps:
+        found.setdefault((s, a), []).append(step)
+    Q = np.full((n_states, n_actions), -90.0)
+    for _ in range(12):
+        V = np.where(Q.max(axis=1) > -90.0, Q.max(axis=1), 0.0)
+        for pair, lines in found.items():
+            afters = [after for _, after, _ in lines]
+            reward = np.mean([line[0] for line in lines]) - 2.0 / np.sqrt(len(lines))
+            Q[pair] = reward + V[max(set(afters), key=afters.count)]
+    return lambda state: int(Q[state].argmax())
