@@ -104,8 +104,8 @@ finds.measured(100 * settled)
 # ### Six ways to go on looking
 # - **ε-greedy**: with probability $\varepsilon$ pull a random arm, else the one with the largest mean.
 # - **A falling ε**: the same with $\varepsilon_t = \min(1, 200/t)$ at pull $t$.
-# - **Optimistic values**: be greedy, but begin with $Q(a) = 1$, as if every arm always paid, and learn with a constant rate $\alpha$ in place of $1/N(A)$ (which is 1 at the first pull,
-#   so that nothing of the first value is left). Each arm disappoints until it has been tried several times.
+# - **Optimistic values**: be greedy, but begin with $Q(a) = 1$, as if every arm always paid, and learn with a constant rate $\alpha$. (With $1/N(A)$,
+#   which is 1 at the first pull, nothing of the first value would be left.) Each arm disappoints until it has been tried several times.
 # - **Upper confidence bounds** (UCB): take the largest value that an arm may plausibly have. It is above the mean, the more so the fewer pulls the arm has had. At pull $t$, with a constant $c$ that says how much this counts:
 #
 # $$

@@ -2,6 +2,7 @@
 
 import math
 from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -13,19 +14,19 @@ from gymnasium import spaces
 from edugym.adapters.registration import make_environment
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sample_average import SampleAverage
+from edugym.checks.contract import learns_from
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import APART, SELDOM, Step, run_program, shape_of
+from edugym_course.grading.programs import APART, SELDOM, Run, Step, learn_from, run_program, shape_of
 from edugym_course.grading.replay import LOW, Learner, Rule, mistakes_of_loops, other_tables
 from edugym_course.grading.surprises import SIGMAS, SLACK
 from edugym_course.lessons.bandits.methods import EPSILON, LEARNING_RATE
 
 N_STEPS, PULLS = 3_000, 100
-FIRST_PULLS = 30
-"""In so many runs of 10 steps the first arm is looked at: who breaks ties at random does not pull the same one in most
-of them. And the policy: after so few pulls the best arm is often another one than the last, or than the most pulled."""
-MOST_ALIKE = 0.6
+SHORT_RUNS = 60
+"""So many runs of 10 steps are looked at: which of several equal arms is pulled, and what the policy is. After so few
+pulls the best arm is often another one than the last, or than the most pulled."""
 SURE_PULLS, SURE_ARMS = 4_000, 5
 """In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end."""
 LAYOUTS = 0, 1
@@ -210,7 +211,7 @@ def project_0b(answer: Any, seed: int) -> str:
     if any(len(arms) == 1 for arms in late):
         raise WrongAnswer(
             f"in the last {LATE} of {SURE_PULLS} steps my_program pulls one arm only: a random one has the probability"
-            " ε up to the last step"
+            " ε up to the last step, and it is drawn from one generator, made before the loop"
         )
     others = sum(arms.total() - max(arms.values()) for arms in late)
     pulls, share = LATE * len(LAYOUTS), 1 - 1 / SURE_ARMS
@@ -218,16 +219,9 @@ def project_0b(answer: Any, seed: int) -> str:
     impossible = {} if abs(tries / EPSILON - 1) <= SLACK else WHOLE_NUMBERS
     possible = {sentence: mistake for sentence, mistake in RULE.mistakes.items() if sentence not in impossible}
     replace(RULE, mistakes=possible).check(answer, seed, tries)
-    runs = [
-        run_program(answer, Machines(number), 10, number)
-        for number in range(FIRST_PULLS * seed, FIRST_PULLS * (seed + 1))
-    ]
-    ((arm, times),) = Counter(run.steps[0].action for run in runs).most_common(1)
-    if times > MOST_ALIKE * FIRST_PULLS:
-        raise WrongAnswer(
-            f"in {times} of {FIRST_PULLS} runs my_program pulls arm {arm} first, though all arms look equally good"
-            " then: argmax takes the first of several equal values; draw one of them at random"
-        )
+    short = range(SHORT_RUNS * seed, SHORT_RUNS * (seed + 1))
+    runs = [run_program(answer, Machines(number), 10, number) for number in short]
+    _require_random_ties([tie for run in runs for tie in _ties(run)])
     RULE.require_best_actions(runs, shape_of(Machines(0)), SELDOM)
     for found, sign in ((EPSILON * share, -1), (EPSILON, 1)):  # the random arm may be one of all, or of the others
         if sign * (others - found * pulls) > SIGMAS * math.sqrt(found * (1 - found) * pulls):
@@ -247,3 +241,27 @@ def _late_arms(answer: Any, seed: int) -> list[Counter[int]]:
         run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
         arms.append(Counter(step.action for step in run.steps[-LATE:]))
     return arms
+
+
+def _ties(run: Run) -> Iterator[tuple[int, list[int]]]:
+    """Yield each pull of one of several arms that look equally good, and these arms."""
+    agent = counting(shape_of(Machines(0)))
+    for step in run.steps:
+        values = agent.values(step.state)
+        equal = np.flatnonzero(np.isclose(values, values.max())).tolist()
+        if len(equal) > 1 and step.action in equal:
+            yield step.action, equal
+        learn_from(agent, learns_from(agent), step, step.action)
+
+
+def _require_random_ties(ties: Sequence[tuple[int, list[int]]]) -> None:
+    """Refuse a program that takes the first of several equal arms, or the last, more often than by chance."""
+    chances = np.array([1 / len(equal) for _, equal in ties])
+    for which, at in (("first", 0), ("last", -1)):
+        found = sum(action == equal[at] for action, equal in ties)
+        if found - chances.sum() > SIGMAS * math.sqrt((chances * (1 - chances)).sum()):
+            raise WrongAnswer(
+                f"in {found} of {len(ties)} pulls of one of several arms that look equally good, my_program takes the"
+                f" {which} of them, and by chance it would be some {chances.sum():.0f}: argmax takes the first of"
+                " several equal values; draw one of them at random"
+            )

@@ -55,8 +55,8 @@
 
 # %% ties go to the first arm
 # slow
-# says: first, though all arms look equally good then: argmax takes the first of several equal values; draw one of them at random
-# says: runs my_program pulls arm
+# says: pulls of one of several arms that look equally good, my_program takes the first of them, and by chance it would be some
+# says: : argmax takes the first of several equal values; draw one of them at random
 # in: with lists
 # - return int(rng.choice([a for a in range(n) if means[a] == top]))
 # + return int(np.argmax(means))
@@ -150,7 +150,7 @@
 # + pulls[arm] += 2
 
 # %% random at first only
-# says: steps my_program pulls one arm only: a random one has the probability ε up to the last step
+# says: steps my_program pulls one arm only: a random one has the probability ε up to the last step, and it is drawn from one generator, made before the loop
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if taken < 0.1 * n_steps else best()
@@ -225,3 +225,9 @@
 # in: with lists
 # - return lambda state: int(np.argmax(means))
 # + return lambda state: int(np.argmax(pulls))
+
+# %% ties only at the start
+# says: pulls of one of several arms that look equally good, my_program takes the first of them, and by chance it would be some
+# in: with lists
+# - return int(rng.choice([a for a in range(n) if means[a] == top]))
+# + return int(rng.integers(n)) if min(means) == top else int(np.argmax(means))
