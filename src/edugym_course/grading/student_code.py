@@ -60,7 +60,11 @@ HINTS = (
         r"(float|int|list|array)\d*' object is not callable",
         "that is no function: leave the parentheses out, or take an entry with [ ]",
     ),
-    ("cannot be empty", "nothing is left to choose from: for which values does that happen?"),
+    (
+        "cannot be empty",
+        "nothing is left to choose from: for which values does that happen? 0 / 0 gives nan, which equals nothing, not"
+        " even itself",
+    ),
     ("with size 0", "it is empty, so it has no entries: is something left to choose from in all cases?"),
     ("too many indices", "the array has fewer axes than there are indices"),
     (
