@@ -44,7 +44,7 @@ from edugym_course.lab.records import number_of
 HERE = Path(__file__).parent
 PAGE, BUILT = HERE / "playground", HERE / "build" / "playground"
 LESSONS = HERE.parent / "src" / "edugym_course" / "lessons"
-SEEDS = 20
+SEEDS = 40
 SEVERAL = (1, 5, 10, 20)
 """How many seeds a reader may run at once."""
 TEX = {

@@ -101,6 +101,18 @@ def test_several_seeds_have_a_band(address: str, browser: Any) -> None:
     assert "5 seeds" in reader.text("#legend")
 
 
+def test_other_luck_is_other_luck(address: str, browser: Any) -> None:
+    """Also where a race has as many seeds as the page can run at once: none of them comes twice in a row."""
+    reader = Reader(browser, f"{address}#task=Casino&several=20")
+    numbers = []
+    for _ in range(2):
+        reader.race()
+        numbers.append(reader("[...document.querySelectorAll('.numbers')].map(shown => shown.innerText)"))
+        reader.click("#again")
+        until(lambda: not reader("document.querySelector('.bet').disabled"), "another race")
+    assert numbers[0] != numbers[1]
+
+
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
 def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
     """With keys and by clicks, to the end of a game; blind, the picture is hidden; and R begins anew."""
