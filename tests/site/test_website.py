@@ -344,11 +344,18 @@ def test_the_films_stop(browser: Any, address: str) -> None:
 
 
 @needs_browser
-def test_answers_to_the_survey_are_a_link_of_the_readers_own(browser: Any, address: str) -> None:
-    """The link shows the same answers again; the form has no address to send them to."""
+def test_answers_to_the_survey_are_the_readers_own(browser: Any, address: str, tmp_path: Path) -> None:
+    """A file has the statements and their answers, a link shows them again; the form has no address to send them to."""
     opened(browser, address, "survey")
     browser.execute_script("document.querySelector('[name=s2][value=agree]').click()")
     browser.execute_script("document.querySelector('[name=remarks]').value = 'More walls & doors'")
+    allowed = {"behavior": "allow", "downloadPath": str(tmp_path)}
+    browser.execute_cdp_cmd("Browser.setDownloadBehavior", allowed)
+    browser.execute_script("document.querySelector('#survey [type=submit]').click()")
+    until(lambda: [*tmp_path.glob("*.json")], "the file")
+    saved = json.loads((tmp_path / "edugym-survey.json").read_text(encoding="utf-8"))
+    assert [*saved.values()] == ["agree", "More walls & doors"]
+    assert any("practical understanding" in statement for statement in saved)
     browser.execute_script("document.getElementById('survey-link').click()")
     link = browser.execute_script("return document.querySelector('#survey-says a').href")
     assert link.startswith(f"{address}survey.html#")
