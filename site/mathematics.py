@@ -6,7 +6,7 @@ import re
 from importlib.metadata import distribution
 from typing import Any
 
-from docutils.nodes import SkipNode
+from docutils.nodes import SkipNode, thead
 from fontTools.subset import Options, Subsetter
 from fontTools.ttLib import TTFont
 from latex2mathml.converter import convert
@@ -50,7 +50,12 @@ def mathml(tex: str, display: str = "inline") -> str:
 
 def visit_inline(translator: Any, node: Any) -> None:
     """Write a formula within a line."""
-    translator.body.append(mathml(node.astext()))
+    written, above = mathml(node.astext()), node
+    while above.parent and not isinstance(above, thead):
+        above = above.parent
+    if isinstance(above, thead):  # a column must have a name, and that of a formula alone is not always found
+        written = written.replace("<math ", f'<math aria-label="{re.sub("<.*?>", "", written)}" ', 1)
+    translator.body.append(written)
     raise SkipNode
 
 

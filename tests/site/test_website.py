@@ -23,6 +23,7 @@ from tests.site.serving import served
 PAGES = [
     "index",
     "lessons/01_exploration",
+    "lessons/03_depth",  # a table whose head has a formula
     "environments/boulder",
     "agents/index",
     "agents/q_learning",
