@@ -69,7 +69,7 @@ class Reader:
         assert self("[...document.querySelectorAll('article')].every(card => card.scrollWidth <= card.clientWidth)")
         sliders = "[...document.querySelectorAll('input[type=range]')].filter(slider => slider.checkVisibility())"
         assert self(f"{sliders}.every(slider => slider.clientWidth >= 60)")
-        assert self("window.shift") < 0.03
+        assert self("window.shift") < 0.1
 
     def photograph(self, name: str) -> None:
         """Take a picture of the whole page, of the width that stands in its name, if a folder for pictures is given."""
