@@ -114,7 +114,9 @@ def _why(call: str, cases: Sequence[ChoiceCase], shares: Sequence[Any]) -> str:
             f", by chance where one {told.noun} is right: it sees a tie where there is none, or it explores, or it"
             " draws in proportion to something"
         )
-    return ", which is none of the usual mistakes"
+    same = np.array_equal(np.flatnonzero(shares[-1]), np.flatnonzero(told.expected))
+    often = f": the right {told.noun}s come, and not as often as they should"
+    return f", which is none of the usual mistakes{often if same else ''}"
 
 
 def _other_shares(call: str, cases: Sequence[ChoiceCase]) -> Iterator[Any]:

@@ -30,12 +30,16 @@ class Hindsight:
         goal: which goal the steps of an episode are learned for when it is over: what its "last" step achieved, or its
             "first"; what was there "before" the last step, or at the "start"; "own", what each step achieves itself;
             "same", the goal that it had; or "none", if they are not learned again.
-        when: whether this is done after "all" episodes, or only where the goal was "missed" or "reached".
+        when: whether this is done after "all" episodes, or only where the goal was "missed" or "reached"; or after each
+            step, for the steps until then ("always").
         order: whether the steps are learned "backwards" or "forwards".
-        kept: which of them are learned: "all", all but the last ("not last"), or it alone ("only last").
+        kept: which of them are learned: "all", all but one ("not last", "not first"), or "only last".
         empties: after which episodes the list of steps is emptied: "all", "reached" or "none".
-        reward: whether a step is paid for the "new" goal, or as it was for the "old" one, or "always 0".
+        reward: whether a step is paid for the "new" goal, or as it was for the "old" one, or "always 0", or "1 and 0".
         ends: whether a step that achieves the new goal ends the episode.
+        achieves: which steps achieve it: those that lead to it ("all"), or only the "last".
+        returns: whether the target is the return of the steps that are learned again, and not that of Q-learning.
+        swaps: whether state and goal have changed places there.
         state_has, next_state_has: which goal stands beside the state, and beside the next one: "new" or "old".
         looks_on: whether the maximum is that of the next state, and not that of the state itself.
         sweeps: how often the steps are learned again.
@@ -58,6 +62,9 @@ class Hindsight:
         empties: str = "all",
         reward: str = "new",
         ends: bool = True,
+        achieves: str = "all",
+        returns: bool = False,
+        swaps: bool = False,
         state_has: str = "new",
         next_state_has: str = "new",
         looks_on: bool = True,
@@ -75,6 +82,7 @@ class Hindsight:
         self._steps: list[tuple[Pattern, int, float, Pattern]] = []
         self._goal, self._when, self._order, self._kept, self._empties = goal, when, order, kept, empties
         self._reward, self._ends, self._own, self._knows_goal = reward, ends, own, knows_goal
+        self._achieves, self._returns, self._swaps = achieves, returns, swaps
         self._sign = -1.0 if least else 1.0
         self._handicaps = 1e-4 * np.arange(shape[1]) * first
         self._state_has, self._next_state_has = state_has, next_state_has
@@ -106,8 +114,10 @@ class Hindsight:
         if self._own:
             self._update(self.row(s, goal), action, reward, self.row(then, goal), terminated)
         self._steps.append((s, action, reward, then))
+        if self._when == "always" and not (terminated or truncated):
+            self._learn_again(goal)
         if terminated or truncated:
-            episodes = {"all": True, "missed": not terminated, "reached": terminated, "none": False}
+            episodes = {"all": True, "always": True, "missed": not terminated, "reached": terminated, "none": False}
             if episodes[self._when]:
                 self._learn_again(goal)
             if episodes[self._empties]:
@@ -122,15 +132,25 @@ class Hindsight:
             "start": steps[0][0],
             "same": old,
         }.get(self._goal)
-        chosen = {"all": steps, "not last": steps[:-1], "only last": steps[-1:]}[self._kept]
-        for s, action, paid, then in self._sweeps * (chosen[::-1] if self._order == "backwards" else chosen):
+        chosen = {"all": steps, "not last": steps[:-1], "not first": steps[1:], "only last": steps[-1:]}[self._kept]
+        row = (lambda state, goal: self.row(goal, state)) if self._swaps else self.row
+        future = 0.0
+        for step in self._sweeps * (chosen[::-1] if self._order == "backwards" else chosen):
+            s, action, paid, then = step
             goal = then if self._goal == "own" else new
             if goal is None:
                 return
             goals, reached = {"new": goal, "old": old}, then == goal
-            reward = {"new": 0.0 if reached else -1.0, "old": paid, "always 0": 0.0}[self._reward]
-            after = self.row(then, goals[self._next_state_has])
-            self._update(self.row(s, goals[self._state_has]), action, reward, after, reached and self._ends)
+            if self._achieves == "last":
+                reached = step is steps[-1]
+            honest, one = (0.0, 1.0) if reached else (-1.0, 0.0)
+            reward = {"new": honest, "old": paid, "always 0": 0.0, "1 and 0": one}[self._reward]
+            future = reward if reached else reward + self._discount * future
+            after = row(then, goals[self._next_state_has])
+            ends = reached and self._ends
+            if self._returns:
+                reward, ends = future, True
+            self._update(row(s, goals[self._state_has]), action, reward, after, ends)
 
     def _update(self, row: Row, action: int, reward: float, after: Row, ends: bool) -> None:
         target = reward if ends else reward + self._discount * max(after if self._looks_on else row)
@@ -191,7 +211,9 @@ RULE = Rule(
         "the steps are learned again in the order in which they were taken; begin with the last one, so that the first"
         " hears of the goal in the same sweep": mistake(order="forwards"),
         "the last step is not learned again, and it is the one that achieves the new goal": mistake(kept="not last"),
+        "the first step is not learned again; all of the episode should be": mistake(kept="not first"),
         "only the last step is learned again; all of the episode should be": mistake(kept="only last"),
+        "the steps so far are learned again after *each* step; wait until the episode is over": mistake(when="always"),
         "the steps of earlier episodes are learned again too: empty the list at each reset": mistake(empties="none"),
         "the list of steps is emptied only where the goal was reached: empty it at each reset": mistake(
             empties="reached"
@@ -202,7 +224,16 @@ RULE = Rule(
         "every step that is learned again is paid 0; only one that achieves the new goal is": mistake(
             reward="always 0"
         ),
+        "steps that are learned again are paid 1 and 0; the task pays 0 at the goal and −1 elsewhere": mistake(
+            reward="1 and 0"
+        ),
         "a step that achieves the new goal ends the episode: its target is the reward alone": mistake(ends=False),
+        "not only the last step may achieve the new goal: compare the next state of each step with it": mistake(
+            achieves="last"
+        ),
+        "steps that are learned again have the return of the episode as their target; it is R + γ max_a Q(S', G, a)"
+        " here too": mistake(returns=True),
+        "state and goal have changed places in the table where the steps are learned again": mistake(swaps=True),
         "the new goal stands beside the state alone; the maximum is that of the next one *with it* too": mistake(
             next_state_has="old"
         ),
@@ -215,6 +246,9 @@ RULE = Rule(
         "the goal has no part in the values: a row of the table is a pair of a pattern and a goal": mistake(
             knows_goal=False
         ),
+        "the goal has no part in the values, and nothing is learned again: this is the Q-learning of one goal": mistake(
+            knows_goal=False, goal="none"
+        ),
         "all values start at 0, so that what was never tried looks best; they should start at −10": mistake(
             first_value=0.0
         ),
@@ -225,10 +259,12 @@ RULE = Rule(
     }
     | other_settings(
         Hindsight,
-        discount=("γ", DISCOUNT, (1.0, 0.8, 0.5)),
-        learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.25)),
+        discount=("γ", DISCOUNT, (1.0, 0.95, 0.8, 0.5)),
+        learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.25, 0.4, 0.6)),
+        first_value=("each first value", WORST, (-20.0, -8.0, -5.0, -1.0)),
     ),
     EPSILON,
+    otherwise=", and the new goal: one for the whole episode, what its last step achieved",
     n_steps=4000,  # the old rewards are seldom seen in what is done: in 2000 they are not surely told
     world=panel,
 )

@@ -137,7 +137,7 @@ in_golf.measured("lower" if less.high < 0 else "the same" if less.low < 0 else "
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Lower: 0.62 against 0.73. It scores 1 where no hit misses its aim, and loses most at a noise of 0.03. From 0.2 on the two do not surely differ. The score alone would not have told you that: look at the rungs.
+# **Measured.** Lower: 0.62 against 0.73. It scores 1 where no hit misses its aim, and loses most at a noise of 0.03. From 0.1 on the two do not surely differ. The score alone would not have told you that: look at the rungs.
 # </details>
 
 # %% [markdown]

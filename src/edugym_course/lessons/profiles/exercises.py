@@ -43,7 +43,7 @@ ABOVE: Mapping[str, Part] = {
 """What stands above the line, by what is to be said of it; the first is right."""
 BELOW: Mapping[str, Part] = {
     "": lambda r, low, high: high - low,
-    "the denominator is the whole way from random play to the best, high - low": lambda r, low, high: high,
+    "the denominator is the whole way from random play to the best, best - random": lambda r, low, high: high,
     "divide by the way from random play to the best, best - random": lambda r, low, high: np.ones_like(r),
     "the denominator is the wrong way round": lambda r, low, high: low - high,
     "take random play away from the best, do not add them": lambda r, low, high: high + low,
@@ -71,6 +71,9 @@ OVER_THE_RUNGS: Mapping[str, Callable[[Reals, Reals], float]] = {
 OTHERS: Mapping[str, Callable[[Reals, Reals, Reals, Reals], float]] = {
     "score each rung first, and take the mean of the scores": lambda r, low, high, w: (
         mean(r - low, w) / mean(high - low, w)
+    ),
+    "each rung has its own random and best play; those of the first are taken for all": lambda r, low, high, w: mean(
+        (r - low[0]) / (high[0] - low[0]), w
     ),
     "put the numerator in brackets: / comes before -": lambda r, low, high, w: mean(r - low / (high - low), w),
     "put the denominator in brackets: / comes before -": lambda r, low, high, w: mean((r - low) / high - low, w),

@@ -151,7 +151,7 @@ def final(steps):
 
 
 # %% the distance
-# says: that is none of the usual mistakes, so go through the episode by hand, step by step
+# says: the reward counts the switches that are wrong; the task pays the same for every step that misses
 def final(steps):
     goal = steps[-1][2]
     return [(s, goal, a, -float(bin(then ^ goal).count("1")), then, then == goal) for s, a, then in steps]
@@ -281,3 +281,13 @@ def final(steps):
 def final(steps):
     goal = max(then for _, _, then in steps)
     return [(s, goal, a, 0.0 if then == goal else -1.0, then, then == goal) for s, a, then in steps]
+
+
+# %% ends the first time
+# says: not only the first step that reaches the goal terminates: a later one that reaches it again does as well
+def final(steps):
+    goal, over, made = steps[-1][2], False, []
+    for s, a, n in steps:
+        made.append((s, goal, a, 0.0 if n == goal else -1.0, n, n == goal and not over))
+        over = over or n == goal
+    return made

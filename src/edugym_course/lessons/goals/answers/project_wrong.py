@@ -244,3 +244,106 @@
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
 # + for s, a, s2 in 2 * episode[::-1]:
+
+# %% after every step
+# slow
+# says: the steps so far are learned again after *each* step; wait until the episode is over
+# in: numbers for patterns
+# - if terminated or truncated:
+# -     new = s2
+# -     for s, a, s2 in episode[::-1]:
+# -         r = 0.0 if s2 == new else -1.0
+# -         target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# -         Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + new = s2
+# + for s, a, s2 in episode[::-1]:
+# +     r = 0.0 if s2 == new else -1.0
+# +     target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# +     Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + s = new
+# + if terminated or truncated:
+
+# %% the return in hindsight
+# slow
+# says: steps that are learned again have the return of the episode as their target
+# in: numbers for patterns
+# - new = s2
+# + new, target = s2, 0.0
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + 0.9 * target
+
+# %% values from −8
+# slow
+# says: each first value is about -8, and it should be -10
+# in: numbers for patterns
+# - Q, rng = np.full((2**n, 2**n, n), -10.0), np.random.default_rng(seed)
+# + Q, rng = np.full((2**n, 2**n, n), -8.0), np.random.default_rng(seed)
+
+# %% a larger discount
+# slow
+# says: γ is about 0.95, and it should be 0.9
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r if terminated else r + 0.95 * Q[s2, g].max()
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + 0.95 * Q[s2, new].max()
+
+# %% the goals of 'future'
+# slow
+# says: , and the new goal: one for the whole episode, what its last step achieved
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for t, (s, a, s2) in [*enumerate(episode)][::-1]:
+# +     new = episode[rng.integers(t, len(episode))][2]
+
+# %% without the first step
+# slow
+# says: the first step is not learned again; all of the episode should be
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for s, a, s2 in episode[:0:-1]:
+
+# %% one and zero
+# slow
+# says: steps that are learned again are paid 1 and 0; the task pays 0 at the goal and −1 elsewhere
+# in: numbers for patterns
+# - r = 0.0 if s2 == new else -1.0
+# + r = 1.0 if s2 == new else 0.0
+
+# %% only the last step achieves it
+# slow
+# says: not only the last step may achieve the new goal: compare the next state of each step with it
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# -     r = 0.0 if s2 == new else -1.0
+# -     target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + for k, (s, a, s2) in enumerate(episode[::-1]):
+# +     target = 0.0 if k == 0 else -1.0 + 0.9 * Q[s2, new].max()
+
+# %% the goal before the state
+# slow
+# says: state and goal have changed places in the table where the steps are learned again
+# in: numbers for patterns
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
+# + target = r if s2 == new else r + 0.9 * Q[new, s2].max()
+# + Q[new, s, a] += 0.5 * (target - Q[new, s, a])
+
+# %% Q-learning without goals
+# slow
+# says: the goal has no part in the values, and nothing is learned again: this is the Q-learning of one goal
+def my_program(environment, n_steps, seed):
+    n = environment.action_space.n
+    rng, Q = np.random.default_rng(seed), {}
+    o, _ = environment.reset(seed=seed)
+    for _ in range(n_steps):
+        s = tuple(o["achieved_goal"])
+        row = Q.setdefault(s, np.full(n, -10.0))
+        greedy = int(rng.choice(np.flatnonzero(row == row.max())))
+        a = int(rng.integers(n)) if rng.random() < 0.1 else greedy
+        o, r, terminated, truncated, _ = environment.step(a)
+        after = Q.setdefault(tuple(o["achieved_goal"]), np.full(n, -10.0))
+        row[a] += 0.5 * (r + 0.9 * (0.0 if terminated else after.max()) - row[a])
+        if terminated or truncated:
+            o, _ = environment.reset()
+    return lambda o: int(np.argmax(Q[tuple(o["achieved_goal"])]))

@@ -28,6 +28,7 @@ def relabelled(
     """
     made = []
     last = len(steps) - 1
+    first_end = next((t for t, step in enumerate(steps) if step[2] == steps[last][2]), last)
     for t, (state, action, next_state) in enumerate(steps):
         wanted = {
             "final": steps[last][2],
@@ -47,18 +48,19 @@ def relabelled(
             "state": 0.0 if state == wanted else -cost,
             "inverted": -cost if reached else 0.0,
             "cost": 0.0 if reached else cost,
+            "distance": -cost * (next_state ^ wanted).bit_count(),
         }[reward]
         ends = {
             "right": reached,
             "never": False,
             "last": t == last,
+            "first": t == first_end,
             "always": True,
             "state": state == wanted,
             "inverted": not reached,
         }[terminated]
         made.append((state, wanted, action, pays, next_state, ends))
     hits = [one for one in made if one[1] == one[4]]
-    first_end = next((t for t, step in enumerate(steps) if step[2] == steps[last][2]), last)
     return {
         "all": made,
         "not the last": made[:-1],
@@ -83,11 +85,17 @@ FINAL_MISTAKES: Mapping[str, Settings] = {
     "the reward depends on the *next* state, not on the state before the step": {"reward": "state"},
     "the rewards are the wrong way round: −1 costs, 0 is for the goal": {"reward": "inverted"},
     "a step that misses costs 1: its reward is −1": {"reward": "cost"},
+    "the reward counts the switches that are wrong; the task pays the same for every step that misses": {
+        "reward": "distance"
+    },
     "no step terminates; with the new goal the episode would have ended there, and nothing comes after it": {
         "terminated": "never"
     },
     "not only the last step terminates: an earlier one that reaches the same pattern does as well": {
         "terminated": "last"
+    },
+    "not only the first step that reaches the goal terminates: a later one that reaches it again does as well": {
+        "terminated": "first"
     },
     "every step terminates; only one that reaches the goal does": {"terminated": "always"},
     "a step terminates when its *next* state is the goal, not its state": {"terminated": "state"},

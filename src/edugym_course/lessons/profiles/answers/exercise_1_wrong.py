@@ -6,13 +6,13 @@ def ladder_score(returns, random, best):
 
 # %% no random play
 # says: random play should score 0: take its return away from that of the agent
-# says: the denominator is the whole way from random play to the best, high - low
+# says: the denominator is the whole way from random play to the best, best - random
 def ladder_score(returns, random, best):
     return np.mean(returns / best)
 
 
 # %% the best alone below the line
-# says: the denominator is the whole way from random play to the best, high - low
+# says: the denominator is the whole way from random play to the best, best - random
 def ladder_score(returns, random, best):
     return np.mean((returns - random) / best)
 
@@ -161,3 +161,9 @@ def ladder_score(returns, random, best):
 # %% no function
 # says: returns, random and best
 ladder_score = 0.5
+
+
+# %% the first rung for all
+# says: each rung has its own random and best play; those of the first are taken for all
+def ladder_score(returns, random, best):
+    return ((returns - random[0]) / (best[0] - random[0])).mean()
