@@ -261,8 +261,11 @@ RULE = Rule(
         Hindsight,
         discount=("γ", DISCOUNT, (1.0, 0.95, 0.8, 0.5)),
         learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.25, 0.4, 0.6)),
-        first_value=("each first value", WORST, (-20.0, -8.0, -5.0, -1.0)),
-    ),
+    )
+    | {
+        f"each first value is about {value:g}, and it should be {WORST:g}": mistake(first_value=value)
+        for value in (-20.0, -8.0, -5.0, -1.0)
+    },
     EPSILON,
     otherwise=", and the new goal: one for the whole episode, what its last step achieved",
     n_steps=4000,  # the old rewards are seldom seen in what is done: in 2000 they are not surely told

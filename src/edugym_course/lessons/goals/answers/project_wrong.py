@@ -265,7 +265,7 @@
 
 # %% the return in hindsight
 # slow
-# says: steps that are learned again have the return of the episode as their target
+# says: steps that are learned again have the return of the episode as their target; it is R + γ max_a Q(S', G, a) here too
 # in: numbers for patterns
 # - new = s2
 # + new, target = s2, 0.0
