@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from gymnasium.spaces import Box, Discrete
 from PIL import Image, ImageDraw, ImageFont
 
-from edugym import EpsilonGreedy, QLearning, train
+from edugym import EpsilonGreedy, QLearning, finite_model, train
 from edugym.adapters.playing.films import play_episode, record
 from edugym.adapters.playing.game import Frame
 from edugym.adapters.registration import ENVIRONMENTS, Entry, in_course_order
@@ -32,6 +33,8 @@ from edugym_course.lab.records import number_of, without_number
 PAGES = Path(__file__).parent / "environments"
 ORIGINAL = "../coming-from-the-original-edugym.md"
 FRAMES = 31
+MOST_STATES = 5_000
+"""Of the exact models that are counted: the largest takes a second."""
 
 rng = np.random.default_rng(0)
 # The players of the animations in which Q-learning on the observations would not show the task.
@@ -63,6 +66,36 @@ def lesson_link(entry: Entry) -> str:
     return "".join(links)
 
 
+def mdp_table(entry: Entry) -> list[str]:
+    """Return a table of the MDP at its defaults: the sizes and limits of its parts, counted by the exact model."""
+    mdp = entry.load_mdp().create()
+    try:
+        model = finite_model(mdp, MOST_STATES)
+    except ValueError as error:
+        why = str(error).partition("no finite model: ")[2].removesuffix(" (max_states can be raised)")
+        rows = {"States": f"not counted: {why}"}
+    else:
+        ends, begins = int(model.terminal.sum()), int((model.initial > 0).sum())
+        low, high = (f"{end:.4g}" for end in (model.rewards.min(), model.rewards.max()))
+        most = int((model.probabilities > 0).sum(axis=2).max())
+        rows = {
+            "States": f"{len(model.states)} can be reached, {ends or 'none'} of them terminal",
+            "Start": "always the same state" if begins == 1 else f"one of {begins} states",
+            "Next states": f"{'one' if most == 1 else f'up to {most}'} for each state and action",
+            "Reward of a step": f"from {low} to {high} on average",
+        }
+    if hasattr(mdp, "reward_space"):
+        rows["Reward of a step"] = f"a vector of {mdp.reward_space.shape[0]} numbers"
+    actions, seen, limit = mdp.action_space, mdp.observation_space, getattr(mdp, "max_steps", None)
+    kind = "real" if isinstance(seen, Box) else "whole"
+    rows |= {
+        "Actions": f"{actions.n}" if isinstance(actions, Discrete) else f"{actions.shape[0]} real numbers",
+        "Observation": f"{kind} numbers, shape {seen.shape}" if seen.shape else "one whole number",
+        "Step limit": "none" if limit is None else f"{limit} steps",
+    }
+    return ["| The MDP | at the defaults |", "|---|---|", *(f"| {name} | {text} |" for name, text in rows.items())]
+
+
 def page(entry: Entry) -> str:
     """Return the page of one environment."""
     name = entry.name.lower()
@@ -77,6 +110,8 @@ def page(entry: Entry) -> str:
             "```python",
             f'gymnasium.make("{entry.id}", {parameters(entry)})',
             "```",
+            "",
+            *mdp_table(entry),
             "",
             inspect.cleandoc(entry.load_mdp().__doc__ or ""),
             "",
