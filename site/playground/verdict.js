@@ -26,11 +26,18 @@ function best(results, of, optimum) {
 }
 
 const listed = names => names.length > 1 ? `${names.slice(0, -1).join(', ')} and ${names.at(-1)}` : names[0]
+const ORDER = ['the first', 'the second', 'the third', 'the fourth']
+// What an agent is called: where several have the same label, with its place among them.
+const called = (agents, { label }, i) => {
+  const same = agents.flatMap((other, k) => other.label === label ? [k] : [])
+  return same.length > 1 ? `${ORDER[same.indexOf(i)]} ${label}` : label
+}
 const begun = text => text[0].toUpperCase() + text.slice(1)
 
 // `agents` have a label, and the curves of their seeds; `bet` is the number of one of them, or null, and `optimum` the best return, or null.
 export function verdict(agents, t, steps, bet, optimum) {
-  const results = agents.map(({ label, curves }) => {
+  const results = agents.map(({ curves }, i) => {
+    const label = called(agents, agents[i], i)
     const line = summary(curves, t), values = line.map(([, value]) => value), end = ending(curves, t)
     const span = Math.max(...values) - Math.min(...values)
     return { label, curves, ...end, span, start: values[0], reached: line.find(([, value]) => value >= end.greedy[0] - 0.1 * span)[0] }

@@ -50,6 +50,14 @@ def test_a_verdict(curves: list[list[float]], optimum: float | None, says: str) 
     assert says in said("verdict", agents, [], 2000, 0, optimum)
 
 
+def test_two_of_one_name() -> None:
+    """Each is called by its place."""
+    agents = [agent("A", [0.0] + [1.0] * 20), agent("B", [0.0] * 21), agent("A", [0.0] + [0.5] * 20)]
+    sentences = said("verdict", agents, [], 2000, None, 1.0)
+    assert sentences.startswith("The first A (1) did best")
+    assert "The second A (0.5) is behind. B (0) has learned" in sentences
+
+
 @pytest.mark.parametrize(
     ("late", "n_seeds", "says"),
     [
