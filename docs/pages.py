@@ -34,7 +34,7 @@ PAGES = Path(__file__).parent / "environments"
 ORIGINAL = "../coming-from-the-original-edugym.md"
 FRAMES = 31
 MOST_STATES = 5_000
-"""Of the exact models that are counted: the largest takes a second."""
+"""How many states the exact model looks at before it gives up."""
 
 rng = np.random.default_rng(0)
 # The players of the animations in which Q-learning on the observations would not show the task.

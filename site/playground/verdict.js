@@ -26,7 +26,7 @@ function best(results, of, optimum) {
 }
 
 const listed = names => names.length > 1 ? `${names.slice(0, -1).join(', ')} and ${names.at(-1)}` : names[0]
-const ORDER = ['the first', 'the second', 'the third', 'the fourth']
+const ORDER = ['the first', 'the second', 'the third'] // a race has three agents
 // What an agent is called: where several have the same label, with its place among them.
 const called = (agents, { label }, i) => {
   const same = agents.flatMap((other, k) => other.label === label ? [k] : [])

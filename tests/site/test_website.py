@@ -182,6 +182,12 @@ def opened(driver: Any, address: str, page: str, width: int = 1400, theme: str =
     until(lambda: driver.execute_script("return document.readyState === 'complete'"), "the page")
 
 
+def require_playground(driver: Any) -> None:
+    """Skip what needs the playground, where the website that is open was built without it."""
+    if driver.execute_script("return fetch('/playground/data/playground.json').then(answer => !answer.ok)"):
+        pytest.skip("there is no playground: make site")
+
+
 @needs_browser
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: str, page: str) -> None:
@@ -234,8 +240,7 @@ def test_a_reader_of_an_old_version_finds_the_newest(browser: Any, published: Pa
 def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: str, page: str, width: int) -> None:
     """It is as high as what it shows, before a race and after it; it moves no page around it, and has no fault."""
     opened(browser, address, page, width)
-    if browser.execute_script("return fetch('playground/data/playground.json').then(answer => !answer.ok)"):
-        pytest.skip("there is no playground: make site")
+    require_playground(browser)
     assert browser.execute_script("return document.querySelectorAll('iframe').length") == 1
     browser.execute_script("document.querySelector('iframe').loading = 'eager'")
     browser.switch_to.frame(browser.find_element("tag name", "iframe"))
@@ -257,8 +262,7 @@ def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: 
 def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
     """Nothing of the race is loaded before it is opened; then its sliders set the task, and the agents learn it."""
     opened(browser, address, "lessons/01_exploration")
-    if browser.execute_script("return fetch('../playground/data/playground.json').then(answer => !answer.ok)"):
-        pytest.skip("there is no playground: make site")
+    require_playground(browser)
     loaded = "return document.querySelector('.live iframe').contentDocument?.body?.childElementCount ?? 0"
     assert browser.execute_script(loaded) == 0
     browser.execute_script("const fold = document.querySelector('.live'); fold.open = true; fold.scrollIntoView()")
@@ -317,8 +321,7 @@ def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> Non
 def test_the_first_race_is_there_before_the_films(browser: Any, address: str) -> None:
     """What the first race needs is not behind a megabyte of films; they come when it shows its agents."""
     opened(browser, address, "index")
-    if browser.execute_script("return fetch('playground/data/playground.json').then(answer => !answer.ok)"):
-        pytest.skip("there is no playground: make site")
+    require_playground(browser)
     films = "document.querySelectorAll('.gallery img')"
     until(lambda: browser.execute_script(f"return [...{films}].every(film => film.naturalWidth)"), "the films")
     begun, there = browser.execute_script(

@@ -169,7 +169,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between it needs 3000 simulations to get far. Grey cells have no node, nor has an item or the exit on white.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between it needs 3000 simulations to get far. Grey cells have no node, and neither have white cells with an item or the exit.
 
 # %% [markdown]
 # ### What holds UCT back?

@@ -191,7 +191,7 @@ my_program = [0, 1, 2]
 # says: Another sleeper stays as she is after the first step. The teacher pays
 # says: for a ring then, or
 # says: for silence in the last step, if she is still asleep. Her answers tell so, and yet
-# says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; a step gets no credit of its night (y - p, in many passes); and it takes nights enough to learn that
+# says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes; and Q-learning needs many nights
 # in: visits as vectors
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
 # + target = rewards[state][action] + 0.9 * Q[next_state].max()
