@@ -2,6 +2,7 @@
 
 import dataclasses
 import difflib
+import itertools
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +17,7 @@ from edugym.rendering.scene import Circle, Scene
 from tests.contract.parameters import PARAMETERS
 from tests.contract.play import Player, every_environment
 
-COLOURS = ("fill", "colour", "outline")
+COLOURS, PLACES = ("fill", "colour", "outline"), ("x", "y", "points", "content")
 FOLDER = Path(__file__).parent / "pictures"
 OTHERS: dict[str, tuple[dict[str, Any], ...]] = {
     "Boulder": ({"height": 30, "n_grips": 3},),
@@ -25,9 +26,9 @@ OTHERS: dict[str, tuple[dict[str, Any], ...]] = {
         {"rows": 2, "columns": 1, "observation_type": "vectorised"},
     ),
     "Golf": ({"width": 81, "length": 90, "stochasticity_level": 1.0}, {"width": 3, "stochasticity_level": 0}),
-    "MemoryCorridor": ({"num_doors": 5}, {"num_doors": 50}),
+    "MemoryCorridor": ({"num_doors": 50},),
     "Roadrunner": ({"size": 24, "stop_zone": 5}, {"size": 60, "stop_zone": 35}),
-    "Study": ({"total_days": 38}, {"total_days": 38, "lectures_needed": 1, "energy_needed": 3}),
+    "Study": ({"total_days": 38, "lectures_needed": 1, "energy_needed": 3},),
     "Switches": ({"n_switches": 20}, {"n_switches": 1}),
     "Tamagotchi": ({"max_msg_length": 10, "vocab_size": 9}, {"vocab_size": 3, "tau": 0.1}),
     "Trashbot": ({"n_bins": 2}, {"n_bins": 16, "container_width": 1.0}),
@@ -36,34 +37,58 @@ OTHERS: dict[str, tuple[dict[str, Any], ...]] = {
 
 
 def lines_of(scene: Scene, colours: dict[Any, int]) -> list[str]:
-    """A line for the picture, and one for each shape; with two digits, since others may differ on another machine."""
-    ground = f"{scene.width:g} x {scene.height:g}, {scene.columns} columns: {scene.title}"
-    lines = (ground, *(line_of(shape, colours) for shape in scene.shapes))
+    """A line for the picture, and one for each shape; shapes that come again at other places share a line with them.
+
+    Numbers have two digits, since others may differ on another machine.
+    """
+    lines = [f"{scene.width:g} x {scene.height:g}, {scene.columns} columns: {scene.title}"]
+    shapes = [described(shape, colours) for shape in scene.shapes]
+    kinds, at = [what for what, _ in shapes], 0
+    while at < len(shapes):
+        times, period = max(((repeats(kinds[at:], period), period) for period in (1, *range(9, 1, -1))), key=covered)
+        for k in range(at, at + period):
+            places = [shapes[k + turn * period][1] for turn in range(times)]
+            lines.append(" ".join((f"{period} x" * (period > 1), kinds[k], *places)))
+        at += times * period
     number = re.compile(r"-?\d+\.\d+(e-?\d+)?")
-    return [number.sub(lambda found: f"{round(float(found[0]), 2) + 0.0:g}", line) for line in lines]
+    return [number.sub(lambda found: f"{round(float(found[0]), 2) + 0.0:g}", line).strip() for line in lines]
 
 
-def line_of(shape: Any, colours: dict[Any, int]) -> str:
-    """The class of a shape, and what differs from its defaults; a colour has the number of its first appearance."""
-    changed = {
-        field.name: f"colour {colours.setdefault(value, len(colours))}" if field.name in COLOURS else value
-        for field in dataclasses.fields(shape)
-        if (value := getattr(shape, field.name)) != field.default or field.name in COLOURS
-    }
-    return f"{type(shape).__name__} {changed}"
+def repeats(kinds: list[str], period: int) -> int:
+    """How many times the first kinds of shapes come, one time after the other."""
+    return next(k for k in itertools.count(1) if kinds[k * period : (k + 1) * period] != kinds[:period])
+
+
+def covered(found: tuple[int, int]) -> int:
+    """How many shapes come again in that many turns of a period."""
+    return (found[0] - 1) * found[1]
+
+
+def described(shape: Any, colours: dict[Any, int]) -> tuple[str, str]:
+    """The class of a shape with what differs from its defaults, and its place; colours are numbered as they come."""
+    place, changed = [], {}
+    for field in dataclasses.fields(shape):
+        value = getattr(shape, field.name)
+        if field.name in COLOURS:
+            changed[field.name] = f"colour {colours.setdefault(value, len(colours))}"
+        elif field.name in PLACES:
+            place.append(value)
+        elif value != field.default:
+            changed[field.name] = value
+    return f"{type(shape).__name__} {changed}", repr(place)
 
 
 def frames(entry: Entry) -> Iterator[tuple[str, Scene]]:
-    """The first four frames of an episode, and the last one of several, played well and at random; other tasks."""
+    """The first two frames of an episode, and the last one of several, played well or at random; other tasks."""
     player = Player(entry.load()(), entry.name)
-    for episode, well in enumerate((True, True, False, False, False, False)):
+    for episode in (0, 2, 3, 5):
         _, player.info = player.env.reset(seed=episode)
         for step in range(100):
-            if episode == 0 and step < 4:
+            if episode == 0 and step < 2:
                 yield f"episode 0, step {step}", player.bare.scene()
-            if stepped(player, well):
+            if stepped(player, well=episode == 0):
                 break
-        yield f"episode {episode}, {'well' if well else 'at random'}, the last step", player.bare.scene()
+        yield f"episode {episode}, {'at random' if episode else 'well'}, the last step", player.bare.scene()
     for k, parameters in enumerate(OTHERS.get(entry.name, ())):
         player = Player(entry.load()(**parameters), entry.name)
         for step in range(30):
@@ -83,12 +108,16 @@ def stepped(player: Player, well: bool) -> bool:
 
 
 def pictures(entry: Entry) -> str:
-    """What is drawn: of each frame, what differs from the one before."""
+    """What is drawn: of each frame, the lines that differ from those of the one before, with their numbers."""
     before: list[str] = []
     told, colours = [], dict[Any, int]()
     for name, scene in frames(entry):
-        now = lines_of(scene, colours)
-        told += [name, *(f"  {line}" for line in difflib.ndiff(before, now) if line[0] in "+-")]
+        now, gone, new = lines_of(scene, colours), list[int](), list[str]()
+        for _, i, j, k, m in difflib.SequenceMatcher(None, before, now, autojunk=False).get_opcodes():
+            if before[i:j] != now[k:m]:
+                gone += range(i, j)
+                new += [f"  {number} {now[number]}" for number in range(k, m)]
+        told += [f"{name}: without {gone}" if gone else name, *new]
         before = now
     return "\n".join(told) + "\n"
 
