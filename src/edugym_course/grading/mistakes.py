@@ -180,8 +180,12 @@ class NumberCase(NamedTuple):
     terms: Mapping[str, float] = MappingProxyType({})
 
 
-def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
+def compare_all(cases: Sequence[NumberCase], otherwise: str | Callable[[Sequence[bool]], str] = UNUSUAL_NUMBER) -> None:
     """Check several numbers. The first wrong one is told, with the mistake that explains all of them, or most.
+
+    Args:
+        cases: the numbers.
+        otherwise: what to say if no mistake fits; or a function that says it, given which cases are wrong.
 
     Raises:
         WrongAnswer: one is not right.
@@ -200,7 +204,8 @@ def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) ->
         why = mistake_that_fits(sentences, lambda sentence: all(explained(sentence)), ROUNDED if rounded else CLOSE)
     else:
         differs = in_terms(numbers[0], [case.terms for case in cases], wrong) or how_they_differ(*numbers)
-        why = mistake_in_cases(sentences, explained, wrong, with_what_differs(otherwise, differs))
+        unusual = otherwise if isinstance(otherwise, str) else otherwise(wrong)
+        why = mistake_in_cases(sentences, explained, wrong, with_what_differs(unusual, differs))
     what, found, expected, *_ = cases[wrong.index(True)]
     came = f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
     raise WrongAnswer(told_wrong(came, why))

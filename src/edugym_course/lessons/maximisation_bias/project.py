@@ -36,6 +36,9 @@ MOST = 0.25
 runs, and Q-learning 0.65."""
 FEWEST = 0.8
 """The smallest share of runs whose policy plays the machine that pays."""
+TRIES_LEAST, TRIES_MOST = 0.7, 1.7
+"""How many times as often as by ε a program may take another action than the best: 1.5 for one that draws among the
+others."""
 BAD = Casino.create()
 GOOD = Casino.create(n_machines=3, noise=0.5, advantage=1.1)
 FAIR, FAIR_RUNS = Casino.create(loss=0.0), 4
@@ -146,11 +149,13 @@ class Visits(NamedTuple):
         run: its run.
         went_in: for each episode, whether it led into the casino.
         plays: the machine that its policy plays; -1 if it goes home.
+        tries: the share of the steps in the second half whose action is another one than the policy's.
     """
 
     run: Run
     went_in: list[bool]
     plays: int
+    tries: float
 
 
 def visit(program: Any, casino: Casino, n_steps: int, seed: int) -> Visits:
@@ -160,7 +165,10 @@ def visit(program: Any, casino: Casino, n_steps: int, seed: int) -> Visits:
     street, inside = environment.shown(STREET), environment.shown(CASINO)
     went_in = [step.next_state == inside for step in run.steps if step.state == street]
     goes_in = environment.meant(int(run.policy(street))) == IN
-    return Visits(run, went_in, environment.meant(int(run.policy(inside))) if goes_in else -1)
+    plays = environment.meant(int(run.policy(inside))) if goes_in else -1
+    best = {state: int(run.policy(state)) for state in (street, inside)}
+    tries = float(np.mean([step.action != best[step.state] for step in run.steps[n_steps // 2 :]]))
+    return Visits(run, went_in, plays, tries)
 
 
 def share(program: Any, seed: int) -> float:
@@ -179,6 +187,24 @@ def our_shares() -> tuple[float, float]:
     """Return what `share` is for double Q-learning and for Q-learning."""
     double, single = (share(program_of(partial(ours, kind)), APART) for kind in (DoubleQLearning, QLearning))
     return double, single
+
+
+def _require_tries(tries: list[float]) -> None:
+    """Refuse a program whose ε is another one than it should be, or does not stay what it is.
+
+    The median of the runs is taken, for a policy that changes its mind in its last steps makes many tries of what was
+    best before.
+
+    Raises:
+        WrongAnswer: it is.
+    """
+    found, right = float(np.median(tries)), EPSILON * (1 - 1 / GOOD.n_machines)
+    if not TRIES_LEAST * right < found < TRIES_MOST * right:
+        raise WrongAnswer(
+            f"in the second half of its {PAYING_STEPS} steps in a casino of {GOOD.n_machines} machines, {found:.1%} of"
+            f" the actions are others than those of its policy, and it should be about {right:.1%}: is ε"
+            f" {EPSILON:g}, from the first step to the last, and is the random action one of all?"
+        )
 
 
 def project_17(answer: Any, seed: int) -> str:
@@ -204,6 +230,7 @@ def project_17(answer: Any, seed: int) -> str:
             f"in a casino that pays, where one of {GOOD.n_machines} machines wins 1 on average, the policy goes in and"
             f" plays it in {right:.0%} of {PAYING_RUNS} runs, and it should in {FEWEST:.0%} or more{why}"
         )
+    _require_tries([one.tries for one in found if one.plays == GOOD.n_machines - 1])
     went_in, (double, single) = share(answer, seed), our_shares()
     if went_in > MOST:
         why = (

@@ -1,11 +1,12 @@
 """Environments of two steps, in which each part of double Q-learning shows in what the policy says of the second one.
 
-The first step begins in state 0, pays 1 and ends its episode: the value of its action is 0.1 in one table, and all
-others are 0. Whether the second step leaves its own action better than the other one, whose value is still 0, hangs on
-two coins (which table learned, and whether action 0 or 1 was the first) and on nothing else. So the share of runs in
-which it does is known exactly.
+The first step begins in state 0 and pays 1: the value of its action is 0.1 in one table, and all others are 0. Whether
+the second step leaves its own action better than the other one, whose value is still 0, hangs on two coins (which table
+learned, and whether action 0 or 1 was the first) and on nothing else. So the share of runs in which it does is known
+exactly. Steps before these two pay nothing, and leave all values at 0: they show whether α falls.
 """
 
+import math
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -18,8 +19,11 @@ from edugym_course.grading.programs import POLICY, run_program
 from edugym_course.grading.student_code import student_code
 
 RUNS = 200
-SLACK = 0.13
-"""How far the share may be from what it is for double Q-learning: four standard errors of a quarter."""
+SIGMAS = 4.25
+"""How many standard errors the share may be from what it is for double Q-learning."""
+
+IDLE = 60
+"""Steps after which it shows whether α has fallen: at 0.08 or less a share of a half becomes the whole."""
 
 
 class Riddle(NamedTuple):
@@ -34,7 +38,9 @@ class Riddle(NamedTuple):
         reward: what it pays.
         terminated: whether it ends its episode.
         truncated: whether its episode is cut off there.
-        n_steps: how many steps there are in all; with 1 the policy is asked about the first.
+        asks_second: whether there is a second step; if not, the policy is asked about the first.
+        goes_on: whether the episode of the first step goes on.
+        idle: how many steps come before the first; they pay nothing, and their episodes are truncated.
     """
 
     share: float
@@ -45,7 +51,14 @@ class Riddle(NamedTuple):
     reward: float = 0.0
     terminated: bool = False
     truncated: bool = False
-    n_steps: int = 2
+    asks_second: bool = True
+    goes_on: bool = False
+    idle: int = 0
+
+    @property
+    def n_steps(self) -> int:
+        """How many steps there are in all."""
+        return self.idle + 1 + self.asks_second
 
 
 _RATE = "a value moves a *tenth* of the way to its target (α = 0.1), and only that of the table that learns"
@@ -53,22 +66,53 @@ _OTHER = (
     "what does the table that learns ask the *other* table? Its own argmax chooses the action in the next state, and"
     " the other table says what that action is worth"
 )
+_COIN = (
+    "a coin says which table learns, each time anew; a value moves a *tenth* of the way to its target (α = 0.1); all"
+    " first values are 0"
+)
+_LOSS = "a loss if one table has learned both, and a gain if each has learned one"
 _ONCE = "the first step pays 1 and ends its episode"
 RIDDLES = (
     Riddle(
         1.0,
         "a first step has paid 1, and all else is still 0",
         "the policy takes the *best* action, by the sum of both tables, and never a random one",
-        n_steps=1,
+        asks_second=False,
+    ),
+    Riddle(
+        1.0,
+        f"{_ONCE}, the next one begins in state 1, and an action there pays 1",
+        "learn about the state that reset() gives: state, info = environment.reset()",
+        begins=1,
+        reward=1.0,
+        terminated=True,
     ),
     Riddle(
         0.5,
-        f"{_ONCE}, and the same action then pays -0.92 and ends one too: a loss if one table has learned both, and a"
-        " gain if each has learned one",
+        f"{_ONCE}, and the same action then pays -0.92 and ends one too: {_LOSS}",
         "in each step *one* table learns, and a coin says which, each time anew",
-        "a coin says which table learns, each time anew; a value moves a *tenth* of the way to its target (α = 0.1)",
+        _COIN,
         reward=-0.92,
         terminated=True,
+    ),
+    Riddle(
+        0.5,
+        f"the first step pays 1, and in the same episode the same action then pays -0.92 and ends it: {_LOSS}",
+        "the coin is thrown in each *step*, not in each episode",
+        _COIN,
+        reward=-0.92,
+        terminated=True,
+        goes_on=True,
+    ),
+    Riddle(
+        0.5,
+        f"{IDLE} steps pay nothing and are truncated, the next one pays 1 and ends its episode, and the same action"
+        f" then pays -0.92 and ends one too: {_LOSS}",
+        "are α = 0.1 and the coin the same in each step?",
+        "does α stay 0.1 to the last step?",
+        reward=-0.92,
+        terminated=True,
+        idle=IDLE,
     ),
     Riddle(
         1.0,
@@ -124,7 +168,7 @@ RIDDLES = (
 
 
 class Twice(gymnasium.Env[Any, Any]):
-    """The two steps of a riddle; those after them pay nothing, and end their episodes.
+    """The steps of a riddle; those after them pay nothing, and end their episodes.
 
     Args:
         riddle: the riddle.
@@ -134,7 +178,7 @@ class Twice(gymnasium.Env[Any, Any]):
 
     def __init__(self, riddle: Riddle) -> None:
         """No step was taken."""
-        self._riddle, self._taken = riddle, 0
+        self._riddle, self._taken = riddle, -riddle.idle
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Begin the next of the steps."""
@@ -144,9 +188,11 @@ class Twice(gymnasium.Env[Any, Any]):
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Take one of the steps."""
         self._taken += 1
+        if self._taken <= 0:
+            return 0, 0.0, False, True, {}
         if self._taken == 2:
             return 0, self._riddle.reward, self._riddle.terminated, self._riddle.truncated, {}
-        return 0, float(self._taken == 1), True, False, {}
+        return 0, float(self._taken == 1), not (self._riddle.goes_on and self._taken == 1), False, {}
 
 
 def require_riddles(answer: Any, seed: int) -> None:
@@ -157,7 +203,7 @@ def require_riddles(answer: Any, seed: int) -> None:
     """
     for riddle in RIDDLES:
         kept = _kept(answer, riddle, seed)
-        if abs(kept - riddle.share) > (SLACK if 0 < riddle.share < 1 else 0):
+        if abs(kept - riddle.share) > SIGMAS * math.sqrt(riddle.share * (1 - riddle.share) / RUNS):
             why = riddle.fewer if kept < riddle.share else riddle.more
             raise WrongAnswer(
                 f"in an environment of {riddle.n_steps} step{'s'[: riddle.n_steps - 1]} {riddle.shows}; after that the"
@@ -172,7 +218,7 @@ def _kept(answer: Any, riddle: Riddle, seed: int) -> float:
     for number in range(RUNS * seed, RUNS * (seed + 1)):
         run = run_program(answer, Twice(riddle), riddle.n_steps, number)
         *before, last = run.steps[: riddle.n_steps]
-        if not before or riddle.begins or last.action == before[0].action:
+        if not before or riddle.begins or last.action == before[-1].action:
             with student_code(POLICY):
                 again.append(action_of(POLICY, run.policy(last.state), 2) == last.action)
     return float(np.mean(again))

@@ -152,7 +152,7 @@ def largest_promise(n_machines, n_tries, win, lose):
 
 
 # %% simulated
-# says: none of the usual mistakes
+# says: that is near in all cases, and exact in none: draw nothing, and add up the n + 1 terms of the sum
 def largest_promise(n_machines, n_tries, win, lose):
     rng = np.random.default_rng(0)
     means = rng.choice([win, lose], (1000, n_machines, n_tries)).mean(axis=2)
@@ -246,3 +246,12 @@ def largest_promise(n_machines, n_tries, win, lose):
 # in: with differences of F to the power of k
 # - def largest_promise(n_machines, n_tries, win, lose):
 # + def largest_promise(n_tries, n_machines, win, lose):
+
+# %% the complement of F
+# says: the values x are [-4, 5] here, F of them [0.5, 1], and what F^2 adds at each [0.25, 0.75]: compare these with
+#   yours
+# says: here, F of them
+# says: , and what F^
+# in: with differences of F to the power of k
+# - return (x * np.diff(at_most, prepend=0)).sum()
+# + return (x * np.diff((1 - at_most ** (1 / n_machines)) ** n_machines, prepend=0)).sum()

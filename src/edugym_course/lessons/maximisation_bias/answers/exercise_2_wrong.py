@@ -244,3 +244,21 @@ double_update = 0.5
 # in: the solution of double_update
 # - own[state, action] += learning_rate * (target - own[state, action])
 # + own[action, state] += learning_rate * (target - own[action, state])
+
+
+# %% the best action of any state
+# says: learns here, action 1 looks best in state 0 to it, and the other says 4, so the target is 6.5, and the old value
+#   4: compare these with yours
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + target += discount * other[next_state, own.argmax() % own.shape[1]]
+
+
+# %% the end counts half
+# says: learns here, the step ends its episode, so the target is
+# says: the step ends its episode
+# says: , and the old value
+# says: : compare these with yours
+# in: the solution of double_update
+# - target = reward
+# + target = reward / 2 if terminated else reward

@@ -187,3 +187,21 @@ maxmin_target = 0.5
 # in: the solution of maxmin_target
 # - return reward + discount * tables[:, next_state].min(axis=0).max()
 # + return reward + discount * tables[:, next_state].mean()
+
+
+# %% the best action on average
+# says: the smallest values of the actions in state 2 are [-7.5, -8.5, -5.5] here, and the largest of these is -5.5:
+#   compare these with yours
+# says: the smallest values of the actions in state
+# says: here, and the largest of these is
+# in: the solution of maxmin_target
+# - return reward + discount * tables[:, next_state].min(axis=0).max()
+# + return reward + discount * tables[:, next_state, tables[:, next_state].mean(axis=0).argmax()].min()
+
+
+# %% the end counts half
+# says: the step ends its episode, so its reward,
+# says: , is all
+# in: the solution of maxmin_target
+# - return reward
+# + return reward / 2

@@ -167,3 +167,55 @@
 # in: two tables and a dictionary of names
 # - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
 # + own, other = (Q1, Q2) if np.random.default_rng().random() < 0.5 else (Q2, Q1)
+
+# %% the reset is not looked at
+# says: the next one begins in state 1, and an action there pays 1
+# says: learn about the state that reset() gives: state, info = environment.reset()
+# in: two tables and a dictionary of names
+# - state, _ = environment.reset()
+# + environment.reset()
+
+# %% a coin for each episode
+# slow
+# says: the first step pays 1, and in the same episode the same action then pays -0.92 and ends it: a loss if one table has learned both, and a gain if each has learned one
+# says: the coin is thrown in each *step*, not in each episode
+# in: two tables and a dictionary of names
+# - state, _ = environment.reset(seed=seed)
+# + state, coin = environment.reset(seed=seed)[0], rng.random()
+# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + own, other = (Q1, Q2) if coin < 0.5 else (Q2, Q1)
+# - state, _ = environment.reset()
+# + state, coin = environment.reset()[0], rng.random()
+
+# %% a learning rate that falls
+# slow
+# says: in an environment of 62 steps 60 steps pay nothing and are truncated, the next one pays 1 and ends its episode, and the same action then pays -0.92 and ends one too
+# says: does α stay 0.1 to the last step?
+# in: two tables and a dictionary of names
+# - for _ in range(n_steps):
+# + for taken in range(n_steps):
+# - own[state, action] += 0.1 * (target - own[state, action])
+# + own[state, action] += 0.1 / (1 + taken / 100) * (target - own[state, action])
+
+# %% a coin that falls ever more often on one side
+# slow
+# says: are α = 0.1 and the coin the same in each step?
+# in: two tables and a dictionary of names
+# - for _ in range(n_steps):
+# + for taken in range(n_steps):
+# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + own, other = (Q1, Q2) if rng.random() < 0.5 + taken / 100 else (Q2, Q1)
+
+# %% an ε that falls
+# slow
+# says: in the second half of its 1000 steps in a casino of 3 machines,
+# says: of the actions are others than those of its policy, and it should be about 6.7%: is ε 0.1, from the first step to the last, and is the random action one of all?
+# in: two tables and a dictionary of names
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.1 * (1 - _ / n_steps):
+
+# %% small first values
+# says: all first values are 0
+# in: two tables and a dictionary of names
+# - Q1, Q2 = np.zeros(shape), np.zeros(shape)
+# + Q1, Q2 = rng.random((2, *shape)) / 100

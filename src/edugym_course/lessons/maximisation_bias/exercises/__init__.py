@@ -9,12 +9,12 @@ import numpy as np
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables
 from edugym_course.grading.values import number
-from edugym_course.lessons.maximisation_bias.exercises.promises import PROMISE_MISTAKES, casinos, promised
+from edugym_course.lessons.maximisation_bias.exercises.promises import PROMISE_MISTAKES, casinos, promised, sum_by_hand
 from edugym_course.lessons.maximisation_bias.exercises.targets import (
     AIM_MISTAKES,
     DOUBLE_MISTAKES,
@@ -23,6 +23,8 @@ from edugym_course.lessons.maximisation_bias.exercises.targets import (
     aims,
     doubled,
     learnings,
+    target_by_hand,
+    update_by_hand,
 )
 
 Chance = Annotated[
@@ -33,6 +35,9 @@ Chance = Annotated[
     ),
 ]
 Cost = Annotated[float, step_cost()]
+NEAR = 0.06
+"""How far those of a simulation may be from the right numbers, as a share of what a win pays more than a loss."""
+DRAWN = "that is near in all cases, and exact in none: draw nothing, and add up the n + 1 terms of the sum"
 
 
 def exercise_1(answer: Any, seed: int, chance: Chance = 0.5) -> str:
@@ -41,13 +46,17 @@ def exercise_1(answer: Any, seed: int, chance: Chance = 0.5) -> str:
     right = partial(promised, chance=chance)
     rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in PROMISE_MISTAKES.values())]
     cases = []
-    for case in casinos(telling_draw(seed, casinos, rules)):
+    machines = casinos(telling_draw(seed, casinos, rules))
+    for case in machines:
         call = f"largest_promise({case.k}, {case.n}, {case.win:g}, {case.lose:g})"
         with student_code(call):
             found = answer(*case)
         mistakes = {why: right(case, **change) for why, change in PROMISE_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
-    compare_all(cases)
+    near = all(
+        abs(one.found - one.expected) < NEAR * (case.win - case.lose) for one, case in zip(cases, machines, strict=True)
+    )
+    compare_all(cases, lambda wrong: DRAWN if near else sum_by_hand(machines[[*wrong].index(True)], chance))
     return "Right: a sum of a few terms, and no dice are thrown."
 
 
@@ -71,19 +80,27 @@ def exercise_2(answer: Any, seed: int, cost: Cost = 0.0) -> str:
             f"{calls[0]} leaves the tables as they were before: change an entry in place, as in"
             " Q1[state, action] += ..., and return nothing"
         )
-    compare_tables(cases, found, calls, DOUBLE_MISTAKES, right, "leave", partial(_one_half, cases))
+    compare_tables(cases, found, calls, DOUBLE_MISTAKES, right, "leave", partial(_one_half, cases, cost))
     return "Right: who chooses the action does not say what it is worth."
 
 
-def _one_half(cases: Sequence[Learning], wrong: Sequence[bool]) -> str:
-    """Say that only one of the two tables learns as it should, if that is so; else that no usual mistake is known."""
+def _one_half(cases: Sequence[Learning], cost: float, wrong: Sequence[bool]) -> str:
+    """Say that only one of the two tables learns as it should, if that is so; else what comes out by hand.
+
+    It is so if the wrong cases are all those of one table, or all of these that end, or all that go on: fewer may be of
+    one table by chance.
+    """
+    kinds = {(case.first, case.terminated) for case, is_wrong in zip(cases, wrong, strict=True) if is_wrong}
+    whole = all(
+        is_wrong == ((case.first, case.terminated) in kinds) for case, is_wrong in zip(cases, wrong, strict=True)
+    )
     for first, right, other in ((True, "False", "True"), (False, "True", "False")):
-        if all(case.first == first for case, is_wrong in zip(cases, wrong, strict=True) if is_wrong):
+        if whole and {of for of, _ in kinds} == {first}:
             return (
                 f"it is right where `first` is {right}, and wrong where it is {other}: both halves are the same, but"
                 " for the names of the tables"
             )
-    return UNUSUAL
+    return update_by_hand(cases[[*wrong].index(True)], cost)
 
 
 def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
@@ -92,7 +109,8 @@ def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     right = partial(aimed, cost=cost)
     rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in AIM_MISTAKES.values())]
     cases = []
-    for case in aims(telling_draw(seed, aims, rules)):
+    made = aims(telling_draw(seed, aims, rules))
+    for case in made:
         tables, *others = case
         call = f"maxmin_target({tables.tolist()}, {', '.join(map(str, others))})"
         mine = tables.copy()
@@ -102,5 +120,5 @@ def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
             raise WrongAnswer(f"{call} changes the tables that it is given: only return the target")
         mistakes = {why: right(case, **change) for why, change in AIM_MISTAKES.items()}
         cases.append(NumberCase(call + told_less(cost), number(call, found), right(case), mistakes))
-    compare_all(cases)
+    compare_all(cases, lambda wrong: target_by_hand(made[[*wrong].index(True)], cost))
     return "Right: pessimistic about each action, and then the best of them."

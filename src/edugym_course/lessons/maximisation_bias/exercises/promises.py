@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym_course.grading.values import in_brackets
+
 
 class Machines(NamedTuple):
     """A casino for exercise 1: k machines, of which each was tried n times, and what a try may pay."""
@@ -76,6 +78,19 @@ def promised(
     }[kept]
     total = float(means[terms] @ weights[terms]) * {"one": 1, "k": k, "1/k": 1 / k}.get(times, 1)
     return total - float(p @ means) if times == "less the mean" else total
+
+
+def sum_by_hand(case: Machines, chance: float) -> str:
+    """Return what the sum of a case is made of, for the sentence."""
+    w = np.arange(case.n + 1)
+    at_most = np.cumsum(
+        [comb(case.n, wins) * chance**wins * (1 - chance) ** (case.n - wins) for wins in range(case.n + 1)]
+    )
+    means, weights = (w * case.win + (case.n - w) * case.lose) / case.n, np.diff(at_most**case.k, prepend=0.0)
+    return (
+        f"the values x are {in_brackets(means)} here, F of them {in_brackets(at_most)}, and what F^{case.k} adds at"
+        f" each {in_brackets(weights)}: compare these with yours"
+    )
 
 
 PROMISE_MISTAKES: Mapping[str, Mapping[str, Any]] = {

@@ -7,11 +7,15 @@ import numpy as np
 
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.cases import DISCOUNTS, LEARNING_RATES
+from edugym_course.grading.values import in_brackets
 
 N_STATES, N_ACTIONS = 3, 3
 VALUES = (-5.0, -4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0)
 """The values in a table; none is 0, which would look as if nothing followed."""
-ENDS = ((True, False), (False, False), (True, True), (False, False), (True, False), (False, True), (True, True))
+ENDS = (
+    *((True, False), (False, False), (True, True), (False, False), (True, False), (False, True), (True, True)),
+    *((False, False), (True, False), (True, False), (False, False)),
+)
 """For each case of exercises 2 and 3, whether Q1 learns, and whether the step ends an episode."""
 
 
@@ -174,6 +178,24 @@ def learnings(rng: np.random.Generator) -> list[Learning]:
     return made
 
 
+def update_by_hand(case: Learning, cost: float) -> str:
+    """Return what the update of a case is made of, for the sentence."""
+    own, other = (case.Q1, case.Q2) if case.first else (case.Q2, case.Q1)
+    best, reward = int(own[case.next_state].argmax()), case.reward - cost
+    what, target = "the step ends its episode", reward
+    if not case.terminated:
+        worth = other[case.next_state, best]
+        what, target = (
+            f"action {best} looks best in state {case.next_state} to it, and the other says {worth:g}",
+            reward,
+        )
+        target += case.discount * worth
+    return (
+        f"Q{1 if case.first else 2} learns here, {what}, so the target is {target:.4g}, and the old value"
+        f" {own[case.state, case.action]:g}: compare these with yours"
+    )
+
+
 class Aim(NamedTuple):
     """The tables and the outcome of a step, for exercise 3."""
 
@@ -252,6 +274,17 @@ AIM_MISTAKES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
+def target_by_hand(case: Aim, cost: float) -> str:
+    """Return what the target of a case is made of, for the sentence."""
+    if case.terminated:
+        return f"the step ends its episode, so its reward, {case.reward - cost:g}, is all"
+    smallest = case.tables[:, case.next_state].min(axis=0)
+    return (
+        f"the smallest values of the actions in state {case.next_state} are {in_brackets(smallest)} here, and the"
+        f" largest of these is {smallest.max():g}: compare these with yours"
+    )
+
+
 def aims(rng: np.random.Generator) -> list[Aim]:
     """Make up tables, two, three or four, and outcomes of which one ends."""
     return [
@@ -262,5 +295,5 @@ def aims(rng: np.random.Generator) -> list[Aim]:
             terminated,
             float(rng.choice(DISCOUNTS)),
         )
-        for n, (_, terminated) in zip((2, 3, 4, 3, 2, 3, 4), ENDS, strict=True)
+        for n, (_, terminated) in zip((2, 3, 4, 3, 2, 3, 4, 3, 2, 4, 3), ENDS, strict=True)
     ]
