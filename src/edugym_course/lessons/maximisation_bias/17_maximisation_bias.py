@@ -185,7 +185,8 @@ sliders(one_setting, n_machines=[2, 5, 10, 20], noise=[0.5, 1.0, 2.0], n_tables=
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# The more machines there are, the more often Q-learning goes in, although by chance one goes in the less often: in one of $k$ episodes.
+# The more machines there are, the more often Q-learning goes in, over all 200 episodes, although by chance one goes in the less often: in
+# one of $k$ episodes.
 # With one table maxmin Q-learning is Q-learning (with other random numbers). With four it seldom goes in more often than by chance.
 # </details>
 
@@ -208,10 +209,11 @@ print(f"so going in seems to be worth {learner.Q[0, 0]:.2f}, and it went in {wen
 # %%
 Q_values = methods.values("Q-learning", 60)[:, CASINO]
 print(f"mean of the ten values: {mean_interval(Q_values.mean(axis=1))}, largest: {mean_interval(Q_values.max(axis=1))}")
+print(f"still 0: {(Q_values == 0).mean():.0%} of the values")
 
 # %% [markdown]
-# On average the ten values are a little too high, for they begin at 0, and a machine that was not tried keeps its 0. The largest is
-# much too high: it promises a gain.
+# On average the ten values are a little too high, for they begin at 0: the values of machines that were not tried, 23 % of all, are still 0, and the
+# others have not yet come down all the way. The largest is much too high: it promises a gain.
 
 # %% [markdown]
 # ## Predict, then check
@@ -227,7 +229,11 @@ quiet
 
 # %%
 for name, change in (("no noise", {"noise": 0.0}), ("one machine", {"n_machines": 1})):
-    print(f"{name}: {methods.walks('Q-learning', 100, **change).share().mean():.0%}")
+    usual, fast = (
+        methods.walks("Q-learning", 100, learning_rate=alpha, **change).share().mean() for alpha in (0.1, 0.3)
+    )
+    print(f"{name}: {usual:.0%}, with a learning rate of 0.3: {fast:.0%}")
+print(f"no noise, 20 machines: {methods.walks('Q-learning', 100, noise=0.0, n_machines=20).share().mean():.0%}")
 quiet.measured(100 * methods.walks("Q-learning", 100, noise=0.0).share().mean())
 
 # %% [markdown]
@@ -235,8 +241,8 @@ quiet.measured(100 * methods.walks("Q-learning", 100, noise=0.0).share().mean())
 #
 # **Measured.** 9 %, about what chance gives (10 %). Until all ten machines have been tried, the largest value in the casino is 0, the
 # first value of a machine that was not tried; so home and casino seem equally good. One noisy machine is not enough either: 9 %. (With one machine there are two actions, in or home. So by chance one goes in
-# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) It takes noise *and* a choice. With a learning rate of 0.3 it came out the same for both, no noise
-# and one machine; so did it without noise for 20 machines.
+# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) It takes noise *and* a choice. A learning rate of 0.3 makes little of a difference: 9 % without noise, 8 % with one
+# machine. With 20 machines and no noise it is 5 %, again what chance gives.
 # </details>
 
 # %% [markdown]
@@ -258,14 +264,15 @@ for advantage in (0.0, 0.3):
     other = expected_choice(machines_now, 5)
     simulated = mean_interval(methods.tried(5, advantage=advantage, repetitions=10_000, seed=1).second_opinion)
     print(f"truth {truth:5.2f}: largest mean {first:.2f}, second opinion {other:.3f}, 10 000 draws: {simulated}")
+print(f"the machine that wins was chosen with a probability of {(other + 0.1) / 0.3:.0%}")
 second.measured(second.options[0 if other > truth + 0.02 else 2 if other < truth - 0.02 else 1])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Below 0.2: it is −0.04. The second opinion is right about the machine *that was chosen*. But after five tries the chosen machine is often not the best one, and
-# every other machine is worth less. So this estimator is not without bias: it has none where all machines are equal, and else
-# its bias is downward. Double Q-learning asks for such a second opinion in each update. The exact sum needs no simulation here either
+# **Measured.** Below 0.2: it is −0.04. The second opinion is right about the machine *that was chosen*. But after five tries only 20 % of the choices are the best machine, and
+# every other machine is worth less. So this estimator is not without bias. It is never too high on average: it has no bias where all machines are equal, and a
+# downward one where a worse machine may be chosen. Double Q-learning asks for such a second opinion in each update. The exact sum needs no simulation here either
 # (`expected_choice`).
 # </details>
 
@@ -303,8 +310,8 @@ poorest.measured(least if income[least] < max(income.values()) - 0.05 else poore
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Maxmin Q-learning, N = 8, by far: it earns 0.03, where Q-learning earns 0.76. Double Q-learning and maxmin Q-learning with two tables earn less than Q-learning in the first 300 episodes.
-# The smallest of eight noisy values is below 0 in 83 % of the runs, even for the machine that wins, and the agent stays outside. Without noise it earns as much as the others. And whoever stays
-# outside gets few tries that could correct the value: if its actions are random instead, 74 % of the runs learn in 600 episodes that going in is best, and else hardly any. So pessimism is
+# The smallest of eight noisy values is below 0 in 83 % of the runs, even for the machine that wins, and the agent stays outside. Without noise it earns 0.77, nearly the most there is (0.78). And whoever
+# stays outside gets few tries that could correct the value: with random actions 74 % of the runs learn in 600 episodes that going in is best, and with its own 0 %. So pessimism is
 # not free. Who thinks too much of a place goes there, and sees. Who thinks too little of it stays away.
 # </details>
 
@@ -316,10 +323,14 @@ print("tries   " + "".join(f"N = {n_tables:<6}" for n_tables in (1, 2, 4, 8)))
 for n_tries in (1, 5, 20, 100):
     promised = [expected_maximum(machines, n_tries, n_tables=n_tables) for n_tables in (1, 2, 4, 8)]
     print(f"{n_tries:5}   " + "".join(f"{value:<10.2f}" for value in promised))
+for n_machines in (2, 5, 10, 20):
+    payoffs = make_mdp("Casino", n_machines=n_machines).payoffs
+    bias = [abs(expected_maximum(payoffs, 5, n_tables=n_tables) + 0.1) for n_tables in range(1, 9)]
+    print(f"{n_machines} machines, 5 tries: least bias with N = {1 + np.argmin(bias)}")
 
 # %% [markdown]
-# The truth is −0.10 everywhere. One table promises too much, and eight promise too little. With four the bias is nearly gone, *for ten equal machines*: for other numbers of
-# machines, other numbers of tables would be right.
+# The truth is −0.10 everywhere. One table promises too much, and eight promise too little. With four the bias is nearly gone, *for ten equal machines*. For two
+# machines two tables would be best, for twenty five.
 
 # %% [markdown]
 # ## Exercises
@@ -474,7 +485,7 @@ check(project_17, my_program)
 # - Ten machines that lose 0.1 each promise 0.56 after five tries of each: the largest of several estimates is too high, though each one is right on average.
 # - The bias is a finite sum, and simulation agrees with it. It grows with the number of machines, and gets smaller with the number of tries.
 # - Q-learning entered the casino in 71 % of episodes 31 to 100, expected SARSA in 46 %, double Q-learning in 9 %. Without noise, or with one machine, Q-learning did so in 9 %.
-# - A second opinion has no bias where all actions are equal. Where they differ its bias is downward: −0.04 where the truth was 0.2.
+# - A second opinion has no bias where all actions are equal. Where a worse one may be chosen its bias is downward: −0.04 where the truth was 0.2.
 # - Maxmin Q-learning sets the balance by its number of tables. With eight it stayed outside a casino that pays.
 #
 # ### In one paragraph
