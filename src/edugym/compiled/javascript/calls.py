@@ -267,7 +267,7 @@ def _of_all(writer: Iterations, node: ast.Call, called: Any) -> Code:
     if called is len:
         value = writer.visit(argument)
         if isinstance(value.kind, Array):
-            return Code(f"{value.text}.shape[0]", INT)
+            return Code(f"{value.text}.length", INT)
         if isinstance(value.kind, List):
             return Code(f"{value.text}.length", INT)
         if isinstance(value.kind, Tuple):

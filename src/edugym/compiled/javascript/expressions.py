@@ -218,8 +218,10 @@ class Expressions(Iterations):
                 left -= 1
         if len(indices) > kind.ndim:
             raise self.refused(indices[-1], "it has more indices than the array has dimensions")
-        method = "row" if len(indices) == 1 and left < kind.ndim else "part"
-        return Code(f"{owner.text}.{method}({','.join(texts)})", Array(kind.of, left, kind.frozen))
+        picked = Array(kind.of, left, kind.frozen)
+        if len(indices) == 1 and left < kind.ndim:
+            return Code(f"{owner.text}.row({texts[0]})", picked, row=f"{owner.text},{texts[0]}")
+        return Code(f"{owner.text}.part({','.join(texts)})", picked)
 
 
 def _literal(node: ast.expr) -> int | None:

@@ -58,7 +58,7 @@ class Iterations(Operations):
         elif isinstance(kind, Array):
             of = kind.of if kind.ndim == 1 else Array(kind.of, kind.ndim - 1, kind.frozen)
             get = f"{held}.at1({k})" if kind.ndim == 1 else f"{held}.part({k})"
-            value, text, size = Code(get, of), code.text, f"{held}.shape[0]"
+            value, text, size = Code(get, of), code.text, f"{held}.length"
         elif kind == NEVER:
             value, text, size = Code(f"{held}[{k}]", NEVER), f"({code.text},[])", f"{held}.length"
         else:

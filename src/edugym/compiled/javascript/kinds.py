@@ -92,10 +92,14 @@ class Code(NamedTuple):
     Attributes:
         text: the expression; it is evaluated once, wherever it stands.
         kind: of its value.
+        row: for a row of a table, the table and the row's number; a call that makes a number of it needs no array.
+        pairs: for a comparison of arrays, the arguments that `paired` compares; likewise.
     """
 
     text: str
     kind: Kind
+    row: str | None = None
+    pairs: str | None = None
 
 
 def kind_of(value: Any, name: str) -> Kind:

@@ -34,6 +34,7 @@ class Constants:
         arrays: the arrays that the program reaches by a name, and only reads; JavaScript calls them g0, g1, ...
         tuples: the JavaScript that makes the constant tuples c0, c1, ...
         classes: the name and the number of fields of each class of tuples, by the `skeleton` of its kinds.
+        operations: the functions o0, o1, ... of two elements of arrays.
     """
 
     def __init__(self) -> None:
@@ -41,6 +42,7 @@ class Constants:
         self.arrays: list[Any] = []
         self.tuples: list[str] = []
         self.classes: dict[Any, tuple[str, int]] = {}
+        self.operations: list[str] = []
         self._kept: dict[int, tuple[Any, Code]] = {}  # with the value itself, so that no other gets its id
 
     def code(self, value: Any, name: str) -> Code:
@@ -90,6 +92,12 @@ class Constants:
         if bones not in self.classes:
             self.classes[bones] = (f"T{len(self.classes)}", len(kind.parts))
         return self.classes[bones][0]
+
+    def operation(self, text: str) -> str:
+        """Returns the name of the JavaScript function for this one, which is then made once and not at every use."""
+        if text not in self.operations:
+            self.operations.append(text)
+        return f"o{self.operations.index(text)}"
 
 
 class Known(ABC):

@@ -90,14 +90,13 @@ def of_math(writer: Operations, node: ast.AST, name: str, given: Given) -> Code:
     return Code(text.format(*texts), kind)
 
 
-REDUCED = {"max": "largest", "min": "smallest"}
-PLACES = {"argmax": "placeOfLargest", "argmin": "placeOfSmallest"}
+EXTREMES = {"max": "largest", "min": "smallest", "argmax": "placeOfLargest", "argmin": "placeOfSmallest"}
 
 
 def _array(writer: Operations, node: ast.AST, code: Code) -> Code:
     """Writes what NumPy makes of an array, a list or a tuple."""
     kind = writer.spread_kind(node, code.kind)
-    return Code(writer.spreadable(node, code), kind)
+    return code._replace(text=writer.spreadable(node, code), kind=kind)
 
 
 def of_array(writer: Operations, node: ast.AST, array: Code, name: str, given: Given, named: Named) -> Code | None:
@@ -118,10 +117,9 @@ def of_array(writer: Operations, node: ast.AST, array: Code, name: str, given: G
 def _reduced(array: Code, name: str) -> Code | None:
     """Writes a call that makes one number of a whole array; None if there is no translation."""
     kind: Any = array.kind
-    if name in PLACES and kind.of != BOOL:
-        return Code(f"{PLACES[name]}({array.text})", INT)
-    if name in REDUCED and kind.of != BOOL:
-        return Code(f"{REDUCED[name]}({array.text})", kind.of)
+    if name in EXTREMES and kind.of != BOOL:
+        function, of = EXTREMES[name], INT if name.startswith("arg") else kind.of
+        return Code(f"{function}At({array.row})" if array.row else f"{function}({array.text})", of)
     if name == "sum":
         of_all = {FLOAT: "sumOfReals({})", INT: "sumOfWholes({}.flat())", BOOL: "countOf({}.flat())"}[kind.of]
         return Code(of_all.format(array.text), INT if kind.of == BOOL else kind.of)
@@ -173,7 +171,8 @@ def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: 
     if name == "sqrt" and array.kind.of == FLOAT:
         return Code(f"mapped(Real,root,{array.text})", Array(FLOAT, array.kind.ndim))
     if name == "flatnonzero":
-        return Code(f"whereNotZero({array.text})", Array(INT, 1))
+        where = f"wherePaired({array.pairs})" if array.pairs else f"whereNotZero({array.text})"
+        return Code(where, Array(INT, 1))
     if name == "count_nonzero":
         return Code(f"countOf({array.text}.flat())", INT)
     if name in ("zeros_like", "ones_like"):
@@ -287,7 +286,7 @@ def _choice(writer: Operations, node: ast.AST, rng: str, told: Named) -> Code | 
         text = _array(writer, node, values).text
     else:
         text, kind = values.text, INT
-    size = held if number else f"{held}.shape[0]"
+    size = held if number else f"{held}.length"
     if p is None:
         drawn = f"bounded({rng},0,{size})"
     else:

@@ -163,11 +163,17 @@ class Operations(Base):
             )
         if operation is ast.Pow and elements[0] == FLOAT and right.text == "2":
             return Code(f"mapped(Real,x=>x*x,{left.text})", Array(FLOAT, ndim))
+        held = len(self.temporary)
         one = self.operation(node, operation, Code("x", elements[0]), Code("y", elements[1]))
         if str(one.kind) not in ARRAYS:
             raise self.refused(node, f"it computes with {described(one.kind)}")
-        text = f"paired({ARRAYS[str(one.kind)]},(x,y)=>{one.text},{left.text},{right.text})"
+        text = f"paired({ARRAYS[str(one.kind)]},{self._named(one, held)},{left.text},{right.text})"
         return Code(text, Array(str(one.kind), ndim))
+
+    def _named(self, one: Code, held: int) -> str:
+        """Names a function of x and y; one that uses new variables, of which there were `held`, stays where it is."""
+        text = f"(x,y)=>{one.text}"
+        return text if len(self.temporary) > held else self.known.constants.operation(text)
 
     def spread_kind(self, node: ast.AST, kind: Kind) -> Kind:
         """Returns the kind of the array that `spreadable` makes."""
@@ -206,8 +212,10 @@ class Operations(Base):
         if any(isinstance(kind, Array) for kind in kinds):
             ndim = max(kind.ndim for kind in kinds if isinstance(kind, Array))
             elements = [kind.of if isinstance(kind, Array) else kind for kind in kinds]
+            held = len(self.temporary)
             one = self.compared(node, sign, Code("x", elements[0]), Code("y", elements[1]))
-            return Code(f"paired(Flags,(x,y)=>{one.text},{left.text},{right.text})", Array(BOOL, ndim))
+            pairs = f"{self._named(one, held)},{left.text},{right.text}"
+            return Code(f"paired(Flags,{pairs})", Array(BOOL, ndim), pairs=pairs)
         plain = {BOOL} | NUMBERS
         if all(kind in plain for kind in kinds):
             texts = [

@@ -203,6 +203,7 @@ class Program(Known):
                 *classes,
                 f"let {','.join(['numbers', 'at_number', 'heap', *names])}",
                 "const next=()=>numbers[at_number++]",
+                *(f"const o{k}={text}" for k, text in enumerate(known.operations)),
                 *self._texts,
                 f"function loop{main}",
                 "return told=>{",
@@ -221,10 +222,12 @@ class Program(Known):
             return f"new {self.constants.tuple_class(kind)}({','.join(map(self._made, kind.parts))})"
         if isinstance(kind, Array):
             axes = "[" + ",".join(["small(next())"] * kind.ndim) + "]"
-            return f"new {ARRAYS[kind.of]}(heap.{HEAPS[kind.of]},small(next()),{axes},{axes})"
+            return f"{ARRAYS[kind.of]}.of(heap.{HEAPS[kind.of]},small(next()),{axes},{axes})"
         if kind == BOOL:
             return "next()!==0"
-        return "next()" if kind in (INT, FLOAT, RNG) else "null"
+        if kind in (INT, RNG):
+            return "integer(next())"
+        return "next()" if kind == FLOAT else "null"
 
     def result_of(self, numbers: Iterator[float]) -> Any:
         """Returns what the loop returns, made of its numbers."""

@@ -5,14 +5,19 @@ class Doubt extends Error {}
 const doubt = why => { throw new Doubt(why) }
 const MOST = Number.MAX_SAFE_INTEGER
 
-// Whole numbers. They are exact up to 53 bits.
+// Whole numbers. They are exact up to 53 bits. Most have 32, and V8 divides these much faster.
 const whole = x => x >= -MOST && x <= MOST ? x : doubt('a whole number of more than 53 bits')
 const quotient = (a, b) => {
+  if (b > 0 && (a | 0) === a && (b | 0) === b) return Math.floor(a / b) + 0
   if (b === 0) doubt('division by zero')
   const rest = whole(a) % whole(b), exact = (a - rest) / b
   return (rest !== 0 && rest < 0 !== b < 0 ? exact - 1 : exact) + 0
 }
 const remainder = (a, b) => {
+  if (b > 0 && (a | 0) === a && (b | 0) === b) {
+    const rest = (a | 0) % (b | 0)
+    return (rest < 0 ? rest + b : rest) + 0
+  }
   if (b === 0) doubt('modulo by zero')
   const rest = whole(a) % whole(b)
   return (rest !== 0 && rest < 0 !== b < 0 ? rest + b : rest) + 0
@@ -36,7 +41,8 @@ const power = (base, exponent) => {
 }
 const shifted = (a, n) => n < 0 ? doubt('a negative shift') : a === 0 ? 0 : whole(a * power(2, n))
 const shiftedBack = (a, n) => n < 0 ? doubt('a negative shift') : n > 53 ? (a < 0 ? -1 : 0) : Math.floor(whole(a) / power(2, n))
-const small = x => (x | 0) === x ? x : doubt('more than 32 bits')
+const integer = x => (x | 0) === x ? x | 0 : x // as V8 knows it: a number of an array of reals is real to it
+const small = x => (x | 0) === x ? x | 0 : doubt('more than 32 bits')
 const both = (a, b) => small(a) & small(b), either = (a, b) => small(a) | small(b), one = (a, b) => small(a) ^ small(b)
 
 // Real numbers.
@@ -74,38 +80,41 @@ const larger = (a, b) => b > a ? b : a
 const smaller = (a, b) => b < a ? b : a
 const clipped = (x, low, high) => x !== x ? x : low !== low ? low : high !== high ? high : smaller(larger(x, low), high)
 
-// Arrays: `data` from `offset`, with `strides` in elements. Whole numbers of 64 bits are two of 32.
+// Arrays: `data` from `offset`, with `strides` in elements. Whole numbers of 64 bits are two of 32. An array of one axis
+// has `length` and `stride` alone, so that a row of a table costs one small object.
 const out = (i, n) => doubt(`index ${i} is out of bounds for size ${n}`)
 const at = (i, n) => i >= 0 && i < n ? i : i < 0 && i >= -n ? i + n : out(i, n)
 const views = buffer => ({ reals: new Float64Array(buffer), halves: new Int32Array(buffer), bytes: new Uint8Array(buffer) })
 const steps = shape => shape.map((_, axis) => shape.slice(axis + 1).reduce((a, b) => a * b, 1))
 class Strided {
-  constructor(data, offset, shape, strides) {
+  constructor(data, offset, length, stride, axes, apart) {
     this.data = data
     this.offset = offset
-    this.shape = shape
-    this.strides = strides
-    this.length = shape[0]
-    this.stride = strides[0]
-    this.columns = shape.length > 1 ? shape[1] : 0
-    this.next = shape.length > 1 ? strides[1] : 0
-    this.rowShape = undefined
-    this.rowStrides = undefined
+    this.length = length
+    this.stride = stride
+    this.axes = axes
+    this.apart = apart
   }
-  get size() { return this.shape.reduce((a, b) => a * b, 1) }
+  static of(data, offset, shape, strides) {
+    const line = shape.length === 1
+    return new this(data, offset, shape[0], strides[0], line ? null : shape, line ? null : strides)
+  }
+  get shape() { return this.axes ?? [this.length] }
+  get strides() { return this.apart ?? [this.stride] }
+  get size() { return this.axes === null ? this.length : this.axes.reduce((a, b) => a * b, 1) }
+  row(i) {
+    if (this.axes.length !== 2) return this.part(i)
+    const offset = this.offset + at(i, this.length) * this.stride
+    return new this.constructor(this.data, offset, this.axes[1], this.apart[1], null, null)
+  }
   at3(i, j, k) { return this.part(i).at2(j, k) }
   put3(i, j, k, value) { this.part(i).put2(j, k, value) }
-  row(i) {
-    this.rowShape ??= this.shape.slice(1)
-    this.rowStrides ??= this.strides.slice(1)
-    return new this.constructor(this.data, this.offset + at(i, this.length) * this.stride, this.rowShape, this.rowStrides)
-  }
   // The part that numbers and slices [begin, end, step] pick, one for each of the first axes.
   part(...picked) {
     let { offset } = this
-    const shape = [], strides = []
+    const shape = [], strides = [], { shape: all, strides: paces } = this
     picked.forEach((one, axis) => {
-      const n = this.shape[axis], stride = this.strides[axis]
+      const n = all[axis], stride = paces[axis]
       if (typeof one === 'number') {
         offset += at(one, n) * stride
         return
@@ -119,7 +128,7 @@ class Strided {
       offset += begin * stride
     })
     const rest = picked.length
-    return new this.constructor(this.data, offset, [...shape, ...this.shape.slice(rest)], [...strides, ...this.strides.slice(rest)])
+    return this.constructor.of(this.data, offset, [...shape, ...all.slice(rest)], [...strides, ...paces.slice(rest)])
   }
   // Its elements in order.
   *places(axis = 0, offset = this.offset) {
@@ -128,7 +137,7 @@ class Strided {
   }
   flat() {
     const list = []
-    if (this.shape.length === 1) for (let i = 0; i < this.shape[0]; i++) list.push(this.get(this.offset + i * this.strides[0]))
+    if (this.axes === null) for (let i = 0; i < this.length; i++) list.push(this.get(this.offset + i * this.stride))
     else for (const place of this.places()) list.push(this.get(place))
     return list
   }
@@ -139,41 +148,55 @@ class Strided {
 }
 // The methods of each class are written out, since V8 is quick only with those that meet one class.
 class Real extends Strided {
-  static room(n) { return new Float64Array(n) }
+  static data(n) { return new Float64Array(n) }
   get(place) { return this.data[place] }
   set(place, value) { this.data[place] = value }
   at1(i) { return this.data[this.offset + at(i, this.length) * this.stride] }
-  at2(i, j) { return this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] }
+  at2(i, j) { return this.data[this.offset + at(i, this.length) * this.stride + at(j, this.axes[1]) * this.apart[1]] }
   put1(i, value) { this.data[this.offset + at(i, this.length) * this.stride] = value }
-  put2(i, j, value) { this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] = value }
+  put2(i, j, value) { this.data[this.offset + at(i, this.length) * this.stride + at(j, this.axes[1]) * this.apart[1]] = value }
 }
-const whole64 = (halves, place) => whole(halves[2 * place + 1] * 4294967296 + (halves[2 * place] >>> 0))
+const whole64 = (halves, place) => { // most have 32 bits, and stay integers to V8
+  const low = halves[2 * place], high = halves[2 * place + 1]
+  return high === low >> 31 ? low : whole(high * 4294967296 + (low >>> 0))
+}
 const put64 = (halves, place, value) => {
   halves[2 * place] = value
-  halves[2 * place + 1] = Math.floor(value / 4294967296)
+  halves[2 * place + 1] = (value | 0) === value ? value >> 31 : Math.floor(value / 4294967296)
 }
 class Whole extends Strided {
-  static room(n) { return new Int32Array(2 * n) }
+  static data(n) { return new Int32Array(2 * n) }
   get(place) { return whole64(this.data, place) }
   set(place, value) { put64(this.data, place, value) }
   at1(i) { return whole64(this.data, this.offset + at(i, this.length) * this.stride) }
-  at2(i, j) { return whole64(this.data, this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next) }
+  at2(i, j) { return whole64(this.data, this.offset + at(i, this.length) * this.stride + at(j, this.axes[1]) * this.apart[1]) }
   put1(i, value) { put64(this.data, this.offset + at(i, this.length) * this.stride, value) }
-  put2(i, j, value) { put64(this.data, this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next, value) }
+  put2(i, j, value) { put64(this.data, this.offset + at(i, this.length) * this.stride + at(j, this.axes[1]) * this.apart[1], value) }
 }
 class Flags extends Strided {
-  static room(n) { return new Uint8Array(n) }
+  static data(n) { return new Uint8Array(n) }
   get(place) { return this.data[place] !== 0 }
   set(place, value) { this.data[place] = value }
   at1(i) { return this.data[this.offset + at(i, this.length) * this.stride] !== 0 }
-  at2(i, j) { return this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] !== 0 }
+  at2(i, j) { return this.data[this.offset + at(i, this.length) * this.stride + at(j, this.axes[1]) * this.apart[1]] !== 0 }
   put1(i, value) { this.data[this.offset + at(i, this.length) * this.stride] = value }
-  put2(i, j, value) { this.data[this.offset + at(i, this.length) * this.stride + at(j, this.columns) * this.next] = value }
+  put2(i, j, value) { this.data[this.offset + at(i, this.length) * this.stride + at(j, this.axes[1]) * this.apart[1]] = value }
+}
+// A new array of zeros. Small ones share their data, since it takes longer to make data than to fill them.
+const SHARED = 1024
+const refill = kind => kind.pool = { data: kind.data(SHARED), used: 0 }
+for (const kind of [Real, Whole, Flags]) refill(kind)
+const room = (kind, n) => {
+  const offset = kind.pool.used
+  if (offset + n > SHARED) return n > SHARED ? new kind(kind.data(n), 0, n, 1, null, null) : (refill(kind), room(kind, n))
+  kind.pool.used += n
+  return new kind(kind.pool.data, offset, n, 1, null, null)
 }
 const made = (kind, shape, values) => {
   if (shape.some(n => n < 0)) doubt('a negative dimension')
-  const size = shape.reduce((a, b) => a * b, 1), array = new kind(kind.room(size), 0, shape, steps(shape))
-  if (values) for (let k = 0; k < size; k++) array.set(k, values[k])
+  const size = shape.reduce((a, b) => a * b, 1), line = room(kind, size)
+  const array = shape.length === 1 ? line : kind.of(line.data, line.offset, shape, steps(shape))
+  if (values) for (let k = 0; k < size; k++) line.set(line.offset + k, values[k])
   return array
 }
 const filled = (kind, shape, value) => made(kind, shape, new Array(shape.reduce((a, b) => a * b, 1)).fill(value))
@@ -191,16 +214,16 @@ const spread = (a, shape) => {
   if (!(a instanceof Strided)) return new Array(shape.reduce((x, y) => x * y, 1)).fill(a)
   const extra = shape.length - a.shape.length
   const strides = shape.map((n, axis) => axis < extra || (a.shape[axis - extra] === 1 && n !== 1) ? 0 : a.strides[axis - extra])
-  return new a.constructor(a.data, a.offset, shape, strides).flat()
+  return a.constructor.of(a.data, a.offset, shape, strides).flat()
 }
 const shapeOf = a => a instanceof Strided ? a.shape : []
-const room = (kind, n) => new kind(kind.room(n), 0, [n], [1])
 const paired = (kind, operation, a, b) => {
-  if (a instanceof Strided && !(b instanceof Strided) && a.shape.length === 1) { // as in Q[state] == highest
-    const n = a.length, array = room(kind, n)
-    for (let k = 0, place = a.offset; k < n; k++, place += a.stride) array.set(k, operation(a.get(place), b))
-    return array
-  }
+  if (!(a instanceof Strided) || b instanceof Strided || a.axes !== null) return spreadPairs(kind, operation, a, b)
+  const array = room(kind, a.length) // as in Q[state] == highest
+  for (let k = 0; k < a.length; k++) array.set(array.offset + k, operation(a.get(a.offset + k * a.stride), b))
+  return array
+}
+const spreadPairs = (kind, operation, a, b) => {
   const shape = broadcast(shapeOf(a), shapeOf(b)), first = spread(a, shape), second = spread(b, shape)
   return made(kind, shape, first.map((x, k) => operation(x, second[k])))
 }
@@ -211,6 +234,7 @@ const assign = (array, value) => {
   if (shape.length !== array.shape.length || shape.some((n, k) => n !== array.shape[k])) doubt('an array of another shape')
   array.fill(spread(value, shape))
 }
+const flattened = a => made(a.constructor, [a.size], a.flat())
 const copied = (kind, a) => made(kind, [...a.shape], a.flat())
 
 // Reductions of lists of numbers.
@@ -229,8 +253,7 @@ const zeroOf = list => {
   return zeros.every(x => Object.is(x, zeros[0])) ? zeros[0] : doubt('0 and -0')
 }
 const greater = (a, b) => a > b, less = (a, b) => a < b
-const largest = a => a.shape.length === 1 && a instanceof Real ? largestOf(a) : extreme(a.flat(), greater)
-const largestOf = ({ data, offset, length, stride }) => {
+const largestOf = (data, offset, length, stride) => {
   if (!length) doubt('the largest of nothing')
   let found = data[offset]
   for (let k = 0, place = offset; k < length; k++, place += stride) {
@@ -241,6 +264,7 @@ const largestOf = ({ data, offset, length, stride }) => {
   }
   return found
 }
+const largest = a => a.axes === null && a instanceof Real ? largestOf(a.data, a.offset, a.length, a.stride) : extreme(a.flat(), greater)
 const smallest = a => extreme(a.flat(), less)
 const place = (list, better) => {
   if (!list.length) doubt('argmax of nothing')
@@ -251,8 +275,7 @@ const place = (list, better) => {
   }
   return found
 }
-const placeOfLargest = a => a.shape.length === 1 && a instanceof Real ? placeOfLargestOf(a) : place(a.flat(), greater)
-const placeOfLargestOf = ({ data, offset, length, stride }) => {
+const placeOfLargestOf = (data, offset, length, stride) => {
   if (!length) doubt('argmax of nothing')
   let best = 0, found = data[offset]
   for (let k = 0, place = offset; k < length; k++, place += stride) {
@@ -265,7 +288,13 @@ const placeOfLargestOf = ({ data, offset, length, stride }) => {
   }
   return best
 }
+const placeOfLargest = a => a.axes === null && a instanceof Real ? placeOfLargestOf(a.data, a.offset, a.length, a.stride) : place(a.flat(), greater)
 const placeOfSmallest = a => place(a.flat(), less)
+// The same of a row of a table, of which no array is made.
+const rowOf = (a, i, ofReals, ofAny) => a.axes.length === 2 && a instanceof Real
+  ? ofReals(a.data, a.offset + at(i, a.length) * a.stride, a.axes[1], a.apart[1]) : ofAny(a.row(i))
+const largestAt = (a, i) => rowOf(a, i, largestOf, largest), placeOfLargestAt = (a, i) => rowOf(a, i, placeOfLargestOf, placeOfLargest)
+const smallestAt = (a, i) => smallest(a.row(i)), placeOfSmallestAt = (a, i) => placeOfSmallest(a.row(i))
 const listExtreme = (list, better) => {
   if (!list.length) doubt('the largest of nothing')
   return list.reduce((found, x) => better(x, found) ? x : found)
@@ -312,15 +341,16 @@ const sumInDoubt = list => {
   return list.length && sum + lost === sum ? sum : doubt('a sum whose last digit is in doubt')
 }
 const holds = x => x !== 0 && x !== false // NaN does
-const whereNotZero = a => {
-  const list = a.shape.length === 1 ? null : a.flat(), n = list ? list.length : a.length
-  const at = k => list ? list[k] : a.get(a.offset + k * a.stride)
+// Where a comparison holds, as in flatnonzero(Q[state] == highest): no array of its results is made.
+const wherePaired = (operation, a, b) => {
+  if (!(a instanceof Strided) || b instanceof Strided || a.axes !== null) return whereNotZero(paired(Flags, operation, a, b))
   let count = 0
-  for (let k = 0; k < n; k++) if (holds(at(k))) count++
+  for (let k = 0; k < a.length; k++) if (operation(a.get(a.offset + k * a.stride), b)) count++
   const found = room(Whole, count)
-  for (let k = 0, next = 0; next < count; k++) if (holds(at(k))) found.set(next++, k)
+  for (let k = 0, next = found.offset; k < a.length; k++) if (operation(a.get(a.offset + k * a.stride), b)) found.set(next++, k)
   return found
 }
+const whereNotZero = a => wherePaired(holds, a.axes === null ? a : flattened(a), 0)
 const countOf = list => list.reduce((sum, x) => sum + (x ? 1 : 0), 0)
 const median = list => {
   const n = list.length, sorted = Float64Array.from(list).sort()
@@ -340,8 +370,8 @@ const putItem = (list, i, value) => { list[at(i, list.length)] = value }
 const popped = list => list.length ? list.pop() : doubt('pop from an empty list')
 const repeated = (list, n) => Array.from({ length: Math.max(0, n) * list.length }, (_, k) => list[k % list.length])
 const listSlice = (list, begin, end, step) => {
-  const view = new Real(null, 0, [list.length], [1]).part([begin, end, step])
-  return Array.from({ length: view.shape[0] }, (_, k) => list[view.offset + k * view.strides[0]])
+  const view = new Real(null, 0, list.length, 1, null, null).part([begin, end, step])
+  return Array.from({ length: view.length }, (_, k) => list[view.offset + k * view.stride])
 }
 const differsFromAll = (list, x) => list.every(y => y !== x)
 
