@@ -72,6 +72,12 @@ def test_claims() -> None:
     assert found == [100.0, 20.0, 0.0, 0.0, 0.0, 0.0, 20.0 - 0.5 * 100.0]  # what does not settle does not count
 
 
+def test_late_prices() -> None:
+    """By hand, for a limit of 7 and a rate of 0.01: 10 steps too many, then 6 too few twice, and never below 0."""
+    dives = run((90, -17), (10, -1), (10, -1), (90, -17))
+    assert methods.late_prices(dives).tolist() == pytest.approx([0.0, 0.1])
+
+
 def test_known_values() -> None:
     """Only the price begins anew: with a high one, no dive goes where the values of before do not lead."""
     known, new = (methods.lagrangian(0.0, first_price=30.0, n_steps=9_000, known=known) for known in (True, False))

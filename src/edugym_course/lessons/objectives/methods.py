@@ -159,6 +159,15 @@ def late(run: VectorRun) -> Reals:
     return run.training_returns[len(run.training_returns) // 2 :]
 
 
+def late_prices(run: VectorRun) -> Reals:
+    """Return the price of time after each dive of the second half, by dual ascent from 0 at the first dive."""
+    price, after = 0.0, []
+    for time in run.training_returns[:, 1]:
+        price = max(0.0, price + PRICE_RATE * (-time - LIMIT))
+        after.append(price)
+    return np.array(after[len(after) // 2 :])
+
+
 def settles(run: VectorRun, limit: int = LIMIT) -> bool:
     """Return whether hardly any dive of the second half takes too long."""
     return float(too_long(late(run), limit).mean()) < 0.01

@@ -5,7 +5,7 @@ deeper ones are worth more, and mostly no price of time prefers the best one. So
 it has learned.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from functools import partial
 from typing import Any
 
@@ -27,6 +27,8 @@ POOR = (1, 3, 4)
 DISCOUNTS = (0.9, 0.95, 0.99)
 MOST_MISSED = 1
 """In so many seas a program may have bad luck."""
+N_DIVES = 10
+"""So many dives of a policy have to end alike."""
 NONE = -1
 """Stands for a treasure where a dive does not end."""
 STEPS_TO = 2 * np.arange(N_COLUMNS) + 1.0
@@ -73,9 +75,8 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the best one of those nearer than seven steps, and exactly seven are allowed": lambda values: _best_of(
         values, LIMIT - 1
     ),
-    "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?": (
-        lambda values: _best_of(values, LIMIT + 2)
-    ),
+    "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a"
+    " dive that takes too long worth less than the poorest of the others?": lambda values: _best_of(values, LIMIT + 2),
     "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the"
     " value of a treasure come back to the states before it?": lambda values: 0,
     "that is always the deepest treasure within seven steps; a nearer one may be worth more": lambda values: 3,
@@ -106,6 +107,22 @@ def picked_up(policy: Any, environment: Environment, seed: int) -> int:
             return NONE
 
 
+def _always_picked_up(policy: Any, environment: Environment, seed: int) -> int:
+    """Return the treasure that a policy picks up, dive after dive; `NONE` if its dives do not end.
+
+    Raises:
+        WrongAnswer: it is not always the same one.
+    """
+    ends = {picked_up(policy, environment, seed) for _ in range(N_DIVES)}
+    if len(ends) > 1:
+        names = ", now ".join("none" if end == NONE else f"the {_ordinal(end)} treasure" for end in sorted(ends))
+        raise WrongAnswer(
+            f"{POLICY} draws its actions: from the same start it picks up now {names}. It should take the *best* action"
+            " by what was learned, and never a random one; and if there are many equal values, has it learned enough?"
+        )
+    return ends.pop()
+
+
 def project_12(answer: Any, seed: int) -> str:
     """Check a program that learns the best dive within a limit."""
     rng = np.random.default_rng([seed, 12])
@@ -114,7 +131,7 @@ def project_12(answer: Any, seed: int) -> str:
     found = []
     for number, values in enumerate(seas):
         run = run_program(answer, environment_of(values), N_STEPS, len(BEST) * seed + number)
-        found.append(picked_up(run.policy, environment_of(values), seed))
+        found.append(_always_picked_up(run.policy, environment_of(values), seed))
     missed = [i for i, best in enumerate(BEST) if found[i] != best]
     if len(missed) <= MOST_MISSED:
         _require_not_one_more(answer, sea(2, rng), seed)
@@ -122,7 +139,9 @@ def project_12(answer: Any, seed: int) -> str:
             f"Right: in {len(BEST) - len(missed)} of {len(BEST)} seas it brings home the best treasure within"
             f" {LIMIT} steps, and most of these lie where no price finds them."
         )
-    values, mine, best = seas[missed[0]], found[missed[0]], BEST[missed[0]]
+    why, fits = ("", missed) if nobody_asks_why() else _why(seas, found)
+    told_of = next(i for i in missed if i in fits)
+    values, mine, best = seas[told_of], found[told_of], BEST[told_of]
     told = f"with the treasures {', '.join(f'{value:g}' for value in values)} the policy"
     should = f"it should pick up the {_ordinal(best)} one, worth {values[best]:g}"
     if mine == NONE:
@@ -130,8 +149,9 @@ def project_12(answer: Any, seed: int) -> str:
             f"{told} comes to no treasure, and {should}: does it look up the state that it is given, and take the best"
             " action, and does each step after the seventh bring nothing?"
         )
-    takes = f"picks up the {_ordinal(mine)} one, worth {values[mine]:g}, after {STEPS_TO[mine]:g} steps"
-    why = "" if nobody_asks_why() else _why(seas, found)
+    takes = (
+        f"picks up the {_ordinal(mine)} one, worth {values[mine]:g}, after {STEPS_TO[mine]:g} step{'s' if mine else ''}"
+    )
     raise WrongAnswer(f"{told} {takes}, and {should}: {why}")
 
 
@@ -167,8 +187,8 @@ def _priced(price: float) -> str:
     )
 
 
-def _why(seas: list[Reals], found: list[int]) -> str:
-    """Return what explains the treasures in all seas but one, or what to look at."""
+def _why(seas: list[Reals], found: list[int]) -> tuple[str, Collection[int]]:
+    """Return what explains the treasures in all seas but one, or what to look at, and in which seas it does."""
     rules: list[tuple[str, Callable[[Reals], int]]] = [
         *MISTAKES.items(),
         *((DISCOUNTED, partial(_discounted, discount)) for discount in DISCOUNTS),
@@ -176,12 +196,14 @@ def _why(seas: list[Reals], found: list[int]) -> str:
     ]
     for most_missed in range(MOST_MISSED + 1):
         for sentence, rule in rules:
-            if sum(rule(values) != mine for values, mine in zip(seas, found, strict=True)) <= most_missed:
-                return sentence
-    late = sum(mine > max(BEST) for mine in found)
+            places = [i for i, mine in enumerate(found) if rule(seas[i]) == mine]
+            if len(places) >= len(found) - most_missed:
+                return sentence, places
+    late = [i for i, mine in enumerate(found) if mine > max(BEST)]
     if late:
         return (
-            f"in {late} of {len(found)} seas the dive takes too long; what is a dive worth that does? It must be less"
-            " than the poorest of the others"
-        )
-    return "each dive is short enough, but not the best: does your program try all of them often enough?"
+            f"in {len(late)} of {len(found)} seas the dive takes too long; what is a dive worth that does? It must be"
+            " less than the poorest of the others"
+        ), late
+    why = "each dive is short enough, but not the best: does your program try all of them often enough?"
+    return why, range(len(found))

@@ -153,7 +153,7 @@ def pareto_optimal(points):
 
 
 # %% only the first
-# says: that is none of the usual mistakes, so compare two points by hand
+# says: only the first of the right points comes: are all of them kept, and all returned?
 # in: every pair
 # - return kept
 # + return kept[:1]
@@ -319,3 +319,44 @@ def pareto_optimal(points):
         if not dominated:
             kept.append(p)
     return kept
+
+
+# %% no point against the last
+# says: no point is compared with the last one: does the range of the inner loop end too early?
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points[:-1]):
+
+
+# %% no point against the first
+# says: no point is compared with the first one: does the range of the inner loop begin too late?
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points[1:]):
+
+
+# %% all but the last
+# says: the last point is not looked at: does the range of the loop end too early?
+# in: every pair
+# - for p in points:
+# + for p in points[:-1]:
+
+
+# %% all but the first
+# says: the first point is not looked at: does the range of the loop begin too late?
+# in: every pair
+# - for p in points:
+# + for p in points[1:]:
+
+
+# %% a higher value and a higher sum
+# says: a point goes if another has the higher value and the higher sum; the time must be at least as good, too
+# in: every pair
+# - if not any(q[0] >= p[0] and q[1] >= p[1] and (q[0] > p[0] or q[1] > p[1]) for q in points):
+# + if not any(q[0] > p[0] and q[0] + q[1] > p[0] + p[1] for q in points):
+
+
+# %% a generator
+# says: gives a generator, which can be gone through once: make a list of it
+def pareto_optimal(points):
+    return (p for p in points if not any(q[0] >= p[0] and q[1] >= p[1] and q != p for q in points))

@@ -23,9 +23,7 @@ def closest_action(Q, state, weights, utopian):
     return far.index(min(far))
 
 
-# %% all moved so that the point is 0
+# %% weights that add up to one
 def closest_action(Q, state, weights, utopian):
-    Q -= utopian
-    Q *= weights
-    weights[:], utopian[:] = 1.0, 0.0
-    return np.abs(Q[state]).max(axis=1).argmin()
+    shares = weights / weights.sum()
+    return min(range(len(Q[state])), key=lambda a: max(w * abs(z - q) for w, z, q in zip(shares, utopian, Q[state, a])))

@@ -42,14 +42,14 @@
 
 
 # %% no size
-# says: the size is left out: a value beyond the utopian point is also at a distance
+# says: the absolute value is left out: a value beyond the utopian point is also at a distance
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (utopian - Q[state])
 
 
 # %% the other sign
-# says: the sign is wrong, and the size is left out: that is Q − z
+# says: the sign is wrong, and the absolute value is left out: that is Q − z
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (Q[state] - utopian)
@@ -151,7 +151,7 @@ closest_action = 3
 
 
 # %% they cancel
-# says: the differences are added up, so that they cancel; take the size of each, and the largest
+# says: the differences are added up, so that they cancel; take the absolute value of each, and the largest
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (utopian - Q[state])
@@ -210,21 +210,105 @@ def closest_action(Q, state, weights, utopian):
     return (weights * np.abs(utopian - Q[:, state])).max(axis=1).argmin()
 
 
-# %% the size of Q
-# says: the size of Q is taken, and not that of the distance z − Q
+# %% the absolute value of Q
+# says: the absolute value of Q is taken, and not that of the distance z − Q
 def closest_action(Q, state, weights, utopian):
     return (weights * (utopian - np.abs(Q[state]))).max(axis=1).argmin()
 
 
 # %% squares
-# says: the difference is squared before it is weighted; take its size
+# says: the difference is squared before it is weighted; take its absolute value
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (utopian - Q[state]) ** 2
 
 
 # %% sizes first
-# says: the sizes of z and Q are taken before their difference; take that of the difference
+# says: the absolute values of z and Q are taken before their difference; take that of the difference
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * np.abs(np.abs(utopian) - np.abs(Q[state]))
+
+
+# %% changes the weights
+# says: changes its array `weights`; make a new one
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + weights /= weights.sum()
+# + distances = weights * np.abs(utopian - Q[state])
+
+
+# %% the state before
+# says: it looks up another state, Q[state - 1]
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.abs(utopian - Q[state - 1])
+
+
+# %% weighted too late
+# says: the distances are weighted after the largest is chosen; weigh each of them first
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# - return np.argmin(distances.max(axis=1))
+# + distances = np.abs(utopian - Q[state])
+# + return np.argmin(distances.max(axis=1) * weights[distances.argmax(axis=1)])
+
+
+# %% the absolute value too late
+# says: the absolute value of the largest difference is taken; take that of each difference first
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# - return np.argmin(distances.max(axis=1))
+# + distances = weights * (utopian - Q[state])
+# + return np.argmin(np.abs(distances.max(axis=1)))
+
+
+# %% the best of the state
+# says: the best values in this state stand in the place of `utopian`
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.abs(Q[state].max(axis=0) - Q[state])
+
+
+# %% the larger weight
+# says: only the objective with the larger weight counts
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances[:, weights.argmax()])
+
+
+# %% not the last action
+# says: the last action is left out: does the range of the loop end too early?
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.max(axis=1)[:-1])
+
+
+# %% not the first action
+# says: the first action is left out: does the range of the loop begin too late?
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return 1 + np.argmin(distances.max(axis=1)[1:])
+
+
+# %% two actions
+# says: only the first two actions are compared: there may be more of them than objectives
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances.max(axis=1)[:2])
+
+
+# %% no smallest so far
+# says: that is always the last action: does the loop keep the smallest distance so far?
+# in: loops
+# - best, shortest = action, farthest
+# + best = action
+
+
+# %% all moved so that the point is 0
+# says: changes its array `Q`; make a new one, for the caller still needs the old one
+def closest_action(Q, state, weights, utopian):
+    Q -= utopian
+    Q *= weights
+    weights[:], utopian[:] = 1.0, 0.0
+    return np.abs(Q[state]).max(axis=1).argmin()

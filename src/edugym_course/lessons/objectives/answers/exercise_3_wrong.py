@@ -75,8 +75,8 @@
 # + return max(0.0, price + rate * (steps - limit) / limit)
 
 
-# %% the size
-# says: the size of the difference is taken; below the limit the price falls
+# %% the absolute value
+# says: the absolute value of the difference is taken; below the limit the price falls
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return price + rate * abs(steps - limit)
@@ -150,8 +150,8 @@ new_price = 3.0
 # + return price + rate * (steps - limit) if steps > limit else 0.0
 
 
-# %% the size of the price
-# says: the size of the new price is taken; where it would fall below 0 it is 0
+# %% the absolute value of the price
+# says: the absolute value of the new price is taken; where it would fall below 0 it is 0
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return abs(price + rate * (steps - limit))
@@ -201,3 +201,17 @@ def new_price(price, steps, limit, rate):
 # says: is it rounded? Give the number as it is, without round(), int() or //
 def new_price(price, steps, limit, rate):
     return round(max(0.0, price + rate * (steps - limit)), 2)
+
+
+# %% the limit of the text
+# says: the limit is always 7, as in the text; use the `limit` that is given
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (steps - 7))
+
+
+# %% steps taken off
+# says: the steps lower the price, and they should raise it
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + rate * (-steps - limit))

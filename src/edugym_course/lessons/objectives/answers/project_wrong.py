@@ -17,7 +17,7 @@
 
 # %% counted from the second step
 # slow
-# says: that is the best one with nine steps: are the steps counted from the first on, and anew in each dive?
+# says: that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a dive that takes too long worth less than the poorest of the others?
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps - 1 <= 8 else 0.0
@@ -173,3 +173,21 @@
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.99 * Q[after].max()) - Q[state, action])
+
+
+# %% a policy that draws
+# slow
+# says: the policy that my_program returns draws its actions: from the same start it picks up now the
+# says: It should take the *best* action by what was learned, and never a random one; and if there are many equal values, has it learned enough?
+# in: late dives count for nothing
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: int(rng.integers(2)) if rng.random() < 0.1 else int(Q[state].argmax())
+
+
+# %% too small a fine
+# slow
+# says: the policy picks up the fifth one
+# says: and is a dive that takes too long worth less than the poorest of the others?
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= 7 else value - 10.0

@@ -1,6 +1,6 @@
 """The exercises of lesson 12: which points are good, which action is closest, and how a price is learned."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import Annotated, Any
 
@@ -90,6 +90,8 @@ def _points(answer: Any, points: list[Point]) -> list[Point]:
     require_unchanged(call, "points", mine, points)
     if isinstance(found, str) or not isinstance(found, Iterable):
         raise WrongAnswer(f"{call} should be a list of points, but is {found!r}")
+    if isinstance(found, Iterator):
+        raise WrongAnswer(f"{call} gives a {type(found).__name__}, which can be gone through once: make a list of it")
     found = [*found]
     if found and all(isinstance(one, bool | np.bool_) for one in found):
         raise WrongAnswer(f"{call} gives a list of True and False; return the points themselves")
@@ -130,9 +132,12 @@ def exercise_2(answer: Any, seed: int, margin: Margin = 0.0) -> str:
             f"closest_action(Q, {state}, {in_brackets(weights)}, {in_brackets(z)}), where Q[{state}] ="
             f" [{', '.join(map(in_brackets, Q[state]))}],"
         )
+        arrays = {"Q": Q.copy(), "weights": weights.copy(), "utopian": z.copy()}
         with student_code(call):
-            action = answer(Q.copy(), state, weights.copy(), z.copy())
+            action = answer(arrays["Q"], state, arrays["weights"], arrays["utopian"])
         given(f"closest_action(Q, {state}, ...)", action)
+        for (name, mine), before in zip(arrays.items(), (Q, weights, z), strict=True):
+            require_unchanged(f"closest_action(Q, {state}, ...)", name, mine, before)
         if (
             isinstance(action, float | np.floating)
             and abs(action - right_choice(Q, state, weights, z + margin).min()) < 1e-9

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from edugym.mdp.protocol import Reals
+from edugym_course.lessons.objectives.methods import LIMIT
 
 Choice = tuple[Reals, int, Reals, Reals]
 """A table Q of shape (states, actions, 2), a state, weights and the utopian point."""
@@ -12,6 +13,13 @@ Choice = tuple[Reals, int, Reals, Reals]
 
 def _distances(Q: Reals, s: int, w: Reals, z: Reals) -> Reals:
     return np.asarray(w * np.abs(z - Q[s]))
+
+
+def _among(some: slice, distances: Reals) -> Reals:
+    """Return the distances of some actions, and infinity for the others."""
+    kept = np.full(len(distances), np.inf)
+    kept[some] = distances[some]
+    return kept
 
 
 CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
@@ -26,17 +34,19 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the distances are divided by the weights, or each has the weight of the other objective": lambda Q, s, w, z: (
         np.abs(z - Q[s]) / w
     ).max(axis=1),
-    "the size is left out: a value beyond the utopian point is also at a distance": lambda Q, s, w, z: (
+    "the absolute value is left out: a value beyond the utopian point is also at a distance": lambda Q, s, w, z: (
         w * (z - Q[s])
     ).max(axis=1),
-    "the sign is wrong, and the size is left out: that is Q − z": lambda Q, s, w, z: (w * (Q[s] - z)).max(axis=1),
+    "the sign is wrong, and the absolute value is left out: that is Q − z": lambda Q, s, w, z: (w * (Q[s] - z)).max(
+        axis=1
+    ),
     "the values are weighted before they are taken from z; weigh the distances": lambda Q, s, w, z: np.abs(
         z - w * Q[s]
     ).max(axis=1),
     "z and Q are added; a distance is a difference": lambda Q, s, w, z: (w * np.abs(z + Q[s])).max(axis=1),
     "only z is weighted; weigh the distances": lambda Q, s, w, z: np.abs(w * z - Q[s]).max(axis=1),
-    "the differences are added up, so that they cancel; take the size of each, and the largest": lambda Q, s, w, z: (
-        np.abs((w * (z - Q[s])).sum(axis=1))
+    "the differences are added up, so that they cancel; take the absolute value of each, and the largest": (
+        lambda Q, s, w, z: np.abs((w * (z - Q[s])).sum(axis=1))
     ),
     "squares are added up, each times its weight; only the largest distance counts": lambda Q, s, w, z: (
         w * (z - Q[s]) ** 2
@@ -63,16 +73,39 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the indices of Q have changed places: it looks up Q[:, state], and Q[state] has the actions": lambda Q, s, w, z: (
         _distances(Q.swapaxes(0, 1), s, w, z).max(axis=1)
     ),
-    "the size of Q is taken, and not that of the distance z − Q": lambda Q, s, w, z: (w * (z - np.abs(Q[s]))).max(
-        axis=1
-    ),
-    "the difference is squared before it is weighted; take its size": lambda Q, s, w, z: (w * (z - Q[s]) ** 2).max(
-        axis=1
-    ),
-    "the sizes of z and Q are taken before their difference; take that of the difference": lambda Q, s, w, z: (
-        w * np.abs(np.abs(z) - np.abs(Q[s]))
+    "the absolute value of Q is taken, and not that of the distance z − Q": lambda Q, s, w, z: (
+        w * (z - np.abs(Q[s]))
     ).max(axis=1),
+    "the difference is squared before it is weighted; take its absolute value": lambda Q, s, w, z: (
+        w * (z - Q[s]) ** 2
+    ).max(axis=1),
+    "the absolute values of z and Q are taken before their difference; take that of the difference": (
+        lambda Q, s, w, z: (w * np.abs(np.abs(z) - np.abs(Q[s]))).max(axis=1)
+    ),
     "the state is left out: it looks up Q[0]": lambda Q, s, w, z: _distances(Q, 0, w, z).max(axis=1),
+    "it looks up another state, Q[state - 1]": lambda Q, s, w, z: _distances(Q, s - 1, w, z).max(axis=1),
+    "the distances are weighted after the largest is chosen; weigh each of them first": lambda Q, s, w, z: (
+        np.abs(z - Q[s]).max(axis=1) * w[np.abs(z - Q[s]).argmax(axis=1)]
+    ),
+    "the absolute value of the largest difference is taken; take that of each difference first": lambda Q, s, w, z: (
+        np.abs((w * (z - Q[s])).max(axis=1))
+    ),
+    "the best values in this state stand in the place of `utopian`": lambda Q, s, w, z: _distances(
+        Q, s, w, Q[s].max(axis=0)
+    ).max(axis=1),
+    "only the objective with the larger weight counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, w.argmax()],
+    "the last action is left out: does the range of the loop end too early?": lambda Q, s, w, z: _among(
+        slice(None, -1), _distances(Q, s, w, z).max(axis=1)
+    ),
+    "the first action is left out: does the range of the loop begin too late?": lambda Q, s, w, z: _among(
+        slice(1, None), _distances(Q, s, w, z).max(axis=1)
+    ),
+    "only the first two actions are compared: there may be more of them than objectives": lambda Q, s, w, z: _among(
+        slice(2), _distances(Q, s, w, z).max(axis=1)
+    ),
+    "that is always the last action: does the loop keep the smallest distance so far?": lambda Q, s, w, z: _among(
+        slice(-1, None), np.zeros(len(Q[s]))
+    ),
 }
 """By what number, the lowest of which wins, each mistake compares the actions."""
 NO_USUAL_CHOICE = "that is none of the usual mistakes, so work out d(s, a) of two actions by hand"
@@ -81,7 +114,7 @@ NO_USUAL_CHOICE = "that is none of the usual mistakes, so work out d(s, a) of tw
 def choices(rng: np.random.Generator) -> list[Choice]:
     """Make up tables; no two numbers that any rule compares are equal."""
     made = []
-    for _ in range(12):
+    for _ in range(24):
         Q = np.round(rng.uniform(-9, 9, (3, 4, 2)), 2)
         Q[..., 0] += 20.0
         weights, z = np.round(rng.uniform(0.3, 3.0, 2), 2), np.array([25.0, 2.0]) + np.round(rng.uniform(-4, 1, 2), 2)
@@ -118,7 +151,7 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
     "after a dive within the limit the price is 0; it should fall by the rate times what was left": (
         lambda p, n, most, r: 0.0 if n <= most else p + r * (n - most)
     ),
-    "the size of the new price is taken; where it would fall below 0 it is 0": lambda p, n, most, r: abs(
+    "the absolute value of the new price is taken; where it would fall below 0 it is 0": lambda p, n, most, r: abs(
         p + r * (n - most)
     ),
     "the excess is a step too large: a dive of exactly the limit is not too long": lambda p, n, most, r: max(
@@ -131,6 +164,10 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
     "the price stays as it was; the step is added": lambda p, n, most, r: p,
     "the rate is missing": lambda p, n, most, r: max(0.0, p + (n - most)),
     "the old price is missing: the step is added to it": lambda p, n, most, r: max(0.0, r * (n - most)),
+    "the limit is always 7, as in the text; use the `limit` that is given": lambda p, n, most, r: max(
+        0.0, p + r * (n - LIMIT)
+    ),
+    "the steps lower the price, and they should raise it": lambda p, n, most, r: max(0.0, p - r * (n + most)),
     "the limit is missing: what counts is how far the dive is above it": lambda p, n, most, r: max(0.0, p + r * n),
     "the price only rises; after a short dive it should fall": lambda p, n, most, r: p + r * max(0.0, n - most),
     "the price rises by the same step for each long dive, however long: multiply by the steps beyond the limit": (
@@ -148,7 +185,9 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
     "the excess is a share of the limit; it should be a number of steps": lambda p, n, most, r: max(
         0.0, p + r * (n - most) / most
     ),
-    "the size of the difference is taken; below the limit the price falls": lambda p, n, most, r: p + r * abs(n - most),
+    "the absolute value of the difference is taken; below the limit the price falls": lambda p, n, most, r: (
+        p + r * abs(n - most)
+    ),
 }
 """The price after a dive, by mistake; the mistakes that come to the same stand once."""
 

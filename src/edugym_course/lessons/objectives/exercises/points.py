@@ -110,6 +110,9 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
         p for p in points if any(_dominates(p, q) for q in points)
     ],
     "no point has gone: is a point compared with others, and left out if one of them dominates it?": list,
+    "a point goes if another has the higher value and the higher sum; the time must be at least as good, too": (
+        lambda points: _kept(points, lambda q, p: q[0] > p[0] and sum(q) > sum(p))
+    ),
     "a point goes only if *all* others dominate it; a single one is enough": lambda points: [
         p for p in points if not all(_dominates(q, p) for q in points if q != p)
     ],
@@ -126,6 +129,21 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     "only the last comparison of each point counts: is what the earlier ones said overwritten in the loop?": (
         lambda points: [p for p in points if not _dominates(points[-1], p)]
     ),
+    "only the first of the right points comes: are all of them kept, and all returned?": lambda points: right_points(
+        points
+    )[:1],
+    "the last point is not looked at: does the range of the loop end too early?": lambda points: [
+        p for p in points[:-1] if p in right_points(points)
+    ],
+    "the first point is not looked at: does the range of the loop begin too late?": lambda points: [
+        p for p in points[1:] if p in right_points(points)
+    ],
+    "no point is compared with the last one: does the range of the inner loop end too early?": lambda points: [
+        p for p in points if not any(_dominates(q, p) for q in points[:-1])
+    ],
+    "no point is compared with the first one: does the range of the inner loop begin too late?": lambda points: [
+        p for p in points if not any(_dominates(q, p) for q in points[1:])
+    ],
     "a point is compared with those before it only; compare each with all others": _after_earlier,
     "a point is compared with those after it only; compare each with all others": lambda points: [
         p for i, p in enumerate(points) if not any(_dominates(q, p) for q in points[i + 1 :])
