@@ -153,7 +153,7 @@ def action_of(call: str, value: Any, n_actions: int, noun: str = "action", where
         raise WrongAnswer(f"{call} should give the number of {a_noun}, a whole number, but gives {kind}{hint}")
     if not 0 <= value < n_actions:
         table = ": is it the place in a whole table, as argmax and argmin without an axis give it?"
-        hint = table if noun == "action" and value >= n_actions else ""
+        hint = table if noun == "action" and value > n_actions else ""
         raise WrongAnswer(f"{call}{where} should give {a_noun} from 0 to {n_actions - 1}, but gives {value}{hint}")
     return int(value)
 
