@@ -312,3 +312,11 @@ def closest_action(Q, state, weights, utopian):
     Q *= weights
     weights[:], utopian[:] = 1.0, 0.0
     return np.abs(Q[state]).max(axis=1).argmin()
+
+
+# %% a place in the whole table
+# says: should give an action from 0 to 3, but gives
+# says: : is it the place in a whole table, as argmax and argmin without an axis give it?
+# in: arrays
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmin(distances)

@@ -178,7 +178,7 @@
 # %% a policy that draws
 # slow
 # says: the policy that my_program returns draws its actions: from the same start it picks up now the
-# says: It should take the *best* action by what was learned, and never a random one; and if there are many equal values, has it learned enough?
+# says: . It should take the *best* action by what was learned, and never a random one; and if there are many equal values, has it learned enough?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(rng.integers(2)) if rng.random() < 0.1 else int(Q[state].argmax())
