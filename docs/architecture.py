@@ -157,7 +157,7 @@ def main() -> int:
     stale = [path for path, now in made.items() if not path.exists() or path.read_text(encoding="utf-8") != now]
     for path in stale:
         if check:
-            print(f"out of date: {path.relative_to(ROOT)}; run python docs/architecture.py", file=sys.stderr)
+            print(f"out of date: {path.name}; run python docs/architecture.py", file=sys.stderr)
         else:
             path.write_text(made[path], encoding="utf-8", newline="\n")
     return 1 if check and stale else 0

@@ -31,6 +31,7 @@ from edugym.rendering.svg import to_svg
 from edugym_course.lab.records import number_of, without_number
 
 PAGES = Path(__file__).parent / "environments"
+LESSONS = Path(__file__).parents[1] / "src/edugym_course/lessons"
 ORIGINAL = "../coming-from-the-original-edugym.md"
 FRAMES = 31
 MOST_STATES = 5_000
@@ -60,8 +61,7 @@ def parameters(entry: Entry) -> str:
 
 def lesson_link(entry: Entry) -> str:
     """Return a link to the lesson on an environment, or nothing if there is none."""
-    lessons = PAGES.parents[1] / "src/edugym_course/lessons"
-    sources = [source for source in lessons.glob("*/[0-9]*_*.py") if number_of(source.stem) == entry.lesson]
+    sources = [source for source in LESSONS.glob("*/[0-9]*_*.py") if number_of(source.stem) == entry.lesson]
     links = [f" · lesson: [{without_number(source.stem)}](../../notebooks/{source.stem}.ipynb)" for source in sources]
     return "".join(links)
 

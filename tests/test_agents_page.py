@@ -1,9 +1,6 @@
 """The page of the agents: it says what the stored profiles say, and which parts are missing."""
 
-import importlib.util
-from pathlib import Path
-from typing import Any
-
+import agents
 import pandas
 import pytest
 
@@ -12,18 +9,7 @@ from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS
 from edugym_course import agent_profiles
 
-FILE = Path(__file__).parents[1] / "docs" / "agents.py"
 LADDER = LADDERS[0]._replace(strengths=(8, 10))
-
-
-def loaded() -> Any:
-    """The program that writes the page."""
-    spec = importlib.util.spec_from_file_location("agents_page", FILE)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.mark.parametrize(
@@ -46,9 +32,7 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
     profile = Profile(
         pandas.DataFrame(rows), (LADDER,), ("good", "blank", "new"), {"blank": {"Boulder": "it is afraid"}}
     )
-    page = (
-        loaded().page(profile, {"blank": ["Boulder"], "good": ["Golf"]}, "torch 1").replace("\N{NO-BREAK SPACE}", " ")
-    )
+    page = agents.page(profile, {"blank": ["Boulder"], "good": ["Golf"]}, "torch 1").replace("\N{NO-BREAK SPACE}", " ")
     score, broken, take = cells
     for line in (
         f"| good | 3 | {score} |",

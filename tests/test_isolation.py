@@ -1,11 +1,11 @@
 """The isolation matrix: what its page says follows from what was measured, and the clearest of its cells are true."""
 
-import importlib.util
 import json
 import re
-from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import isolation
 import numpy as np
 import other_measures
 import pytest
@@ -13,27 +13,33 @@ import pytest
 import edugym
 from edugym import DQN, FrameStack, QLearning, SARSALambda, mean_interval
 from edugym.experiments.profiles.ladders import LADDERS
-
-FILE = Path(__file__).parents[1] / "docs" / "isolation.py"
-
-
-def loaded() -> Any:
-    """The program that writes the page."""
-    spec = importlib.util.spec_from_file_location("isolation", FILE)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+from edugym_course import agent_profiles
 
 
-isolation = loaded()
-
-
-def test_the_page_is_that_of_the_data() -> None:
-    """Else run docs/isolation.py."""
+def test_the_data_are_those_of_the_profiles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Else run docs/isolation.py --measure: here all that it measures is what the data say, so that nothing changes."""
     data = json.loads(isolation.DATA.read_text(encoding="utf-8"))
-    assert isolation.PAGE.read_text(encoding="utf-8") == isolation.page(data)
+    stored = agent_profiles.load()
+    assert stored is not None
+
+    def scores(label: str, name: str) -> Any:
+        if label == "Frames":
+            return stored.scores("QLearning", name) + data["gains"]["memory: 4 frames"][name]
+        remedy = next(one for one in isolation.REMEDIES if name in data["gains"][one.name])
+        return stored.scores(remedy.agent, name) - data["gains"][remedy.name][name]
+
+    asked = list[tuple[Any, ...]]()
+    monkeypatch.setattr(isolation, "other_measures", lambda: data["others"])
+    monkeypatch.setattr(isolation.shutil, "rmtree", lambda folder: None)
+    profile = SimpleNamespace(scores=scores)
+    monkeypatch.setattr(edugym, "profile", lambda agents, **how: asked.append((agents, how["challenges"])) or profile)
+    found = isolation.measure()
+    assert asked == [({label: agent}, [on]) for label, them in isolation.MEASURED.items() for on, agent in them.items()]
+    assert found["base"] == pytest.approx(data["base"], abs=1e-4)
+    assert found["gains"].keys() == data["gains"].keys()
+    for name, gains in found["gains"].items():
+        assert gains.keys() == data["gains"][name].keys()
+        assert all(np.allclose(rungs, data["gains"][name][on], atol=1e-9) for on, rungs in gains.items()), name
 
 
 def made(own: float, other: float, harder: float) -> dict[str, Any]:
