@@ -21,6 +21,9 @@ def make(table):
 write, lib = make(np.zeros(1)), np
 def fill(row): row[0] = 1
 def mixed(x): return 1 if x > 2 else 0.5 * x
+class W(NamedTuple):
+    w: float
+    def minus(self): return -self.w
 """
 MORE = """M = (np.zeros(2), 1)
 def bump(self, memory=(0.5, 1)): self.M[0][0] += memory[0]
@@ -57,6 +60,7 @@ REPEATED = {
     "whole numbers beyond 2^53 that may be real": late("k = 3 ** 35 + k if k > 5 else k * 0.5\nk = k * 3\nx = k % 7"),
     "the same NaN": late("y = math.nan if k > 7 else 1.0\nx = 1.0 if y in [y, 0.7] else 2.0"),
     "minus 0 that may be whole": late("x = 0 if k % 2 else 0.5\nx = -x"),
+    "minus 0 that may be whole, by a method": late("x = W(0 if k % 2 else 0.5).minus()"),
 }
 """Programs in which machine code stops, and the interpreter goes on."""
 REFUSED = {

@@ -4,7 +4,11 @@ import json
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from http.server import ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
+from urllib.request import urlopen
 from xml.etree import ElementTree
 
 import agent_pages
@@ -330,3 +334,82 @@ def test_a_preview_has_a_picture_where_the_address_is_known(
     assert tags.count("og:image") == tags.count(f"{place}/{previews.PICTURE}") == pictures
     assert 'content="Q &amp; &quot;A&quot;"' in tags
     assert tags.count("a &lt; b") == 2
+
+
+PAGE = """# Of {0}
+
+A page of more than three words.
+
+```{{toctree}}
+:hidden:
+
+{1}
+```
+"""
+RICH = r"""
+| | $\pi < 1$ |
+|---|---|
+| $a$ | b |
+
+$$x$$
+
+```{py:function} train(mdp, agent, n_steps, seed, evaluate_every, evaluation_episodes)
+```
+"""
+
+ADDED = (
+    '<td class="head"></td>',
+    '<th class="head"><p><math aria-label="&#x003C0;&#x0003C;1"',
+    '<div class="formula"><math',
+    '<aside class="sidebar-drawer" aria-label="All pages">',
+    '<aside class="toc-drawer" aria-label="On this page">',
+    '<li class="group">To begin</li>',
+    '<meta name="description" content="A page of more than three words.">',
+    '<meta property="og:title" content="Of index">',
+    '<p class="versions">Version ',
+    '<span class="parameters">',
+    "math aria-label",
+    "_static/site.css",
+    'defer="defer" src="_static/site.js',
+)
+"""What the website's settings add to a page, once."""
+
+
+def test_a_website_is_built_and_shown(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Three pages with all that the settings add, and the playground. What was there before is gone."""
+    website = pytest.importorskip("website")
+    pages = [("index", "lessons/index"), ("lessons/index", "00_loop"), ("lessons/00_loop", "")]
+    texts = {f"{page}.md": (PAGE.format(page, below) + RICH * (page == "index")).encode() for page, below in pages}
+    shown = list[str]()
+
+    class Server(ThreadingHTTPServer):
+        def serve_forever(self, poll_interval: float = 0.5) -> None:
+            with ThreadPoolExecutor() as reader:
+                for page in ("", "playground/", "search.html"):
+                    asked = reader.submit(urlopen, f"http://127.0.0.1:{self.server_port}/{page}")
+                    self.handle_request()
+                    shown.append(asked.result().read().decode())
+
+    def build(folder: Path, jobs: int) -> None:
+        folder.mkdir()
+        (folder / "index.html").write_text("the playground")
+
+    for name, value in {"sources": lambda with_lite: texts, "BUILT": tmp_path, "ThreadingHTTPServer": Server}.items():
+        monkeypatch.setattr(website, name, value)
+    monkeypatch.setattr(website.playground, "BUILT", tmp_path / "playground")
+    monkeypatch.setattr(website.playground, "build", build)
+    monkeypatch.setattr(sys, "argv", ["website.py", "--serve", "--port", "0", "--jobs", "1"])
+    for old in ("source/old.md", "html/old.html", "html/playground/old.html"):
+        (tmp_path / old).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / old).write_text("# Old")
+    assert website.main() == 0
+    page, raced, search = shown
+    for part in ADDED:
+        assert page.count(part) == 1, part
+    assert "<dl>" not in page
+    assert raced == "the playground"
+    assert "<h1>Search</h1>" in search
+    assert not [*tmp_path.rglob("old*")]
+    assert (tmp_path / "html" / "_static" / "math.woff").stat().st_size > 10_000
+    beside = tmp_path / "html" / "notebooks"
+    assert {path.stem for path in beside.glob("*.ipynb")} == {path.name for path in (beside / "flipbooks").iterdir()}
