@@ -121,7 +121,7 @@ def test_every_agent_takes_the_sliders_that_it_says(race: Race) -> None:
 
 
 @each_race
-@pytest.mark.parametrize("k", [0, pytest.param(-1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("k", [0, -1])
 def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
     """And every observation has a cell and a layer."""
     mdp = race.mdp(range(len(race.strength.values))[k])
