@@ -2,9 +2,11 @@
 
 import dataclasses
 import difflib
+import importlib
+import inspect
 import itertools
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,8 @@ from edugym.adapters.registration import Entry, make_environment
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import STONE
 from edugym.rendering.scene import Circle, Scene
+from edugym_course import lessons
+from edugym_course.lessons.own_problem.bedroom import bedroom
 from tests.contract.parameters import PARAMETERS
 from tests.contract.play import Player, every_environment
 
@@ -107,11 +111,22 @@ def stepped(player: Player, well: bool) -> bool:
     return terminated or truncated
 
 
-def pictures(entry: Entry) -> str:
+def frames_of_lessons() -> Iterator[tuple[str, Scene]]:
+    """All that lessons draw as scenes, as it is by default, and the bedroom of lesson 10."""
+    for file in sorted(Path(lessons.__file__).parent.glob("*/pictures.py")):
+        module = importlib.import_module(f"{lessons.__name__}.{file.parent.name}.pictures")
+        for name, draw in inspect.getmembers(module, inspect.isfunction):
+            if draw.__module__ == module.__name__ and not name.startswith("_"):
+                yield f"{file.parent.name}: {name}", draw()
+    for time, depth, action in ((0, 2, 0), (3, 1, 1), (7, 2, 2), (8, 2, 0), (8, 0, 0)):
+        yield f"bedroom: {time}, {depth}, {action}", bedroom(time, depth, last_action=action)
+
+
+def pictures(shown: Iterable[tuple[str, Scene]]) -> str:
     """What is drawn: of each frame, the lines that differ from those of the one before, with their numbers."""
     before: list[str] = []
     told, colours = [], dict[Any, int]()
-    for name, scene in frames(entry):
+    for name, scene in shown:
         now, gone, new = lines_of(scene, colours), list[int](), list[str]()
         for _, i, j, k, m in difflib.SequenceMatcher(None, before, now, autojunk=False).get_opcodes():
             if before[i:j] != now[k:m]:
@@ -124,8 +139,18 @@ def pictures(entry: Entry) -> str:
 
 @every_environment
 def test_pictures(entry: Entry) -> None:
-    """If the change is meant, delete the file: this test writes it anew, for you to read what has changed."""
-    now, path = pictures(entry), FOLDER / f"{entry.name}.txt"
+    """Of an environment."""
+    compare(entry.name, frames(entry))
+
+
+def test_pictures_of_lessons() -> None:
+    """Of all lessons, in one file."""
+    compare("lessons", frames_of_lessons())
+
+
+def compare(name: str, shown: Iterable[tuple[str, Scene]]) -> None:
+    """If the change is meant, delete the file: this writes it anew, for you to read what has changed."""
+    now, path = pictures(shown), FOLDER / f"{name}.txt"
     if not path.exists():
         path.write_text(now, encoding="utf-8")
         pytest.skip(f"{path} is new: read it, and commit it")

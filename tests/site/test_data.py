@@ -123,7 +123,7 @@ def test_every_agent_takes_the_sliders_that_it_says(race: Race) -> None:
 @each_race
 @pytest.mark.parametrize("k", [0, -1])
 def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
-    """And every observation has a cell and a layer."""
+    """And every observation has a cell and a layer of its own, but those that cannot be."""
     mdp = race.mdp(range(len(race.strength.values))[k])
     scene = MAPS[race.environment].scene(mdp, first_state(mdp))
     for view in dict.fromkeys(agent.view for agent in race.agents):
@@ -132,6 +132,8 @@ def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
         assert places["rows"] % len(places["cell"]) == 0
         assert len(places["cell"]) == len(places["layer"]) == math.prod(places["sizes"])
         assert max(places["cell"]) == len(places["cells"]) - 1
+        shown = [spot for spot in zip(places["cell"], places["layer"], strict=True) if spot[0] >= 0]
+        assert len(set(shown)) == len(shown) > 0
         if race is TRASHBOT:
             continue  # the arm's reach is larger than the picture
         for x, y, width, height in places["cells"]:
