@@ -2,6 +2,7 @@
 
 import json
 import re
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -14,9 +15,10 @@ import edugym
 from edugym import DQN, FrameStack, QLearning, SARSALambda, mean_interval
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym_course import agent_profiles
+from edugym_course.remedies import REMEDIES, gain
 
 
-def test_the_data_are_those_of_the_profiles(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_data_are_those_of_the_profiles(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Else run docs/isolation.py --measure: here all that it measures is what the data say, so that nothing changes."""
     data = json.loads(isolation.DATA.read_text(encoding="utf-8"))
     stored = agent_profiles.load()
@@ -25,14 +27,19 @@ def test_the_data_are_those_of_the_profiles(monkeypatch: pytest.MonkeyPatch) -> 
     def scores(label: str, name: str) -> Any:
         if label == "Frames":
             return stored.scores("QLearning", name) + data["gains"]["memory: 4 frames"][name]
-        remedy = next(one for one in isolation.REMEDIES if name in data["gains"][one.name])
+        remedy = next(one for one in REMEDIES if name in data["gains"][one.name])
         return stored.scores(remedy.agent, name) - data["gains"][remedy.name][name]
 
-    asked = list[tuple[Any, ...]]()
+    asked = []
+
+    def profile(agents: dict[str, Any], *, challenges: list[str], **how: Any) -> Any:
+        asked.append((agents, challenges))
+        return SimpleNamespace(scores=scores)
+
     monkeypatch.setattr(isolation, "other_measures", lambda: data["others"])
-    monkeypatch.setattr(isolation.shutil, "rmtree", lambda folder: None)
-    profile = SimpleNamespace(scores=scores)
-    monkeypatch.setattr(edugym, "profile", lambda agents, **how: asked.append((agents, how["challenges"])) or profile)
+    monkeypatch.setattr(isolation, "UNFINISHED", tmp_path / "unfinished")
+    isolation.UNFINISHED.mkdir()
+    monkeypatch.setattr(edugym, "profile", profile)
     found = isolation.measure()
     assert asked == [({label: agent}, [on]) for label, them in isolation.MEASURED.items() for on, agent in them.items()]
     assert found["base"] == pytest.approx(data["base"], abs=1e-4)
@@ -105,4 +112,4 @@ def test_an_environments_own_remedy_gains_there(
     ladder = next(ladder for ladder in LADDERS if ladder.name == name)._replace(strengths=(strength,), n_steps=n_steps)
     found = edugym.profile({"base": base, "remedy": remedy}, challenges=[ladder], repetitions=5)
     gains = found.scores("remedy", name) - found.scores("base", name)
-    assert isolation.gain(gains).low > isolation.OWN
+    assert gain(gains).low > isolation.OWN

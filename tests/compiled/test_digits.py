@@ -149,5 +149,6 @@ def test_what_stands_for_a_draw(name: str, stand_in: Callable[..., Any], given: 
 @pytest.mark.parametrize("values", [[], [0.0], [2.0, 0.0], [0.0, 3.0, -1.5], [2.0, -1.5, 7.0], [1.0, math.nan]])
 def test_what_stands_for_a_function_of_many(values: list[float]) -> None:
     """Interpreted it comes to the same."""
-    for function in (any, all, *([np.median] if values else [])):
+    functions: list[Callable[..., Any]] = [any, all, *([np.median] if values else [])]
+    for function in functions:
         assert repr(float(arithmetic.REPLACED[function](values))) == repr(float(function(values)))
