@@ -1,5 +1,9 @@
-"""Every public function and class, with a valid call of each, and which odd values each of its parameters takes."""
+"""A valid call of every public function and class, and which odd values each of its parameters takes.
 
+Most calls follow from the names of the parameters; `CALLS` has what does not.
+"""
+
+import importlib
 import inspect
 import math
 import tempfile
@@ -14,6 +18,7 @@ import numpy as np
 import pytest
 
 import edugym
+from edugym import games, objectives
 from tests.compiled.cells import WALK, cell
 
 Walk = cell(WALK)["Walk"]
@@ -37,15 +42,36 @@ def odd_values() -> dict[str, Any]:
     }  # fmt: skip
 
 
+ROOMS = {
+    "figures": "edugym.experiments.figures",
+    "statistics": "edugym.experiments.results.statistics",
+    "tables": "edugym.experiments.results.tables",
+    "deep": "edugym.deep",
+    "games": "edugym.games",
+    "objectives": "edugym.objectives",
+    "notebook": "edugym_course.notebook",
+    "grading": "edugym_course.grading",
+}
+"""Public modules besides `edugym` itself, by the names that the table has for them."""
 NUMBER, NOT_NEGATIVE, POSITIVE, WHOLE = "-1 0 2.5 1e30", "0 2.5 1e30", "2.5 1e30", "0 1e30 1e400"
 EVERYWHERE: dict[str, str] = {
-    "action": "0", "confidence": "0", "discount": "0", "epsilon": "0", "goal_size": "0",
+    "action": "0", "confidence": "0", "discount": "0", "epsilon": "0", "goal_size": "0", "player": "0",
     "exploration_bonus": NOT_NEGATIVE, "initial_value": NUMBER, "layout_seed": WHOLE,
     "planning_seconds": "inf 2.5 1e30", "planning_steps": "0",
     "reward_at_goal": NUMBER, "reward_elsewhere": NUMBER,
     "seed": WHOLE, "state": "0", "threshold": NOT_NEGATIVE, "tolerance": POSITIVE, "trace_decay": "0",
 }  # fmt: skip
 """Which odd values a parameter of this name takes wherever it stands, with spaces between; it refuses the others."""
+
+
+def found(key: str) -> Any:
+    """What a key of the table names: a function, a class, or a method, of a class or of one of its instances."""
+    room, _, rest = key.partition(".")
+    value: Any = importlib.import_module(ROOMS[room]) if room in ROOMS else edugym
+    for name in (rest if room in ROOMS else key).split("."):
+        value = getattr(value, name)
+    owner, _, method = key.rpartition(".")
+    return getattr(INSTANCES[owner](), method) if owner in INSTANCES else value
 
 
 class Case(NamedTuple):
@@ -68,6 +94,17 @@ class Case(NamedTuple):
         """All arguments of the valid call, by name."""
         parameters = inspect.signature(self.function).parameters.values()
         return {one.name: one.default for one in parameters if one.default is not one.empty} | self.given
+
+
+def row(
+    takes: Mapping[str, str] = MappingProxyType({}),
+    function: Callable[..., Any] = found,
+    named: Mapping[str, str] = MappingProxyType({}),
+    /,
+    **given: Any,
+) -> Case:
+    """A row of the table: what is not `given`, and the function, follow from their names."""
+    return Case(function, given, takes, named)
 
 
 class Known(NamedTuple):
@@ -177,200 +214,175 @@ def profiled(challenges: Any, **given: Any) -> Any:
     return edugym.profile({"a": edugym.QLearning.create}, challenges=challenges, repetitions=1, jobs=1, **given)
 
 
-def results(name: str, **given: Any) -> Case:
-    """A method of results."""
-    return Case(getattr(known().results, name), {"method": "a"} | given)
+@cache
+def profile_of_walks() -> Any:
+    """A profile of a small agent."""
+    return profiled([walks()])
+
+
+def game_of_one() -> Any:
+    """The smallest game: each player has one action."""
+    return games.matrix_game([[1]])
+
+
+def player_of_one() -> Any:
+    """A player of it."""
+    return edugym.QLearning.create((1, 1))
+
+
+def diver_env() -> Any:
+    """Vectors as rewards, in an episode."""
+    env = objectives.VectorRewardEnv(edugym.make_mdp("Diver"))
+    env.reset(seed=0)
+    return env
+
+
+INSTANCES: dict[str, Callable[[], Any]] = {
+    "Above": lambda: edugym.Above(0), "Below": lambda: edugym.Below(0), "Within": lambda: edugym.Within(0, 2),
+    "FiniteModel": lambda: known().model, "Results": lambda: known().results, "Profile": profile_of_walks,
+    "MDPEnv": env, "MDPVectorEnv": envs, "objectives.VectorRewardEnv": diver_env,
+    "Values": lambda: edugym.value_iteration(known().model),
+    "TabularObservation": lambda: edugym.TabularObservation(gymnasium.make("FrozenLake-v1")),
+}  # fmt: skip
+"""Whose methods are called on an instance."""
+USUAL: dict[str, Callable[[], Any]] = {
+    "action": lambda: 0, "actions": lambda: [0, 1], "agent": lambda: known().agent, "at_least": lambda: 0,
+    "bins": lambda: 2, "challenge": lambda: "Walks", "dataset": data, "environment": lambda: known().walk,
+    "game": game_of_one, "i": lambda: 1, "interval": lambda: known().interval, "k": lambda: 2,
+    "mdp": lambda: known().walk, "method": lambda: "a", "model": lambda: known().model, "n_steps": lambda: 9,
+    "n_tries": lambda: 2, "other": lambda: "a", "payoffs": lambda: [[1.0, -1.0]] * 2, "penalty": lambda: 1.0,
+    "player": lambda: 0, "points": lambda: [[1, 2]], "policy": lambda: [1] * 4, "state": lambda: 0,
+    "reference": lambda: [[0.5, 0.5]] * 4,
+    "games.agent": player_of_one, "games.model": lambda: games.game_model(game_of_one()),
+    "games.policies": lambda: ([[1]], [[1]]), "games.policy": lambda: [[1]],
+    "objectives.environment": lambda: edugym.make_mdp("Diver"), "objectives.mdp": lambda: edugym.make_mdp("Diver"),
+}  # fmt: skip
+"""What a parameter without a default gets: of this name anywhere, or in this room."""
+
+
+def completed(key: str, case: Case) -> Case:
+    """A row with its function, and all that the function needs."""
+    function, given = found(key) if case.function is found else case.function, dict(case.given)
+    for one in inspect.signature(function).parameters.values():
+        if one.default is one.empty and one.kind not in (one.VAR_KEYWORD, one.VAR_POSITIONAL) and one.name not in given:
+            usual = USUAL.get(f"{key.partition('.')[0]}.{one.name}") or USUAL.get(one.name)
+            if not usual:
+                pytest.fail(f"{key} has no row in CALLS of public_calls.py that gives it a {one.name}")
+            given[one.name] = usual()
+    return case._replace(function=function, given=given)
 
 
 ANY = "None text nan inf -1 0 2.5 1e30 1e400 [] object array agent_class task_class function"
 CALLS: dict[str, Callable[[], Case]] = {
-    "Above": lambda: Case(lambda threshold: claimed(edugym.Above(threshold)), {"threshold": 1}, {"threshold": NUMBER}),
-    "Below": lambda: Case(lambda threshold: claimed(edugym.Below(threshold)), {"threshold": 1}, {"threshold": NUMBER}),
-    "Dataset.create": lambda: Case(
-        edugym.Dataset.create,
-        {"states": [0], "actions": [1], "rewards": [1.0], "next_states": [1], "terminated": [True],
-         "truncated": [False], "probabilities": [0.5], "n_states": 4, "n_actions": 2},
-        named={"n_states": "states next_states", "n_actions": "actions"}),
-    "collect": lambda: Case(
-        edugym.collect, {"model": known().model, "policy": [1] * 4, "n_episodes": 3, "max_steps": 9},
-        {"max_steps": "None"}),
-    "doubly_robust": lambda: Case(
-        edugym.doubly_robust, {"dataset": data(), "policy": [1] * 4, "Q": np.zeros((4, 2))}),
-    "fitted_q_evaluation": lambda: Case(
-        edugym.fitted_q_evaluation, {"dataset": data(), "policy": [1] * 4}, {"unseen": NUMBER}),
-    "fitted_q_iteration": lambda: Case(edugym.fitted_q_iteration, {"dataset": data()}, {"unseen": NUMBER}),
-    "importance_sampling": lambda: Case(edugym.importance_sampling, {"dataset": data(), "policy": [1] * 4}),
-    "pessimistic_q_iteration": lambda: Case(
-        edugym.pessimistic_q_iteration, {"dataset": data(), "penalty": 1.0, "lowest": -9.0},
-        {"penalty": NOT_NEGATIVE, "lowest": NUMBER}),
-    "divergence": lambda: Case(
-        edugym.divergence, {"model": known().model, "policy": [1] * 4, "reference": [[0.5, 0.5]] * 4},
-        named={"policy": "reference"}),
-    "expected_choice": lambda: Case(edugym.expected_choice, {"payoffs": [[1.0, -1.0]] * 2, "n_tries": 2}),
-    "expected_maximum": lambda: Case(edugym.expected_maximum, {"payoffs": [[1.0, -1.0]] * 2, "n_tries": 2}),
-    "fit_rewards": lambda: Case(
-        edugym.fit_rewards, {"first": [[[1, 0]]], "second": [[[0, 1]]], "prefers_first": [True]},
-        {"prior": "2.5"}, {"first": "second", "prefers_first": "comparisons"}),
-    "preference": lambda: Case(
-        edugym.preference, {"first_return": 1.0, "second_return": 0.0},
-        {"noise": POSITIVE, "first_return": f"{NUMBER} array", "second_return": f"{NUMBER} array"},
-        {"first_return": "second_return"}),
-    "regret": lambda: Case(
-        edugym.regret, {"model": edugym.finite_model(edugym.make_mdp("Bandit")), "actions": [0, 1]},
-        {"actions": "[]"}),
-    "regularised_iteration": lambda: Case(
-        edugym.regularised_iteration, {"model": known().model, "reference": [[0.5, 0.5]] * 4, "penalty": 1.0},
-        {"penalty": "2.5"}),
-    "regularised_policy": lambda: Case(
-        edugym.regularised_policy,
-        {"values": edugym.value_iteration(known().model), "reference": [[0.5, 0.5]] * 4, "penalty": 1.0},
-        {"penalty": "2.5"}),
-    "with_rewards": lambda: Case(edugym.with_rewards, {"model": known().model, "rewards": np.zeros((4, 2))}),
-    "Within": lambda: Case(
-        lambda low, high: claimed(edugym.Within(low, high)), {"low": 0, "high": 2}, {"low": NUMBER, "high": NUMBER}),
-    "Claim": lambda: Case(
-        lambda **given: edugym.Claim(**given).holds,
-        {"statement": "a", "quantity": "b", "measured": known().interval, "expected": edugym.Above(0),
-         "reason": "", "tested_by": (), "remark": ""},
-        {"statement": "text", "quantity": "text", "reason": "text", "remark": "text", "tested_by": "[]"}),
-    "Above.holds": lambda: Case(edugym.Above(0).holds, {"interval": known().interval}),
-    "Below.holds": lambda: Case(edugym.Below(0).holds, {"interval": known().interval}),
-    "Within.holds": lambda: Case(edugym.Within(0, 2).holds, {"interval": known().interval}),
-    "Brightness.create": lambda: Case(edugym.Brightness.create, {"mdp": known().image}, {"low": "0"}),
-    "DiscreteActions.create": lambda: Case(edugym.DiscreteActions.create, {"mdp": known().arm, "bins": 2}),
-    "Discretised.create": lambda: Case(
-        edugym.Discretised.create, {"mdp": known().image, "bins": 2}, {"low": "-1 0", "high": POSITIVE}),
-    "EpsilonGreedy": lambda: Case(
-        lambda epsilon: agent_with(exploration=edugym.EpsilonGreedy(epsilon)), {"epsilon": 1}),
-    "ExponentialDecay": lambda: Case(
-        lambda start, end, rate: scheduled(edugym.ExponentialDecay(start, end, rate)),
-        {"start": 1, "end": 0, "rate": 0.5}, {"start": "0", "end": "0"}),
-    "FiniteModel.action_values": lambda: Case(known().model.action_values, {"V": [0.0] * 4, "discount": 1}),
-    "FiniteModel.outcomes": lambda: Case(known().model.outcomes, {"state": 0, "action": 0}),
-    "FiniteModel.row": lambda: Case(known().model.row, {"state": 0}),
-    "FiniteModel.sample": lambda: Case(
-        known().model.sample, {"state": 0, "action": 0, "rng": np.random.default_rng(0)}),
-    "FrameStack.create": lambda: Case(edugym.FrameStack.create, {"mdp": known().walk, "k": 2}),
-    "FutureGoals": lambda: Case(
-        lambda goals: edugym.HindsightQLearning.create((4, 2), hindsight=edugym.FutureGoals(goals)), {"goals": 4}),
-    "GaussianActorCritic.create": lambda: Case(
-        edugym.GaussianActorCritic.create, {"environment": (2, 1)}, {"spread": POSITIVE}),
-    "Hashed.create": lambda: Case(edugym.Hashed.create, {"mdp": known().image}),
-    "HashedTable.create": lambda: Case(
-        edugym.HashedTable.create, {"key": np.zeros(2), "capacity": 9}, {"key": "array"}),
-    "Identity.create": lambda: Case(edugym.Identity.create, {"environment": (2, 1)}, {"constant": NOT_NEGATIVE}),
-    "LinearDecay": lambda: Case(
-        lambda start, end, steps: scheduled(edugym.LinearDecay(start, end, steps)),
-        {"start": 1, "end": 0, "steps": 9}, {"start": "0", "end": "0"}),
-    "MDPEnv": lambda: Case(edugym.MDPEnv, {"mdp": known().walk}),
-    "MDPEnv.descriptive_model": lambda: Case(env().descriptive_model, {"state": 0, "action": 0}),
-    "MDPEnv.generative_model": lambda: Case(env().generative_model, {"state": 0, "action": 0}),
-    "MDPEnv.model": lambda: Case(env().model, {"state": 0, "action": 0}),
-    "MDPEnv.reset": lambda: Case(env().reset, {}, {"options": ANY}),
-    "MDPEnv.step": lambda: Case(lambda action: env().step(action), {"action": 0}),
-    "MDPVectorEnv": lambda: Case(
-        edugym.MDPVectorEnv, {"env": edugym.MDPEnv(known().walk)}, {"max_episode_steps": "-1"}),
-    "MDPVectorEnv.reset": lambda: Case(envs().reset, {}),
-    "MDPVectorEnv.showing": lambda: Case(envs().showing, {"i": 1}, {"i": "0"}),
-    "MDPVectorEnv.state": lambda: Case(envs().state, {"i": 1}, {"i": "0"}),
-    "MDPVectorEnv.step": lambda: Case(lambda actions: envs().step(actions), {"actions": [0, 1]}),
-    "NStepSARSA.create": lambda: Case(edugym.NStepSARSA.create, {"environment": (4, 2)}, {"n": "inf"}),
-    "NoisyObservation.create": lambda: Case(
-        edugym.NoisyObservation.create, {"mdp": known().image}, {"levels": "0", "sigma": NOT_NEGATIVE}),
-    "PrioritisedSweeping.create": lambda: Case(
-        edugym.PrioritisedSweeping.create, {"environment": (4, 2)}, {"planning_steps": "inf 0"}),
-    "RMax.create": lambda: Case(
-        edugym.RMax.create, {"environment": (4, 2)}, {"planning_steps": "inf 0", "lowest_return": "-1 0 2.5"}),
-    "UCT.create": lambda: Case(edugym.UCT.create, {"environment": (4, 2)}, {"nodes": "None"}),
-    "Ladder": lambda: Case(
-        lambda **given: profiled([walks(**given)]), walks()._asdict(),
+    "Above": lambda: row({"threshold": NUMBER}, lambda threshold: claimed(edugym.Above(threshold)), threshold=1),
+    "Below": lambda: row({"threshold": NUMBER}, lambda threshold: claimed(edugym.Below(threshold)), threshold=1),
+    "Dataset.create": lambda: row(
+        {}, found, {"n_states": "states next_states", "n_actions": "actions"}, states=[0], actions=[1], rewards=[1.0],
+        next_states=[1], terminated=[True], truncated=[False], probabilities=[0.5], n_states=4, n_actions=2),
+    "collect": lambda: row({"max_steps": "None"}, n_episodes=3, max_steps=9),
+    "doubly_robust": lambda: row(Q=np.zeros((4, 2))),
+    "fitted_q_evaluation": lambda: row({"unseen": NUMBER}),
+    "fitted_q_iteration": lambda: row({"unseen": NUMBER}),
+    "pessimistic_q_iteration": lambda: row({"penalty": NOT_NEGATIVE, "lowest": NUMBER}, lowest=-9.0),
+    "divergence": lambda: row({}, found, {"policy": "reference"}),
+    "fit_rewards": lambda: row(
+        {"prior": "2.5"}, found, {"first": "second", "prefers_first": "comparisons"},
+        first=[[[1, 0]]], second=[[[0, 1]]], prefers_first=[True]),
+    "preference": lambda: row(
+        {"noise": POSITIVE, "first_return": f"{NUMBER} array", "second_return": f"{NUMBER} array"}, found,
+        {"first_return": "second_return"}, first_return=1.0, second_return=0.0),
+    "regret": lambda: row({"actions": "[]"}, model=edugym.finite_model(edugym.make_mdp("Bandit"))),
+    "regularised_iteration": lambda: row({"penalty": "2.5"}),
+    "regularised_policy": lambda: row({"penalty": "2.5"}, values=edugym.value_iteration(known().model)),
+    "with_rewards": lambda: row(rewards=np.zeros((4, 2))),
+    "Within": lambda: row(
+        {"low": NUMBER, "high": NUMBER}, lambda low, high: claimed(edugym.Within(low, high)), low=0, high=2),
+    "Claim": lambda: row(
+        {"statement": "text", "quantity": "text", "reason": "text", "remark": "text", "tested_by": "[]"},
+        lambda **given: edugym.Claim(**given).holds, statement="a", quantity="b", measured=known().interval,
+        expected=edugym.Above(0), reason="", tested_by=(), remark=""),
+    "Brightness.create": lambda: row({"low": "0"}, mdp=known().image),
+    "DiscreteActions.create": lambda: row(mdp=known().arm),
+    "Discretised.create": lambda: row({"low": "-1 0", "high": POSITIVE}, mdp=known().image),
+    "EpsilonGreedy": lambda: row({}, lambda epsilon: agent_with(exploration=edugym.EpsilonGreedy(epsilon)), epsilon=1),
+    "ExponentialDecay": lambda: row(
+        {"start": "0", "end": "0"}, lambda start, end, rate: scheduled(edugym.ExponentialDecay(start, end, rate)),
+        start=1, end=0, rate=0.5),
+    "FiniteModel.action_values": lambda: row(V=[0.0] * 4, discount=1),
+    "FiniteModel.sample": lambda: row(rng=np.random.default_rng(0)),
+    "FutureGoals": lambda: row(
+        {}, lambda goals: edugym.HindsightQLearning.create((4, 2), hindsight=edugym.FutureGoals(goals)), goals=4),
+    "GaussianActorCritic.create": lambda: row({"spread": POSITIVE}, environment=(2, 1)),
+    "Hashed.create": lambda: row(mdp=known().image),
+    "HashedTable.create": lambda: row({"key": "array"}, key=np.zeros(2), capacity=9),
+    "Identity.create": lambda: row({"constant": NOT_NEGATIVE}, environment=(2, 1)),
+    "LinearDecay": lambda: row(
+        {"start": "0", "end": "0"}, lambda start, end, steps: scheduled(edugym.LinearDecay(start, end, steps)),
+        start=1, end=0, steps=9),
+    "MDPEnv.reset": lambda: row({"options": ANY}),
+    "MDPEnv.step": lambda: row({}, lambda action: env().step(action)),
+    "MDPVectorEnv": lambda: row({"max_episode_steps": "-1"}, env=edugym.MDPEnv(known().walk)),
+    "MDPVectorEnv.showing": lambda: row({"i": "0"}),
+    "MDPVectorEnv.state": lambda: row({"i": "0"}),
+    "MDPVectorEnv.step": lambda: row({}, lambda actions: envs().step(actions)),
+    "NStepSARSA.create": lambda: row({"n": "inf"}),
+    "NoisyObservation.create": lambda: row({"levels": "0", "sigma": NOT_NEGATIVE}, mdp=known().image),
+    "PrioritisedSweeping.create": lambda: row({"planning_steps": "inf 0"}),
+    "RMax.create": lambda: row({"planning_steps": "inf 0", "lowest_return": "-1 0 2.5"}),
+    "UCT.create": lambda: row({"nodes": "None"}),
+    "Ladder": lambda: row(
         {"name": "text", "challenge": "text", "strength": "text", "source": "text", "bounds": "None",
-         "n_steps": "None"},
-        {"n_steps": "strengths"}),
-    "Profile.breaks": lambda: Case(profiled([walks()]).breaks, {"agent": "a", "challenge": "Walks"}),
-    "Profile.ladder": lambda: Case(profiled([walks()]).ladder, {"challenge": "Walks"}),
-    "Profile.rungs": lambda: Case(profiled([walks()]).rungs, {"agent": "a", "challenge": "Walks"}),
-    "Profile.score": lambda: Case(profiled([walks()]).score, {"agent": "a", "challenge": "Walks"}),
-    "Profile.scores": lambda: Case(profiled([walks()]).scores, {"agent": "a", "challenge": "Walks"}),
-    "Profile.steps": lambda: Case(profiled([walks()]).steps, {"agent": "a", "challenge": "Walks"}),
-    "Results.at": lambda: results("at", step=10)._replace(takes={"step": "0"}),
-    "Results.average": lambda: results("average"),
-    "Results.complete_agents": lambda: results("complete_agents"),
-    "Results.curves": lambda: results("curves"),
-    "Results.difference": lambda: results("difference", other="a"),
-    "Results.final": lambda: results("final"),
-    "Results.late": lambda: results("late")._replace(takes={"points": "1e30 1e400"}),
-    "Results.learned": lambda: results("learned"),
-    "Results.load": lambda: Case(edugym.Results.load, {"path": known().folder / "results.csv"}),
-    "Results.mean": lambda: results("mean"),
-    "Results.renamed": lambda: Case(known().results.renamed, {"label": "b"}, {"label": "text"}),
-    "Results.save": lambda: Case(known().results.save, {"path": known().folder / "other.csv"}, {"path": "text"}),
-    "Results.share": lambda: results("share", at_least=0)._replace(takes={"at_least": NUMBER}),
-    "ScheduledEpsilonGreedy.create": lambda: Case(
-        edugym.ScheduledEpsilonGreedy.create, {"schedule": edugym.LinearDecay(1, 0, 9)}),
-    "SeparateFrames.create": lambda: Case(edugym.SeparateFrames.create, {"mdp": known().walk, "k": 2}),
-    "Softmax": lambda: Case(
-        lambda temperature: agent_with(exploration=edugym.Softmax(temperature)),
-        {"temperature": 1}, {"temperature": "inf 2.5 1e30"}),
-    "Tabular.create": lambda: Case(
-        edugym.Tabular.create, {"mdp": edugym.SeparateFrames.create(known().walk, 2)}),
-    "TabularObservation": lambda: Case(edugym.TabularObservation, {"env": gymnasium.make("FrozenLake-v1")}),
-    "TabularObservation.observation": lambda: Case(
-        edugym.TabularObservation(gymnasium.make("FrozenLake-v1")).observation, {"observation": 1},
-        {"observation": "0"}),
-    "TileCoding.create": lambda: Case(edugym.TileCoding.create, {"environment": (2, 1)}),
-    "ThompsonSampling.create": lambda: Case(
-        edugym.ThompsonSampling.create, {"environment": (4, 2)}, {"spread": NOT_NEGATIVE}),
-    "UCB.create": lambda: Case(edugym.UCB.create, {"environment": (4, 2)}, {"c": NOT_NEGATIVE}),
-    "Values.value": lambda: Case(edugym.value_iteration(known().model).value, {"state": 0}),
-    "action_gaps": lambda: Case(edugym.action_gaps, {"model": edugym.finite_model(edugym.make_mdp("Bandit"))}),
-    "check_mdp": lambda: Case(edugym.check_mdp, {"mdp": known().walk}, {"n_steps": "0"}),
-    "finite_horizon": lambda: Case(edugym.finite_horizon, {"model": known().model, "horizon": 3}),
-    "finite_model": lambda: Case(edugym.finite_model, {"mdp": known().walk}),
-    "lai_robbins": lambda: Case(edugym.lai_robbins, {"probabilities": [0.5, 0.4]}),
-    "load": lambda: Case(
-        edugym.load, {"path": known().folder / "agent.npz"}, {"kinds": "[] agent_class task_class"}),
-    "make_environment": lambda: Case(lambda name: edugym.make_environment(name), {"name": "Boulder"}),
-    "make_mdp": lambda: Case(lambda name: edugym.make_mdp(name), {"name": "Boulder"}),
-    "mean_interval": lambda: Case(edugym.mean_interval, {"values": [1, 2, 3]}, {"values": "[] array"}),
-    "paired_difference": lambda: Case(
-        edugym.paired_difference, {"first": [1, 2], "second": [2, 2]}, named={"first": "second"}),
-    "policy_evaluation": lambda: Case(
-        edugym.policy_evaluation, {"model": known().model, "policy": [1] * 4}),
-    "policy_iteration": lambda: Case(edugym.policy_iteration, {"model": known().model}),
-    "policy_of": lambda: Case(edugym.policy_of, {"agent": known().agent, "model": known().model}),
-    "profile": lambda: Case(
-        on_walks(edugym.profile), {"agents": {"a": edugym.QLearning.create}, "repetitions": 1, "jobs": 1},
-        {"jobs": "None -1", "checkpoints": "text"}),
-    "proportion_interval": lambda: Case(
-        edugym.proportion_interval, {"successes": 1, "n": 2}, {"successes": "0"}, {"n": "successes"}),
-    "read_mdp": lambda: Case(lambda path: edugym.read_mdp(path), {"path": known().folder / "catch.py"}),
-    "read_minari": lambda: Case(
-        edugym.read_minari, {"dataset": written(), "model": known().model},
-        {"behaviour": "None"}, {"model": "dataset behaviour"}),
-    "record_visits": lambda: Case(
-        edugym.record_visits, {"agent": known().agent, "environment": known().walk, "n_steps": 10}),
-    "repeat": lambda: Case(
-        edugym.repeat,
-        {"environment": known().walk, "agents": {"a": known().agent}, "n_steps": 9, "repetitions": 1, "max_steps": 9,
-         "evaluate_every": 9, "jobs": 1},
+         "n_steps": "None"}, lambda **given: profiled([walks(**given)]), {"n_steps": "strengths"},
+        **walks()._asdict()),
+    "Profile.breaks": lambda: row(agent="a"),
+    "Profile.rungs": lambda: row(agent="a"),
+    "Profile.score": lambda: row(agent="a"),
+    "Profile.scores": lambda: row(agent="a"),
+    "Profile.steps": lambda: row(agent="a"),
+    "Results.at": lambda: row({"step": "0"}, step=10),
+    "Results.late": lambda: row({"points": "1e30 1e400"}),
+    "Results.load": lambda: row(path=known().folder / "results.csv"),
+    "Results.renamed": lambda: row({"label": "text"}, label="b"),
+    "Results.save": lambda: row({"path": "text"}, path=known().folder / "other.csv"),
+    "Results.share": lambda: row({"at_least": NUMBER}),
+    "ScheduledEpsilonGreedy.create": lambda: row(schedule=edugym.LinearDecay(1, 0, 9)),
+    "Softmax": lambda: row(
+        {"temperature": "inf 2.5 1e30"}, lambda temperature: agent_with(exploration=edugym.Softmax(temperature)),
+        temperature=1),
+    "Tabular.create": lambda: row(mdp=edugym.SeparateFrames.create(known().walk, 2)),
+    "TabularObservation": lambda: row(env=gymnasium.make("FrozenLake-v1")),
+    "TabularObservation.observation": lambda: row({"observation": "0"}, observation=1),
+    "TileCoding.create": lambda: row(environment=(2, 1)),
+    "ThompsonSampling.create": lambda: row({"spread": NOT_NEGATIVE}),
+    "UCB.create": lambda: row({"c": NOT_NEGATIVE}),
+    "action_gaps": lambda: row(model=edugym.finite_model(edugym.make_mdp("Bandit"))),
+    "check_mdp": lambda: row({"n_steps": "0"}),
+    "finite_horizon": lambda: row(horizon=3),
+    "lai_robbins": lambda: row(probabilities=[0.5, 0.4]),
+    "load": lambda: row({"kinds": "[] agent_class task_class"}, path=known().folder / "agent.npz"),
+    "make_environment": lambda: row({}, lambda name: edugym.make_environment(name), name="Boulder"),
+    "make_mdp": lambda: row({}, lambda name: edugym.make_mdp(name), name="Boulder"),
+    "mean_interval": lambda: row({"values": "[] array"}, values=[1, 2, 3]),
+    "paired_difference": lambda: row({}, found, {"first": "second"}, first=[1, 2], second=[2, 2]),
+    "profile": lambda: row(
+        {"jobs": "None -1", "checkpoints": "text"}, on_walks(edugym.profile),
+        agents={"a": edugym.QLearning.create}, repetitions=1, jobs=1),
+    "proportion_interval": lambda: row({"successes": "0"}, found, {"n": "successes"}, successes=1, n=2),
+    "read_mdp": lambda: row({}, lambda path: edugym.read_mdp(path), path=known().folder / "catch.py"),
+    "read_minari": lambda: row({"behaviour": "None"}, found, {"model": "dataset behaviour"}, dataset=written()),
+    "record_visits": lambda: row(n_steps=10),
+    "repeat": lambda: row(
         {"max_steps": "None", "evaluate_every": "None 1e30 1e400", "jobs": "None -1", "save_to": "text",
-         "checkpoints": "text"}),
-    "save": lambda: Case(
-        edugym.save, {"agent": known().agent, "path": known().folder / "other.npz"}, {"path": "text"}),
-    "share": lambda: Case(edugym.share, {"mdp": known().image, "path": known().folder / "other.py"}),
-    "stack_size": lambda: Case(edugym.stack_size, {"n_observations": 2, "k": 2}),
-    "table_size": lambda: Case(edugym.table_size, {"environment": known().walk}),
-    "train": lambda: Case(
-        edugym.train, {"environment": known().walk, "agent": known().agent, "n_steps": 9, "max_steps": 9},
-        {"max_steps": "None", "evaluate_every": "1e30 1e400"}),
-    "tuned_profile": lambda: Case(
-        on_walks(edugym.tuned_profile),
-        {"grids": {"a": {"b": edugym.QLearning.create}}, "repetitions": 1, "tuning_repetitions": 1, "jobs": 1},
-        {"jobs": "None -1", "checkpoints": "text"}),
-    "value_iteration": lambda: Case(edugym.value_iteration, {"model": known().model}),
-    "write_minari": lambda: Case(
-        in_own_folder(edugym.write_minari),
-        {"dataset": data(), "model": known().model, "name": "edugym/walk-v0"}, {"about": ANY}, {"dataset": "model"}),
-    "wrapper": lambda: Case(edugym.wrapper, {"kind": edugym.Tabular}),
+         "checkpoints": "text"},
+        agents={"a": known().agent}, repetitions=1, max_steps=9, evaluate_every=9, jobs=1),
+    "save": lambda: row({"path": "text"}, path=known().folder / "other.npz"),
+    "share": lambda: row(mdp=known().image, path=known().folder / "other.py"),
+    "stack_size": lambda: row(n_observations=2),
+    "train": lambda: row({"max_steps": "None", "evaluate_every": "1e30 1e400"}, max_steps=9),
+    "tuned_profile": lambda: row(
+        {"jobs": "None -1", "checkpoints": "text"}, on_walks(edugym.tuned_profile),
+        grids={"a": {"b": edugym.QLearning.create}}, repetitions=1, tuning_repetitions=1, jobs=1),
+    "write_minari": lambda: row(
+        {"about": ANY}, in_own_folder(edugym.write_minari), {"dataset": "model"}, name="edugym/walk-v0"),
+    "wrapper": lambda: row(kind=edugym.Tabular),
 }  # fmt: skip

@@ -26,19 +26,8 @@ from edugym.agents.settings import Range, Table
 from edugym.checks.parameters import in_short
 from edugym_course.grading import WrongAnswer
 from tests.contract import more_public_calls, public_calls
-from tests.contract.public_calls import EVERYWHERE, NUMBER, Case, known, odd_values
+from tests.contract.public_calls import EVERYWHERE, NUMBER, ROOMS, Case, completed, odd_values, row
 
-ROOMS = {
-    "figures": "edugym.experiments.figures",
-    "statistics": "edugym.experiments.results.statistics",
-    "tables": "edugym.experiments.results.tables",
-    "deep": "edugym.deep",
-    "games": "edugym.games",
-    "objectives": "edugym.objectives",
-    "notebook": "edugym_course.notebook",
-    "grading": "edugym_course.grading",
-}
-"""Public modules besides `edugym` itself, by the names that the table has for them."""
 CALLED_BY_LOOPS = ("edugym.agents.", "edugym.envs.games.", "edugym.mdp.")
 """Of classes from here only `create` counts, or what is made directly: machine code calls their other methods, with
 what the gates have looked at."""
@@ -67,16 +56,14 @@ SECONDS, BYTES = 60, 4 * 2**30
 
 
 def in_table(key: str) -> Case:
-    """The row of a public callable; for an agent or an environment without one, a simple call of its `create`."""
+    """The row of a public callable, or what follows from its name and those of its parameters."""
+    name, _, method = key.partition(".")
     for calls in (public_calls.CALLS, more_public_calls.CALLS):
         if key in calls:
-            return calls[key]()
-    name, _, method = key.partition(".")
+            return completed(key, calls[key]())
     if method == "create" and name in {entry.name for entry in edugym.ENVIRONMENTS}:
         return more_public_calls.of_environment(name)
-    if method == "create" and hasattr(getattr(edugym, name, None), "learn"):
-        return Case(getattr(edugym, name).create, {"environment": known().walk})
-    pytest.fail(f"{key} has no row in CALLS of public_calls.py")
+    return completed(key, row())
 
 
 def declared(key: str) -> dict[str, str]:

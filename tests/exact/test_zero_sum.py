@@ -1,5 +1,6 @@
 """Zero-sum games: each policy that is found guarantees the value, which proves that both are right."""
 
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -94,12 +95,18 @@ def in_own_words(state: Field) -> Ball:
     return Ball((first, second), state.ball)
 
 
+@cache
+def soccer(contact: float) -> tuple[Any, Any]:
+    """Its model and its solution: each takes a second."""
+    model = games.game_model(games.Soccer.create(contact))
+    return model, games.minimax_value_iteration(model, DISCOUNT)
+
+
 @pytest.mark.parametrize("contact", [0.0, 0.3, 1.0])
 def test_soccer_is_what_its_page_says(contact: float) -> None:
     """Every transition of the model, against an implementation of its own; and the values solve Shapley's equation."""
-    model = games.game_model(games.Soccer.create(contact))
+    model, solved = soccer(contact)
     states = model.joint[0].states
-    solved = games.minimax_value_iteration(model, DISCOUNT)
     values = dict(zip(map(in_own_words, states), solved.V.tolist(), strict=True))
     assert len(states) == 800
     for s, state in enumerate(states):
@@ -137,8 +144,7 @@ def test_the_value_of_soccer(contact: float, random_states: int) -> None:
 
     Without contact the value is a count of steps: γ^(steps - 1) to who has the ball.
     """
-    model = games.game_model(games.Soccer.create(contact))
-    solved = games.minimax_value_iteration(model, DISCOUNT)
+    model, solved = soccer(contact)
     assert solved.start == pytest.approx(0, abs=1e-9)
     assert games.exploitability(model, solved.policies, DISCOUNT) == pytest.approx(0, abs=1e-8)
     pure = solved.Q.min(axis=2).max(axis=1)  # what a policy without chance guarantees
