@@ -145,6 +145,7 @@ function controls() {
   find('policy').checked = state.policy
   find('blind').checked = state.blind
   const begun = running || state.at.some(Boolean) || lanes.some(({ steps }) => steps)
+  find('verdict').classList.toggle('awaited', begun) // it has its whole height from here on, so that nothing moves at the end
   lanes.forEach((lane, k) => {
     lane.bet.setAttribute('aria-pressed', bet === k)
     lane.bet.disabled = begun // whoever has seen something does not bet
