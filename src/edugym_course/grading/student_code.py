@@ -44,7 +44,7 @@ HINTS = (
         " have as well",
     ),
     (
-        "could not be broadcast|boolean index did not match",
+        "could not be broadcast|boolean index did not match|mismatch in its core dimension|shapes .* not aligned",
         "two arrays of different sizes meet there: are rows and columns in order?",
     ),
     ("scale < 0", "a standard deviation is below 0: is it ln σ that is learned, and σ = e^(ln σ)?"),

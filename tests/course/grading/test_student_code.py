@@ -79,6 +79,8 @@ ERRORS = [
     ("return float(np.zeros(2))", "an array stands where one number is needed"),
     ("table = np.zeros(3); table[0] = np.ones(2)", "an array stands where one number is needed"),
     ("return np.zeros(2) + np.zeros(3)", "two arrays of different sizes meet there"),
+    ("return np.zeros((2, 3)) @ np.zeros(2)", "two arrays of different sizes meet there"),
+    ("return np.dot(np.zeros((2, 3)), np.zeros(2))", "two arrays of different sizes meet there"),
     ("return np.ones((2, 3))[np.ones((3, 2)) > 0]", "two arrays of different sizes meet there"),
     ("return np.random.default_rng(0).normal(0, -1)", "a standard deviation is below 0"),
     ("return random.random()", "`import` it first"),

@@ -47,6 +47,19 @@ def test_what_a_policy_loses() -> None:
     assert returns[1] == pytest.approx(methods.can_lose(field, 0, random))
 
 
+def test_safe_choices() -> None:
+    """In 56 states of each player one comes from the solution, or in all others; with both halves nothing is lost."""
+    field = methods.soccer()
+    random = [games.uniform_policy(field.game, player) for player in (0, 1)]
+    there, elsewhere = (methods.with_safe_choices(random, elsewhere=where) for where in (False, True))
+    for player, own in enumerate(random):
+        assert (there[player] != own).any(axis=1).sum() == 56
+        assert ((there[player] == own) | (elsewhere[player] == own)).all()
+    both = methods.with_safe_choices(there, elsewhere=True)
+    assert games.exploitability(field.model, both, 0.9) == pytest.approx(0.0, abs=1e-9)
+    assert games.exploitability(field.model, elsewhere, 0.9) < games.exploitability(field.model, there, 0.9)
+
+
 def test_where_a_policy_is_weak() -> None:
     """The state needs a random choice, and the solution guarantees more there than the policy; itself, no more."""
     game, solved = methods.soccer().game, methods.solution()

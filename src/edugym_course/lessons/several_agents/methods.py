@@ -205,6 +205,22 @@ def rows_that_need_chance(solved: GameValues) -> Any:
     return np.flatnonzero(solved.V - without_chance > EXACT)
 
 
+def with_safe_choices(policies: Any, *, elsewhere: bool, discount: float = DISCOUNT) -> list[Reals]:
+    """Return two policies of soccer that are safe where a random choice is needed, or `elsewhere`, and nowhere else."""
+    known, solved = soccer(), solution(1.0, discount)
+    states = known.model.joint[0].states
+    mixed = []
+    for player, own in enumerate(policies):
+        without_chance = solved.Q.max(axis=1).min(axis=1) if player else solved.Q.min(axis=2).max(axis=1)
+        rows = np.flatnonzero(np.abs(solved.V - without_chance) > EXACT)
+        needed = [known.game.observation(states[row], player, None) for row in rows]
+        policy, other = (solved.policies[player], own) if elsewhere else (own, solved.policies[player])
+        policy = np.array(policy)
+        policy[needed] = np.asarray(other)[needed]
+        mixed.append(policy)
+    return mixed
+
+
 def can_lose(known: Known, player: int, policy: Any, discount: float = DISCOUNT) -> float:
     """Return what the best opponent of a policy wins from it on average: 0 for the solution, where the value is 0."""
     return value_iteration(known.model.against(1 - player, policy), discount).start

@@ -326,7 +326,8 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
         if policy[2, worth.argmax()] < SURE / 2:
             return (
                 "In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix"
-                " game the actions of player_0?"
+                " game the actions of player_0, is it the game of the state in which they acted, and does an episode"
+                " begin with the state that reset gives?"
             )
         if policy[1].max() > SURE:
             return (

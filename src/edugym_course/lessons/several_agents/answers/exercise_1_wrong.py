@@ -168,7 +168,7 @@ def exploitability(payoffs, first, second):
 
 
 # %% sizes
-# says: the size of each difference is taken; a best answer is the best of them, with its sign
+# says: the absolute value of each difference is taken; a best answer is the best of them, with its sign
 def exploitability(payoffs, first, second):
     rows, columns, now = payoffs @ second, first @ payoffs, first @ payoffs @ second
     return (abs(rows - now).max() + abs(columns - now).max()) / 2
@@ -222,3 +222,22 @@ def exploitability(payoffs, first, second):
 def exploitability(payoffs, first, second):
     payoffs -= first @ payoffs @ second
     return ((payoffs @ second).max() - (first @ payoffs).min()) / 2
+
+
+# %% absolute values
+# says: absolute values are compared; a best answer is the best payoff, with its sign
+def exploitability(payoffs, first, second):
+    return (abs(payoffs @ second).max() + abs(first @ payoffs).max()) / 2
+
+
+# %% its own probabilities
+# says: payoffs are multiplied by how often the player itself takes the action; whoever answers takes the best one always
+def exploitability(payoffs, first, second):
+    return ((first * (payoffs @ second)).max() - ((first @ payoffs) * second).min()) / 2
+
+
+# %% means, added
+# says: the means over the actions of the one who answers are added; the best action counts, and half of the sum
+def exploitability(payoffs, first, second):
+    now = first @ payoffs @ second
+    return (payoffs @ second - now).mean() + (now - first @ payoffs).mean()

@@ -151,3 +151,17 @@ def safe_probability(payoffs):
 def safe_probability(payoffs):
     (a, b), (c, d) = payoffs
     return (d - c) / (d - c + b - a)
+
+
+# %% parentheses below the line alone
+# says: parentheses are missing above the line: Python divides before it subtracts
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return d - c / (a - b - c + d)
+
+
+# %% the columns of player 1, with a sign
+# says: the sign is wrong, and with it player 0 itself would not care which row it takes; it is player 1 who must not care about the column
+def safe_probability(payoffs):
+    (a, b), (c, d) = payoffs
+    return (b - d) / (a - b - c + d)

@@ -161,11 +161,11 @@ def learn(Q, V, state, action, other_action, reward, next_state, terminated):
 # + Q, V = Q.copy(), V.copy()
 # + if terminated:
 
-# %% a tenth
+# %% three tenths
 # says: none of the usual mistakes
 # in: step by step
 # - Q[state][action][other_action] += 0.5 * error
-# + Q[state][action][other_action] += 0.1 * error
+# + Q[state][action][other_action] += 0.3 * error
 
 # %% an equilibrium for a number
 # says: raises ValueError
@@ -338,3 +338,20 @@ learn = games.MinimaxQ
 # in: step by step
 # - target = reward
 # + target = V[state]
+
+
+# %% a number that is taken out
+# says: Q stays as it was: a number taken out of an array is a copy, so write into Q[state, action, other_action]
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    q = Q[state, action, other_action]
+    q += 0.5 * (target - q)
+    V[state] = games.solve_zero_sum(Q[state]).value
+
+
+# %% another learning rate
+# says: the step is a tenth of the way to the target; α is 0.5
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    Q[state, action, other_action] += 0.1 * (target - Q[state, action, other_action])
+    V[state] = games.solve_zero_sum(Q[state]).value

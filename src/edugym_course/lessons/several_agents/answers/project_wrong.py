@@ -25,7 +25,7 @@
 
 # %% columns
 # slow
-# says: In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix game the actions of player_0?
+# says: In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix game the actions of player_0, is it the game of the state in which they acted, and does an episode begin with the state that reset gives?
 # in: all pairs at random
 # - solved[state] = games.solve_zero_sum(Q[state])
 # + solved[state] = games.solve_zero_sum(Q[state].T)
@@ -160,3 +160,11 @@ my_program = games.MinimaxQ
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.8 * value(int(seen[me]))
+
+
+# %% goes on from the end
+# slow
+# says: does an episode begin with the state that reset gives?
+# in: all pairs at random
+# - seen, _ = environment.reset()
+# + environment.reset()

@@ -106,10 +106,19 @@ def _other_gains(pair: Pair, weight: float) -> dict[str, float]:
         "that is what the policy of player 0 loses to its best opponent; the mean of both gains is asked": (
             worth - columns.min()
         ),
-        "the size of each difference is taken; a best answer is the best of them, with its sign": (
+        "the absolute value of each difference is taken; a best answer is the best of them, with its sign": (
             abs(rows - now).max() + weight * abs(columns - now).max()
         )
         / 2,
+        "absolute values are compared; a best answer is the best payoff, with its sign": (
+            abs(rows).max() + weight * abs(columns).max()
+        )
+        / 2,
+        "payoffs are multiplied by how often the player itself takes the action; whoever answers takes the best one"
+        " always": ((first * rows).max() - now + weight * (now - (columns * second).min())) / 2,
+        "the means over the actions of the one who answers are added; the best action counts, and half of the sum": (
+            rows.mean() - now + weight * (now - columns.mean())
+        ),
         "the most probable action stands for each policy; all of them count, by their probabilities": (
             payoffs[:, j].max() - payoffs[i, j] + weight * (payoffs[i, j] - payoffs[i].min())
         )
@@ -153,6 +162,9 @@ def mixed(payoffs: Reals) -> dict[str, float]:
         "c and d are added above the line; it is d − c": (d + c) / total,
         "b and c are left out below the line; it is a − b − c + d": _over(d - c, a + d),
         "the fraction is upside down: a probability is at most 1": total / (d - c),
+        "parentheses are missing above the line: Python divides before it subtracts": d - c / total,
+        "the sign is wrong, and with it player 0 itself would not care which row it takes; it is player 1 who must not"
+        " care about the column": (b - d) / total,
         "parentheses are missing: Python divides before it subtracts": d - _over(c, a) - b - c + d,
         "that is a percentage; a probability goes from 0 to 1": 100 * (d - c) / total,
         "that is the answer to the example above; do the same with letters": 0.4,

@@ -79,7 +79,7 @@ def updated(
         Q[s, a, o] += learning_rate * target
     elif entry == "next":
         Q[then, a, o] += learning_rate * (target - Q[then, a, o])
-    else:
+    elif entry == "lost":
         Q[s, a, o] = learning_rate * (target - Q[s, a, o])
     if where in ("nowhere", "first") or (where == "not at the end" and terminated):
         return
@@ -138,6 +138,7 @@ UPDATE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "Q[next_state, ...] changes; the pair of actions was taken in `state`": {"entry": "next"},
     "`=` where `+=` is needed: the old value is lost": {"entry": "lost"},
     "the whole way to the target is gone, as with α = 1; it is 0.5": {"learning_rate": 1.0},
+    "the step is a tenth of the way to the target; α is 0.5": {"learning_rate": 0.1},
     "the step is 0.9 of the way to the target; α is 0.5": {"learning_rate": 0.9},
     "the target has the mean of Q[next_state]; it is V[next_state]": {"future": "mean"},
     "V has the wrong sign: it is your own value, and your own actions are the rows": {"value": "negative"},
@@ -156,6 +157,9 @@ UPDATE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "V is the entry of the two actions that were taken; it is the value of the game": {"value": "entry"},
     "V stays where the game ends; Q[state] has changed there, too": {"where": "not at the end"},
     "what follows is subtracted; it is added to the reward": {"discount": -0.9},
+    "Q stays as it was: a number taken out of an array is a copy, so write into Q[state, action, other_action]": {
+        "entry": "none"
+    },
     "Q is copied, and the copy changes; write into the array that is given": {"entry": "copy"},
     "V is max_o min_a Q, with the axes mixed up; it is the value of the game": {"value": "axes"},
     "V is the mean of Q[state]; it is the value of the game": {"value": "average"},
