@@ -145,6 +145,27 @@ def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
     reader.check()
 
 
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
+def test_a_finger_plays(race: Any, address: str, browser: Any) -> None:
+    """Each action is large enough for a finger, and fits the screen with the board; quick taps are steps, not zooms."""
+    reader = Reader(browser, f"{address}#task={race.environment}&play=true", PHONE)
+    until(lambda: reader("document.querySelectorAll('#actions button').length"), "the actions")
+    shown = "[...document.querySelectorAll('#actions button')].filter(button => !button.hidden)"
+    corners = "(({ left, top, right, bottom }) => [left, top, right, bottom])"
+    reader("document.querySelector('#board').scrollIntoView()")
+    left, top, right, bottom = reader(f"{corners}({shown}[0].getBoundingClientRect())")
+    assert right - left >= 24
+    assert bottom - top >= 24
+    assert bottom <= PHONE[1]
+    tap = {"touchPoints": [{"x": (left + right) / 2, "y": (top + bottom) / 2}]}
+    for _ in range(2):
+        browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchStart", **tap})
+        browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    until(lambda: "Step 2," in reader.text("#score") or "It is over" in reader.text("#score"), "two steps")
+    assert reader("visualViewport.scale") == 1
+    reader.check()
+
+
 def test_arrow_keys_play_once_the_tab_is_open(address: str, browser: Any) -> None:
     """They do not turn to the next tab; and what cannot be sent from there is not offered."""
     from selenium.webdriver import ActionChains, Keys
