@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.compiled import arithmetic, draws
+from edugym.compiled import arithmetic
 from edugym.compiled.compiler import compiled
 from edugym.compiled.execution import executable
 from edugym.compiled.snapshot import difference
@@ -110,40 +110,6 @@ def test_every_function_of_math(name: str, functions: tuple[Any, Callable[..., N
         else:
             assert (got is None) == (expected is None), x
             assert expected is None or got == pytest.approx(expected, rel=1e-15, abs=0.0, nan_ok=True), x
-
-
-DRAWN: list[tuple[str, Callable[..., Any], list[tuple[Any, ...]]]] = [
-    ("normal", draws._normal, [(1.0, 2.0), (1.0, 0.0), (1.0, -0.5)]),
-    ("exponential", draws._exponential, [(2.0,), (0.0,), (-0.5,)]),
-    ("uniform", draws._uniform, [(1.0, 3.0), (1.0, 1.0), (1.0, 0.5)]),
-    ("poisson", draws._poisson, [(3.5,), (0.0,), (-0.5,)]),
-    ("binomial", draws._binomial, [(9, 0.3), (0, 0.3), (9, 0.0), (9, 1.0), (-1, 0.3), (9, -0.1), (9, 1.1)]),
-    (
-        "choice",
-        draws._weighted_index,
-        [(3, (0.2, 0.5, 0.3)), (2, (0.0, 1.0)), (2, (0.5, 0.4)), (2, (1.5, -0.5)), (2, (1.0,))],
-    ),
-]
-"""Draws of NumPy's, what stands for each in machine code, and what both are given: some of it is an error."""
-
-
-@pytest.mark.parametrize(
-    ("name", "stand_in", "given"), [(name, one, args) for name, one, more in DRAWN for args in more]
-)
-def test_what_stands_for_a_draw(name: str, stand_in: Callable[..., Any], given: tuple[Any, ...]) -> None:
-    """Interpreted it draws the same twenty times, from a stream that is then the same, or it is an error too."""
-
-    def found(draw: Callable[..., Any], rng: np.random.Generator) -> Any:
-        try:
-            return [draw() for _ in range(20)], rng.bit_generator.state
-        except ValueError:
-            return None
-
-    ours, theirs = np.random.default_rng(3), np.random.default_rng(3)
-    drawn = (
-        (lambda: theirs.choice(given[0], p=given[1])) if name == "choice" else (lambda: getattr(theirs, name)(*given))
-    )
-    assert found(lambda: stand_in(ours, *given), ours) == found(drawn, theirs)
 
 
 @pytest.mark.parametrize("values", [[], [0.0], [2.0, 0.0], [0.0, 3.0, -1.5], [2.0, -1.5, 7.0], [1.0, math.nan]])

@@ -336,17 +336,10 @@ def test_a_preview_has_a_picture_where_the_address_is_known(
     assert tags.count("a &lt; b") == 2
 
 
-PAGE = """# Of {0}
+INDEX = r"""# First
 
 A page of more than three words.
 
-```{{toctree}}
-:hidden:
-
-{1}
-```
-"""
-RICH = r"""
 | | $\pi < 1$ |
 |---|---|
 | $a$ | b |
@@ -355,8 +348,9 @@ $$x$$
 
 ```{py:function} train(mdp, agent, n_steps, seed, evaluate_every, evaluation_episodes)
 ```
-"""
 
+"""
+BELOW = "```{{toctree}}\n:hidden:\n\n{}\n```\n"
 ADDED = (
     '<td class="head"></td>',
     '<th class="head"><p><math aria-label="&#x003C0;&#x0003C;1"',
@@ -365,10 +359,9 @@ ADDED = (
     '<aside class="toc-drawer" aria-label="On this page">',
     '<li class="group">To begin</li>',
     '<meta name="description" content="A page of more than three words.">',
-    '<meta property="og:title" content="Of index">',
+    '<meta property="og:title" content="First">',
     '<p class="versions">Version ',
     '<span class="parameters">',
-    "math aria-label",
     "_static/site.css",
     'defer="defer" src="_static/site.js',
 )
@@ -378,8 +371,8 @@ ADDED = (
 def test_a_website_is_built_and_shown(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Three pages with all that the settings add, and the playground. What was there before is gone."""
     website = pytest.importorskip("website")
-    pages = [("index", "lessons/index"), ("lessons/index", "00_loop"), ("lessons/00_loop", "")]
-    texts = {f"{page}.md": (PAGE.format(page, below) + RICH * (page == "index")).encode() for page, below in pages}
+    texts = {"index": INDEX + BELOW.format("lessons/index"), "lessons/index": "# Lessons\n\n" + BELOW.format("00_loop")}
+    files = {f"{page}.md": text.encode() for page, text in {**texts, "lessons/00_loop": "# Loop"}.items()}
     shown = list[str]()
 
     class Server(ThreadingHTTPServer):
@@ -390,24 +383,21 @@ def test_a_website_is_built_and_shown(tmp_path: Path, monkeypatch: pytest.Monkey
                     self.handle_request()
                     shown.append(asked.result().read().decode())
 
-    def build(folder: Path, jobs: int) -> None:
-        folder.mkdir()
-        (folder / "index.html").write_text("the playground")
-
-    for name, value in {"sources": lambda with_lite: texts, "BUILT": tmp_path, "ThreadingHTTPServer": Server}.items():
+    for name, value in {"sources": lambda with_lite: files, "BUILT": tmp_path, "ThreadingHTTPServer": Server}.items():
         monkeypatch.setattr(website, name, value)
-    monkeypatch.setattr(website.playground, "BUILT", tmp_path / "playground")
-    monkeypatch.setattr(website.playground, "build", build)
+    raced = tmp_path / "playground" / "index.html"
+    monkeypatch.setattr(website.playground, "BUILT", raced.parent)
+    monkeypatch.setattr(website.playground, "build", lambda folder, jobs: raced.write_text("races"))
     monkeypatch.setattr(sys, "argv", ["website.py", "--serve", "--port", "0", "--jobs", "1"])
-    for old in ("source/old.md", "html/old.html", "html/playground/old.html"):
+    for old in ("source/old.md", "html/old.html", "html/playground/old.html", "playground/new.html"):
         (tmp_path / old).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / old).write_text("# Old")
     assert website.main() == 0
-    page, raced, search = shown
+    page, races, search = shown
     for part in ADDED:
         assert page.count(part) == 1, part
     assert "<dl>" not in page
-    assert raced == "the playground"
+    assert races == "races"
     assert "<h1>Search</h1>" in search
     assert not [*tmp_path.rglob("old*")]
     assert (tmp_path / "html" / "_static" / "math.woff").stat().st_size > 10_000

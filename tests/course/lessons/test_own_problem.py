@@ -140,14 +140,12 @@ def test_a_tour_in_words() -> None:
 
 
 def test_names_and_maps() -> None:
-    """Of actions, hours, and what is seen in the bedroom; states that are single numbers stand side by side."""
+    """Of actions, hours; states that are single numbers stand side by side."""
     names = figures.names_of(morning.Morning())
     assert names == ["stay quiet", "chime", "ring"]
     assert figures.initials(["up", "under"]) == ["0", "1"]
     assert "(7, 2): ring (value -4.9)" in exact.in_words(exact.solve(morning.Morning()), dict(enumerate(names)))
     assert [bedroom.clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
-    for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):
-        assert words in to_text(morning.Morning().scene(state, 2))
     values = exact.solve(Circle())
     assert figures.can_be_drawn(values)
     ax = figures.PolicyMap(values, ["stay", "go"]).draw()
