@@ -39,6 +39,7 @@ COMPILED = {
     "whole at first": program(
         "self.Q[int(rng.random() * 4)] *= 0.5\nreturn self.m(k=s, s=max(int(rng.integers(0, 5)), -1))",
         start="1", more="def m(self, s, k, beta=0.5): return s * beta + k", **Q),
+    "property": program("return 0.5 * s + self.half * self.x", more="@property\ndef half(self): return self.x / 2"),
     "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1] + (s in [1.0, 0.5])", **Q),
     "parts in place": program(
         "i = int(s) % 9\nself.Q[i] *= 0.5\nself.Q[i:, 1] += s\nself.Q[::-2, ::-1] -= 1\nself.Q[-1][:] /= 4\nself.Q[i], i = self.Q[3], 2\n"

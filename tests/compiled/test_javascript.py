@@ -62,7 +62,6 @@ TRAPS = {
     "products modulo beyond": program("return float((-5 - int(s)) * 0x7FFFFFFFFFF0000 % 1000)"),
     "list by two names": program("a = []\nb = a\nb.append(0.5)\na.append(int(s) % 3)\nreturn 0.5 * s + a[0] + b[1]"),
     "list from two places": program("a, b = [], [s + 1]\nif s >= 0: a = b\nreturn 0.5 * a[0]"),
-    "property": program("return 0.5 * s + self.half * self.x", more="@property\ndef half(self): return self.x / 2"),
     "list in a helper": program("a = [1]\nself.h(a)\nreturn 0.5 * s + a[1] * 2", more="def h(self, a): a.append(2)"),
     "nested loops that break": program(
         "t = 0.0\nfor i in range(5):\n    for j in range(i, -1, -2):\n        if j * i > s: break\n        if j == 3: continue\n        t += j\n"

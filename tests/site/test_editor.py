@@ -1,7 +1,6 @@
 """The editor of the playground: what a reader may begin with runs, and mistakes are told with their line."""
 
 import re
-import tarfile
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -246,9 +245,11 @@ def test_without_npm_there_is_no_editor(tmp_path: Path, monkeypatch: pytest.Monk
 
 
 def test_what_is_fetched_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """An archive that is there is not fetched again."""
+    """By the name that was asked for; an archive that is there is not fetched again."""
+    script = """#!/bin/sh\necho '[{"filename": "@a/b-1.0.0.tgz"}]'\necho "archive of $5" > "$4/a-b-1.0.0.tgz"\n"""
+    (tmp_path / "npm").write_text(script)
+    (tmp_path / "npm").chmod(0o700)
     monkeypatch.setattr(npm, "PACKAGES", tmp_path)
-    monkeypatch.setenv("PATH", "")
-    kept = tmp_path / "a-b-1.0.tgz"
-    tarfile.open(kept, "w").close()
-    assert npm.fetched("@a/b@1.0") == kept
+    for path in (str(tmp_path), ""):
+        monkeypatch.setenv("PATH", path)
+        assert npm.fetched("@a/b@1.0").read_text() == "archive of @a/b@1.0\n"
