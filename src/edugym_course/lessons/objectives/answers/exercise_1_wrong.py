@@ -360,3 +360,12 @@ def pareto_optimal(points):
 # says: gives a generator, which can be gone through once: make a list of it
 def pareto_optimal(points):
     return (p for p in points if not any(q[0] >= p[0] and q[1] >= p[1] and q != p for q in points))
+
+
+# %% the best of each value
+# says: only the best one for each value is kept; another one may be better in both
+def pareto_optimal(points):
+    shortest = {}
+    for value, time in points:
+        shortest[value] = max(time, shortest.get(value, -float("inf")))
+    return [(value, time) for value, time in points if shortest[value] == time]

@@ -320,3 +320,11 @@ def closest_action(Q, state, weights, utopian):
 # in: arrays
 # - return np.argmin(distances.max(axis=1))
 # + return np.argmin(distances)
+
+
+# %% signs mixed up
+# says: the signs are mixed up: that is the largest of max w (Q − z)
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# - return np.argmin(distances.max(axis=1))
+# + return np.argmax((weights * (Q[state] - utopian)).max(axis=1))

@@ -215,3 +215,15 @@ def new_price(price, steps, limit, rate):
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return max(0.0, price + rate * (-steps - limit))
+
+
+# %% squared
+# says: the steps beyond the limit are squared; the rate times their number is added
+def new_price(price, steps, limit, rate):
+    return max(0.0, price + rate * (steps - limit) * abs(steps - limit))
+
+
+# %% not below the rate
+# says: the price may fall to 0, and not only to the rate
+def new_price(price, steps, limit, rate):
+    return max(rate, price + rate * (steps - limit))

@@ -93,6 +93,7 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
     "the best values in this state stand in the place of `utopian`": lambda Q, s, w, z: _distances(
         Q, s, w, Q[s].max(axis=0)
     ).max(axis=1),
+    "the signs are mixed up: that is the largest of max w (Q − z)": lambda Q, s, w, z: -(w * (Q[s] - z)).max(axis=1),
     "only the objective with the larger weight counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, w.argmax()],
     "the last action is left out: does the range of the loop end too early?": lambda Q, s, w, z: _among(
         slice(None, -1), _distances(Q, s, w, z).max(axis=1)
@@ -178,6 +179,10 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
         0.0, (1 - r) * p + r * (n - most)
     ),
     "the price and the rate have changed places": lambda p, n, most, r: max(0.0, r + p * (n - most)),
+    "the steps beyond the limit are squared; the rate times their number is added": lambda p, n, most, r: max(
+        0.0, p + r * (n - most) * abs(n - most)
+    ),
+    "the price may fall to 0, and not only to the rate": lambda p, n, most, r: max(r, p + r * (n - most)),
     "the price only falls; after a long dive it should rise": lambda p, n, most, r: max(
         0.0, p + r * min(0.0, n - most)
     ),

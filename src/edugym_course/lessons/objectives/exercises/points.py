@@ -97,6 +97,9 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     "only the best one for each time is kept; another one may be better in both": lambda points: [
         p for p in points if p[0] == max(q[0] for q in points if q[1] == p[1])
     ],
+    "only the best one for each value is kept; another one may be better in both": lambda points: [
+        p for p in points if p[1] == max(q[1] for q in points if q[0] == p[0])
+    ],
     "only the point with the most value for each step is kept; that is one more way to weigh": lambda points: _highest(
         points, lambda p: -p[0] / p[1]
     ),

@@ -241,3 +241,12 @@ def exploitability(payoffs, first, second):
 def exploitability(payoffs, first, second):
     now = first @ payoffs @ second
     return (payoffs @ second - now).mean() + (now - first @ payoffs).mean()
+
+
+# %% half of the gain of player 1 is what both get now
+# says: half of what player 0 gains
+# says: half of what player 1 gains
+# says: which of them is another one in your code?
+def exploitability(payoffs, first, second):
+    now = first @ payoffs @ second
+    return ((payoffs @ second).max() - now + now / 4) / 2

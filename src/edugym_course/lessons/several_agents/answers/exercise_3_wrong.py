@@ -355,3 +355,35 @@ def learn(Q, V, state, action, other_action, reward, next_state, terminated):
     target = reward if terminated else reward + 0.9 * V[next_state]
     Q[state, action, other_action] += 0.1 * (target - Q[state, action, other_action])
     V[state] = games.solve_zero_sum(Q[state]).value
+
+
+# %% the whole table of the state
+# says: all entries of Q[state] change; the pair of actions has one number
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    Q[state] += 0.5 * (target - Q[state])
+    V[state] = games.solve_zero_sum(Q[state]).value
+
+
+# %% twice
+# says: the step is taken twice; once is enough
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    for _ in range(2):
+        Q[state, action, other_action] += 0.5 * (target - Q[state, action, other_action])
+    V[state] = games.solve_zero_sum(Q[state]).value
+
+
+# %% no parentheses
+# says: the old value goes wholly, so Q is α times the target: put the target − Q(S, A, O) in parentheses
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    future = 0 if terminated else V[next_state]
+    Q[state, action, other_action] += 0.5 * (reward + 0.9 * future) - Q[state, action, other_action]
+    V[state] = games.solve_zero_sum(Q[state]).value
+
+
+# %% V alone
+# says: V moves towards the target, and Q stays: first Q, and V is then the value of the matrix game Q[state]
+def learn(Q, V, state, action, other_action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.9 * V[next_state]
+    V[state] += 0.5 * (target - V[state])

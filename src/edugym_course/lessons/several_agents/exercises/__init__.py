@@ -10,7 +10,7 @@ from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mis
 from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import all_same, differing, digits, in_brackets, number, require_unchanged
-from edugym_course.lessons.several_agents.exercises.gains import Pair, exploitability, games_of, mixed, pairs
+from edugym_course.lessons.several_agents.exercises.gains import Pair, exploitability, games_of, halves, mixed, pairs
 from edugym_course.lessons.several_agents.exercises.update import UPDATE_MISTAKES, Case, Step, cases_of, updated
 
 Weight = Annotated[
@@ -35,7 +35,7 @@ def exercise_1(answer: Any, seed: int, weight: Weight = 1.0) -> str:
         for name, given, before in zip(Pair._fields, mine, pair, strict=True):
             require_unchanged(call, name, given, before)
         wrong = exploitability(pair, weight)
-        cases.append(NumberCase(call, number(call, found), wrong.pop(""), wrong))
+        cases.append(NumberCase(call, number(call, found), wrong.pop(""), wrong, halves(pair, weight)))
     compare_all(cases)
     if weight != 1.0:
         return f"Right: both gains are exact, and that of player 1 counts {weight} times."

@@ -61,6 +61,14 @@ def exploitability(pair: Pair, weight: float = 1.0) -> dict[str, float]:
     }
 
 
+def halves(pair: Pair, weight: float) -> dict[str, float]:
+    """Return the two parts of the right number, by name."""
+    payoffs, first, second = pair
+    now = first @ payoffs @ second
+    gain, other_gain = (payoffs @ second).max() - now, now - (first @ payoffs).min()
+    return {"half of what player 0 gains": gain / 2, "half of what player 1 gains": weight * other_gain / 2}
+
+
 def _other_gains(pair: Pair, weight: float) -> dict[str, float]:
     """Return what some more mistakes give, by their sentences."""
     payoffs, first, second = pair

@@ -79,6 +79,13 @@ def updated(
         Q[s, a, o] += learning_rate * target
     elif entry == "next":
         Q[then, a, o] += learning_rate * (target - Q[then, a, o])
+    elif entry == "state":
+        Q[s] += learning_rate * (target - Q[s])
+    elif entry == "twice":
+        for _ in range(2):
+            Q[s, a, o] += learning_rate * (target - Q[s, a, o])
+    elif entry == "unbracketed":
+        Q[s, a, o] = learning_rate * target
     elif entry == "lost":
         Q[s, a, o] = learning_rate * (target - Q[s, a, o])
     if where in ("nowhere", "first") or (where == "not at the end" and terminated):
@@ -98,6 +105,7 @@ def updated(
         "average": lambda: Q[k].mean(),
         "negative": lambda: -solve_zero_sum(Q[k]).value,
         "worst best": lambda: Q[k].max(axis=1).min(),
+        "towards": lambda: old_V + learning_rate * (target - old_V),
         "half": lambda: old_V + 0.5 * (solve_zero_sum(Q[k]).value - old_V),
     }
     V[k] = values[value]()
@@ -135,6 +143,15 @@ UPDATE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "ends": "inverted"
     },
     "all entries of Q[state, action] change; the other's action has a number of its own": {"entry": "own"},
+    "all entries of Q[state] change; the pair of actions has one number": {"entry": "state"},
+    "the step is taken twice; once is enough": {"entry": "twice"},
+    "the old value goes wholly, so Q is α times the target: put the target − Q(S, A, O) in parentheses": {
+        "entry": "unbracketed"
+    },
+    "V moves towards the target, and Q stays: first Q, and V is then the value of the matrix game Q[state]": {
+        "entry": "none",
+        "value": "towards",
+    },
     "Q[next_state, ...] changes; the pair of actions was taken in `state`": {"entry": "next"},
     "`=` where `+=` is needed: the old value is lost": {"entry": "lost"},
     "the whole way to the target is gone, as with α = 1; it is 0.5": {"learning_rate": 1.0},
