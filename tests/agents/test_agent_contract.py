@@ -16,6 +16,7 @@ from edugym import (
     EpsilonGreedy,
     Hashed,
     HindsightDQN,
+    HindsightQLearning,
     MDPEnv,
     TabularObservation,
     load,
@@ -198,8 +199,8 @@ class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
     """A wrapper that changes nothing, but of which `train` cannot know it."""
 
 
-BUILT_FAST = [case for case in KINDS.values() if case.kind is not HindsightDQN]
-"""Those whose machine code is made in a few seconds. Of `HindsightDQN` a test of its own tells the same."""
+BUILT_FAST = [case for case in KINDS.values() if case.kind not in (HindsightDQN, HindsightQLearning)]
+"""Those of which no test of their own tells the same: agents with goals have one, where there are goals."""
 
 
 @pytest.mark.parametrize(
