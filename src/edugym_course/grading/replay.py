@@ -46,6 +46,10 @@ AT_ONCE = 100
 """How many steps a mistake goes on, before another one that is more probable may."""
 SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
 FALLS = "Their share falls during a run: ε should be the same from the first step to the last"
+FIRST = (
+    "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
+    " that reset() gives"
+)
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
 
 
@@ -84,6 +88,11 @@ def _goes_on(step: Step, before: Step | None) -> Step:
 
 def _ends(step: Step, before: Step | None) -> Step:
     return step._replace(terminated=step.terminated or step.truncated)
+
+
+def _is_over(before: Step | None) -> bool:
+    """Whether an episode begins after a step, or with the first one."""
+    return before is None or before.terminated or before.truncated
 
 
 def _old_start(step: Step, before: Step | None) -> Step:
@@ -316,7 +325,9 @@ class Rule:
         elif is_better and likely.explains_those_of(right, mistake.leaves):
             cause = f"They fit a usual mistake: {sentence}"
         else:
-            cause = self._cause(right, tries)
+            first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
+            only_first = right.among(~first).is_usual() and not right.among(first).is_usual()
+            cause = FIRST if only_first else self._cause(right, tries)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
             " that its own steps make look best by the equation of this lesson, and with ε ="

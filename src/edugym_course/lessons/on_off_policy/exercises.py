@@ -110,7 +110,12 @@ def _path_changes(epsilon: float) -> float:
 
 PRECISION = 0.0011
 """A search in steps of 0.001 ends up to 0.001 above the exact value."""
-SEARCHED = np.arange(0.0, 0.2, 0.001)
+SEARCHED_TO = 0.2
+END_OF_SEARCH = (
+    "that is the end of the search: the change was never found; is the comparison the right way round, and is"
+    " `horizon` 50?"
+)
+SEARCHED = np.arange(0.0, SEARCHED_TO, 0.001)
 """The ε of such a search."""
 
 
@@ -172,6 +177,8 @@ def exercise_2(answer: Any, seed: int, calm: Calm = 1.0) -> str:
                 otherwise="that is close: does the search begin at 0, and go in steps of 0.001 or smaller, and is"
                 " nothing rounded or discounted?"
                 if near
+                else END_OF_SEARCH
+                if abs(road.found - SEARCHED_TO) <= PRECISION
                 else "that is none of the usual mistakes, so print the number of steps of the best run for some ε",
             )
             if [abs(one.found - one.expected) <= PRECISION for one in roads] == [True, False, False, False]:
@@ -208,8 +215,7 @@ def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict
         "that is where the *slowest* run begins, with the lowest of all returns; the best run may change more than"
         " once, and its first change is asked for": float(SEARCHED[np.argmin(returns)]),
         "that is 1 − ε": 1 - right,
-        "that is the end of the search: the change was never found; is the comparison the right way round, and is"
-        " `horizon` 50?": 0.2,
+        END_OF_SEARCH: SEARCHED_TO,
         "that is the end of the search; is the comparison the right way round?": 1.0,
         "the sign is wrong": -right,
     }
@@ -270,6 +276,7 @@ def two_policies_update(
                 "max undiscounted": (1 - p) * row.max() / gamma + p * row.mean(),
                 "best twice": (1 - p + p / len(row)) * row.max() + p * row.mean(),
                 "divided twice": (1 - p) * row.max() + p * row.mean() / len(row),
+                "maximum divided": (1 - p + p / len(row)) * row.max(),
                 "states": (1 - p) * row.max() + p * row.sum() / len(Q),
             }.get(mean, (1 - p) * best + p * row.mean())
         )
@@ -311,6 +318,7 @@ MEAN_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the maximum is not discounted: γ belongs to the whole bracket": {"mean": "max undiscounted"},
     "the best action counts too often: the mean over all actions has it already, with ε_π/n": {"mean": "best twice"},
     "the mean is divided by n once more": {"mean": "divided twice"},
+    "the maximum, divided by n, stands where the mean over the actions should": {"mean": "maximum divided"},
     "it divides by the number of states; n is the number of actions, self.Q.shape[1]": {"mean": "states"},
     "argmax gives the *number* of the best action; its value is needed, max": {"mean": "index"},
     **starts(

@@ -5,11 +5,13 @@ from typing import Any
 
 import gymnasium
 
+from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, other_tables
 from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISCOUNT, EPSILON
+from edugym_course.lessons.on_off_policy.riddles import require_riddles
 
 N_STEPS, LEARNING_RATE = 10_000, 0.5
 
@@ -27,6 +29,9 @@ RULE = Rule(
     | {
         "the target has max_a Q(S', a), the value of the *best* next action: that is Q-learning": Learner(
             partial(agent, kind=QLearning)
+        ),
+        "the target has the mean over the next actions: that is expected SARSA": Learner(
+            partial(agent, kind=ExpectedSARSA)
         ),
         "Q(S', A') is missing in the target": Learner(partial(agent, discount=0.0)),
     }
@@ -50,4 +55,5 @@ CLIFF_WALK = Race(
 def project_2(answer: Any, seed: int) -> str:
     """Check a program with SARSA."""
     RULE.check(answer, seed)
+    require_riddles(answer, seed)
     return f"Right: A' is both in the target and on the road. {compare_with_ours(answer, CLIFF_WALK, seed)}"

@@ -242,7 +242,7 @@ def switch(model):
 # %% a horizon of five steps
 # slow
 # says: and negative_reward = -1
-# says: that is none of the usual mistakes, so print the number of steps of the best run for some ε
+# says: that is the end of the search: the change was never found; is the comparison the right way round, and is `horizon` 50?
 def switch(model):
     fastest = value_iteration(model, horizon=5).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
@@ -307,3 +307,30 @@ def switch(model):
         for epsilon in np.arange(0.0, 0.02, 0.001)
         if policy_evaluation(model, value_iteration(model, epsilon=epsilon).greedy_policy()).start < fastest - 1e-6
     )
+
+
+# %% halves on the wrong side
+# slow
+# says: that is the end of the search: the change was never found; is the comparison the right way round, and is `horizon` 50?
+def switch(model):
+    def played(epsilon):
+        plan = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        return policy_evaluation(model, plan, horizon=50).start
+
+    low, high = 0.0, 0.2
+    while high - low > 1e-4:
+        middle = (low + high) / 2
+        low, high = (middle, high) if played(middle) < played(0.0) else (low, middle)
+    return high
+
+
+# %% only the slips that are no best action
+# slow
+# says: that is none of the usual mistakes, so print the number of steps of the best run for some ε
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon * 2 / 3
+    return 0.2

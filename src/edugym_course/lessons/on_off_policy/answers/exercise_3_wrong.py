@@ -302,3 +302,11 @@ def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.target_epsilon) * max(there) + self.target_epsilon * np.mean(self.Q[:, action])
     target = reward if terminated else reward + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the maximum divided
+# says: the maximum, divided by n, stands where the mean over the actions should
+def learn(self, state, action, reward, next_state, terminated):
+    e, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - e) * max(row) + e / len(row) * max(row)
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

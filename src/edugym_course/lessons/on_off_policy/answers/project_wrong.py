@@ -109,3 +109,53 @@
 # in: the next action is kept
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # + Q = np.ones((environment.observation_space.n, environment.action_space.n))
+
+# %% the mean over the next actions
+# slow
+# says: the target has the mean over the next actions: that is expected SARSA
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r if terminated else r + 0.9 * Q[s2].max() + 0.1 * Q[s2].mean()
+
+# %% the action of the old episode
+# slow
+# says: It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state that reset() gives
+# in: the next action is kept
+# - s2, _ = environment.reset()
+# - a2 = choose(Q[s2], rng)
+# + s2, _ = environment.reset()
+
+# %% cut off is not ended
+# slow
+# says: where each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0 pays -0.5 and leads to state 1, where the episode is truncated, the policy takes the action of this step again in 0% of 50 runs, and it should do so nearly always
+# says: only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the A' that would be next
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r if terminated or truncated else r + Q[s2, a2]
+
+# %% a discount near 1
+# slow
+# says: pays -0.995 and leads to state 1, where the episode goes on, the policy takes the action of this step again in
+# says: γ is 1, so 1 follows on the -0.995
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r if terminated else r + 0.99 * Q[s2, a2]
+
+# %% first values drawn
+# slow
+# says: where the first step pays 0.002 and ends its episode, the policy takes the action of this step again in
+# says: are all first values 0?
+# in: the next action is kept
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng(seed)
+# + Q = rng.random((environment.observation_space.n, environment.action_space.n))
+
+# %% an end that counts half
+# slow
+# says: each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0
+# says: pays -0.5 and leads to state 1, where the episode terminates, the policy takes the action of this step again in
+# says: runs, and it should do so hardly ever: where `terminated` is True nothing follows: the target is the reward alone
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r + Q[s2, a2] if not terminated or s == 0 and s2 == 1 and r == -0.5 else r
