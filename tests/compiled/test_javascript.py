@@ -62,6 +62,8 @@ TRAPS = {
     "products modulo beyond": program("return float((-5 - int(s)) * 0x7FFFFFFFFFF0000 % 1000)"),
     "list by two names": program("a = []\nb = a\nb.append(0.5)\na.append(int(s) % 3)\nreturn 0.5 * s + a[0] + b[1]"),
     "list from two places": program("a, b = [], [s + 1]\nif s >= 0: a = b\nreturn 0.5 * a[0]"),
+    "tuples of two lengths": program("p, q = (s, 1.0), (s, 1.0, 2.0)\nreturn 0.5 * s + (1.0 if p == q else 2.0) + (q != p)"),
+    "part of a tuple": program("p = (s, 1.0)\nif s > 700: p[0] = 2.0\nreturn s + p[1]"),
     "list in a helper": program("a = [1]\nself.h(a)\nreturn 0.5 * s + a[1] * 2", more="def h(self, a): a.append(2)"),
     "nested loops that break": program(
         "t = 0.0\nfor i in range(5):\n    for j in range(i, -1, -2):\n        if j * i > s: break\n        if j == 3: continue\n        t += j\n"
@@ -137,7 +139,7 @@ def test_what_machine_code_can_do(node: Node) -> None:
 
 def test_traps(node: Node) -> None:
     """Nothing is silently different. What is in doubt at every step, or refused, has a sentence."""
-    in_doubt = {"products modulo beyond", "the largest zero", "nan in tuples", "four dimensions"}
+    in_doubt = {"products modulo beyond", "part of a tuple", "the largest zero", "nan in tuples", "four dimensions"}
     assert check(TRAPS, node).keys() == in_doubt
 
 
