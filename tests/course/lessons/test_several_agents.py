@@ -200,6 +200,8 @@ def test_soccer_in_turns() -> None:
     goal = game.transition(FieldInTurn(Field(9, 6, 0), 0), (EAST, STAND), rng)
     assert game.terminal(goal)
     assert game.rewards(state, (EAST, STAND), goal, rng) == (1.0, -1.0)
-    seen = {game.observation(one, 0, rng) for one in (state, moved, after)}
-    assert len(seen) == 3
+    fields = [FieldInTurn(Field(a, a - 1, ball), turn) for a in range(1, 20) for ball in (0, 1) for turn in (0, 1)]
+    seen = {game.observation(one, 0, rng) for one in fields}
+    assert len(seen) == len(fields)
+    assert max(seen) < game.observation_space(0).n <= 1.1 * max(seen)
     assert game.action_names == game.soccer.action_names
