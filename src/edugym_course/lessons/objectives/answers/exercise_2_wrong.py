@@ -328,3 +328,17 @@ def closest_action(Q, state, weights, utopian):
 # - distances = weights * np.abs(utopian - Q[state])
 # - return np.argmin(distances.max(axis=1))
 # + return np.argmax((weights * (Q[state] - utopian)).max(axis=1))
+
+
+# %% cut off at the point
+# says: what lies beyond the utopian point counts 0; it has a distance, too
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * np.maximum(0.0, utopian - Q[state])
+
+
+# %% absolute values subtracted
+# says: the absolute values are subtracted; take that of the difference z − Q
+# in: arrays
+# - distances = weights * np.abs(utopian - Q[state])
+# + distances = weights * (np.abs(utopian) - np.abs(Q[state]))

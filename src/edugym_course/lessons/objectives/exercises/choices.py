@@ -94,6 +94,12 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
         Q, s, w, Q[s].max(axis=0)
     ).max(axis=1),
     "the signs are mixed up: that is the largest of max w (Q − z)": lambda Q, s, w, z: -(w * (Q[s] - z)).max(axis=1),
+    "what lies beyond the utopian point counts 0; it has a distance, too": lambda Q, s, w, z: (
+        w * np.maximum(0.0, z - Q[s])
+    ).max(axis=1),
+    "the absolute values are subtracted; take that of the difference z − Q": lambda Q, s, w, z: (
+        w * (np.abs(z) - np.abs(Q[s]))
+    ).max(axis=1),
     "only the objective with the larger weight counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, w.argmax()],
     "the last action is left out: does the range of the loop end too early?": lambda Q, s, w, z: _among(
         slice(None, -1), _distances(Q, s, w, z).max(axis=1)
