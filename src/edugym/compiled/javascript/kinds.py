@@ -160,7 +160,8 @@ def joined(one: Kind, other: Kind) -> Kind:
         return Array(one.of, one.ndim, True)
     if isinstance(one, Tuple) and isinstance(other, Tuple) and one.shape == other.shape:
         return Tuple(one.type, tuple(map(joined, one.parts, other.parts)))
-    raise Untranslatable(f"one name stands for {described(one)} and for {described(other)}")
+    first, second = described(one), described(other)
+    raise Untranslatable(f"one name stands for {first} and {'another elsewhere' if first == second else second}")
 
 
 def skeleton(kind: Kind) -> Any:
