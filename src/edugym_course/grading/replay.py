@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import partial
 from heapq import heappop, heappush
 from itertools import islice
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from edugym.agents.tables import tied
 from edugym.checks.contract import learns_from
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.learners import LOW, Learner
 from edugym_course.grading.programs import (
     NAME,
     POLICY,
@@ -34,7 +35,7 @@ from edugym_course.grading.programs import (
     shape_of,
 )
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
-from edugym_course.grading.surprises import NATS, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
+from edugym_course.grading.surprises import BOTH, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -42,6 +43,8 @@ ASKED = 200
 """How many observations a policy is asked about."""
 RARELY, ENOUGH = 0.25, 30
 """The share of its chances below which an action is hardly tried; and how many chances are enough to tell."""
+FURTHER, LONGER = 500_000, 2
+"""How far the seeds of the second look are from those of the first; how many times longer each of its runs is."""
 AT_ONCE = 100
 """How many steps a mistake goes on, before another one that is more probable may."""
 SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
@@ -50,44 +53,6 @@ FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
     " that reset() gives"
 )
-LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
-
-
-Maker = Callable[[tuple[int, int]], Any]
-"""Makes an agent for the shape of a table."""
-
-
-class Learner(NamedTuple):
-    """A method, or a mistake.
-
-    Attributes:
-        make: makes an agent, for the shape of a table. Its values are in its table `Q`, or it has a method
-            `values(state)`.
-        alter: what it takes a step for, after what it took the step before for (None at the first).
-        skips: from which steps it does not learn.
-        swaps: whether it takes a random action with probability 1 − ε.
-        restarts: whether it takes the first state of the next episode for the one that a truncated step led to.
-        nats: of a mistake, how much more probable it must make the actions than the right equation, as a logarithm;
-            more for one that a right program resembles.
-        leaves: of a mistake, the share of the surprises above those by ε that it may leave; more for one that hangs on
-            what the steps do not show.
-    """
-
-    make: Maker
-    alter: Callable[[Step, Step | None], Step] = lambda step, before: step
-    skips: Callable[[Step], bool] = lambda step: False
-    swaps: bool = False
-    restarts: bool = False
-    nats: float = NATS
-    leaves: float = UNEXPLAINED
-
-
-def _goes_on(step: Step, before: Step | None) -> Step:
-    return step._replace(terminated=False, truncated=step.terminated or step.truncated)
-
-
-def _ends(step: Step, before: Step | None) -> Step:
-    return step._replace(terminated=step.terminated or step.truncated)
 
 
 def _is_over(before: Step | None) -> bool:
@@ -95,97 +60,16 @@ def _is_over(before: Step | None) -> bool:
     return before is None or before.terminated or before.truncated
 
 
-def _old_start(step: Step, before: Step | None) -> Step:
-    return step._replace(state=before.next_state) if before and (before.terminated or before.truncated) else step
-
-
-def stays(step: Step, before: Step | None) -> Step:
-    """Take the first state of an episode for all of its states."""
-    return step if before is None or before.terminated or before.truncated else step._replace(state=before.state)
-
-
-def _costs(step: Step, before: Step | None) -> Step:
-    return step._replace(reward=-step.reward)
-
-
-def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = False) -> dict[str, Learner]:
-    """Return the mistakes that any loop can have, by their sentences.
-
-    Args:
-        make: makes the right agent.
-        on_policy: whether it learns from the next action. What such a program learns beyond an end cannot be told from
-            its steps, for it hangs on an action that is never taken.
-        remembers: whether it learns from windows. One that goes on into the next episode is like none that was met.
-    """
-    beyond_an_end = {
-        "the value of a state after the end is looked up; a terminal state has no future, so its target is the reward"
-        " alone": Learner(make, _goes_on),
-        "a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has"
-        " its value": Learner(make, _ends),
-    }
-    if not remembers:
-        sentence = "S' is the state after the reset where an episode was truncated: learn first, and reset then"
-        beyond_an_end[sentence] = Learner(make, restarts=True)
-    return ({} if on_policy else beyond_an_end) | {
-        "what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and"
-        " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
-        "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
-        " gives the first state of the new one": Learner(make, _old_start),
-        "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, stays),
-        LOW: Learner(make, _costs),
-    }
-
-
-def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Sequence[float]]) -> dict[str, Learner]:
-    """Return agents that take other numbers than those of the text, by their sentences.
-
-    Args:
-        make: makes the right agent, for the shape of a table and with these settings.
-        settings: for each, its symbol, the right number, and others that are told at every seed tried: numbers of other
-            lessons, and more and less.
-    """
-    return {
-        f"{symbol} is about {other:g}, and it should be {right:g}": Learner(partial(make, **{name: other}))
-        for name, (symbol, right, others) in settings.items()
-        for other in others
-    }
-
-
-class _WholeNumbers(np.ndarray[Any, Any]):
-    """An array whose entries lose what is behind the decimal point, as those of dtype int do."""
-
-    def __setitem__(self, where: Any, value: Any) -> None:
-        """Write what is before the decimal point."""
-        super().__setitem__(where, np.trunc(value))
-
-
-def other_tables(make: Maker, values: Sequence[float] = (1.0, 10.0)) -> dict[str, Learner]:
-    """Return agents whose table `Q` does not begin at 0, or holds whole numbers, by their sentences."""
-
-    def begun(value: float, shape: tuple[int, int]) -> Any:
-        agent = make(shape)
-        agent.Q[...] = value
-        return agent
-
-    def cut_off(shape: tuple[int, int]) -> Any:
-        agent = make(shape)
-        return agent._replace(Q=agent.Q.view(_WholeNumbers))
-
-    return {f"the first values are about {value:g}, and not 0": Learner(partial(begun, value)) for value in values} | {
-        "what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does": Learner(
-            cut_off
-        )
-    }
-
-
 def replay(runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int], epsilon: float) -> Iterator[Row]:
     """Let new agents learn from the steps of a program, one from each run, and yield what each step was to them."""
     epsilon = 1 - epsilon if learner.swaps else epsilon
     for steps in runs:
         for agent, step in _learning(steps, learner, shape):
-            best = _best(agent, step.state)
+            values = _values(agent, step.state)
+            best = _looks_best(values)
             share = (1 - epsilon) * best[step.action] / sum(best)
-            yield not best[step.action], epsilon * (1 - sum(best) / len(best)), math.log(epsilon / len(best) + share)
+            log = math.log(epsilon / len(best) + share)
+            yield not best[step.action], epsilon * (1 - sum(best) / len(best)), log, *_rank(values, best, step.action)
 
 
 def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -> Iterator[tuple[Any, Step]]:
@@ -209,14 +93,34 @@ def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -
             learn_from(agent, names, step, step.action)
 
 
+def _values(agent: Any, state: Any) -> list[float]:
+    row: Reals = agent.values(state) if hasattr(agent, "values") else agent.Q[state]
+    return [float(value) for value in row]
+
+
 def _best(agent: Any, state: Any) -> list[bool]:
     """Which actions look best to an agent."""
-    return _looks_best(agent.values(state) if hasattr(agent, "values") else agent.Q[state])
+    return _looks_best(_values(agent, state))
 
 
-def _looks_best(row: Reals) -> list[bool]:
-    values = row.tolist()
-    return [tied(value, max(values)) for value in values]
+def _looks_best(values: Sequence[float]) -> list[bool]:
+    highest = max(values)
+    return [tied(value, highest) for value in values]
+
+
+def _rank(values: Sequence[float], best: Sequence[bool], action: int) -> tuple[float, float]:
+    """Return how many actions look worse less how many look better, among those that do not look best.
+
+    Its mean is 0 if one of them is drawn at random; its variance then is the second number.
+    """
+    if best[action]:
+        return 0.0, 0.0
+    others = [value for value, looks in zip(values, best, strict=True) if not looks]
+
+    def rank(value: float) -> int:
+        return sum((value > other) - (value < other) for other in others if not tied(value, other))
+
+    return rank(values[action]), sum(rank(value) ** 2 for value in others) / len(others)
 
 
 def histories(steps: Sequence[Step]) -> list[tuple[Any, ...]]:
@@ -248,7 +152,7 @@ def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) ->
         if len(mine) == n_steps:
             return number, mine
         mine += islice(replays[number], AT_ONCE)
-        at_most = sum(log for _, _, log in mine) + (n_steps - len(mine)) * highest
+        at_most = sum(log for _, _, log, *_ in mine) + (n_steps - len(mine)) * highest
         heappush(queue, (-at_most, number))
 
 
@@ -270,6 +174,7 @@ class Rule:
         world: makes one, with the arguments of `SmallWorld`.
         remembers: whether the policy that is returned is given the history of an episode, O_0, A_0, O_1, ..., O_t, in
             the place of O_t alone. The agents of the rule then have a method `row(history)`, the values at its end.
+        looks_closer: whether a program takes longer runs too, and may not take the second best action too often.
     """
 
     right: Learner
@@ -283,6 +188,7 @@ class Rule:
     n_steps: int = 2000
     world: Callable[[int, bool, bool], Environment] = SmallWorld
     remembers: bool = False
+    looks_closer: bool = True
 
     def check(self, program: Any, seed: int, tries: float | None = None) -> None:
         """Check that the actions of a program follow from its steps by the equation.
@@ -296,37 +202,52 @@ class Rule:
             WrongAnswer: they do not; or the program breaks the contract.
         """
         seeds = range(self.worlds * seed, self.worlds * (seed + 1))
-        worlds = [partial(self.world, number, self.truncates, self.noisy) for number in seeds]
-        if isinstance(worlds[0](), SmallWorld):  # does it ask for the number of actions, and reset when cut short?
+        if isinstance(self._world(seeds[0]), SmallWorld):  # does it ask for the number of actions, and reset?
             run_program(program, SmallWorld(seed, n_actions=ACTIONS - 1), TRIAL, seed)
-        require_reproducible(program, worlds[0], TRIAL, seed)
-        done = [
-            run_program(program, world(), self.n_steps, number) for number, world in zip(seeds, worlds, strict=True)
-        ]
+        require_reproducible(program, partial(self._world, seeds[0]), TRIAL, seed)
+        shape = shape_of(self._world(seeds[0]))
+        done = [run_program(program, self._world(number), self.n_steps, number) for number in seeds]
         runs = [run.steps for run in done]
-        shape = shape_of(worlds[0]())
-        right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
-        number, rows = likeliest(
+        number, _ = likeliest(
             [replay(runs, learner, shape, self.epsilon) for learner in self.mistakes.values()],
             sum(map(len, runs)),
             math.log(1 - self.epsilon + self.epsilon / shape[1]),
         )
-        likely, (sentence, mistake) = Surprises.of(rows), [*self.mistakes.items()][number]
+        runs += [  # they show what differs by little
+            run_program(program, self._world(FURTHER + one), LONGER * self.n_steps, FURTHER + one).steps
+            for one in seeds
+            if self.looks_closer
+        ]
+        self._require_equation(runs, shape, [*self.mistakes.items()][number], tries)
+        self.require_best_actions(done[:1], shape)
+
+    def _world(self, number: int) -> Environment:
+        return self.world(number, self.truncates, self.noisy)
+
+    def _require_equation(
+        self, runs: Sequence[Sequence[Step]], shape: tuple[int, int], usual: tuple[str, Learner], tries: float | None
+    ) -> None:
+        """Refuse a program with too many surprises, or such as the likeliest of the usual mistakes explains better."""
+        sentence, mistake = usual
+        right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
+        likely = Surprises.of(replay(runs, mistake, shape, self.epsilon))
         is_better = likely.explains_better_than(right, mistake.nats)
-        if right.is_usual() and not is_better:
+        if not is_better and (right.is_usual() or right.too_many < 0):
             self._require_steady_tries(runs, right)
+        if not is_better and right.is_usual():
             self._require_tries(runs, shape)
-            self.require_best_actions(done[:1], shape)
-            return
+            if self._are_drawn(right):
+                return
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
             late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
             cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
-        elif is_better and likely.explains_those_of(right, mistake.leaves):
+        elif is_better and likely.explains_those_of(right, mistake.leaves) and self._resembles(likely, mistake):
             cause = f"They fit a usual mistake: {sentence}"
         else:
             first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
-            only_first = right.among(~first).is_usual() and not right.among(first).is_usual()
+            others = right.among(~first)
+            only_first = others.is_usual() and others.are_drawn() and not right.among(first).is_usual()
             cause = FIRST if only_first else self._cause(right, tries)
         raise WrongAnswer(
             f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
@@ -334,14 +255,21 @@ class Rule:
             f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
         )
 
+    def _are_drawn(self, right: Surprises) -> bool:
+        return right.are_drawn() or not self.looks_closer
+
+    def _resembles(self, likely: Surprises, mistake: Learner) -> bool:
+        """Whether what a mistake leaves is drawn by chance, if it should leave nothing else."""
+        return likely.are_drawn(BOTH) or mistake.leaves > UNEXPLAINED or not self.looks_closer
+
     def _require_steady_tries(self, runs: Sequence[Sequence[Step]], right: Surprises) -> None:
         """Refuse a program whose ε falls, even if it is right on average."""
         when = np.concatenate([np.linspace(0.0, 1.0, len(steps)) for steps in runs])
-        if right.lateness(when) < -SIGMAS:
-            early, late = (right.among(half).found.sum() for half in (when < 0.5, when >= 0.5))
+        if (early := -right.lateness(when)) > SIGMAS or min(early, -right.too_many / right.deviation) > BOTH:
+            first, second = (right.among(half).found.sum() for half in (when < 0.5, when >= 0.5))
             raise WrongAnswer(
-                f"in small worlds {early:.0f} actions of {NAME} are not those that its own steps make look best in the"
-                f" first half of its runs, and {late:.0f} in the second. {FALLS}"
+                f"in small worlds {first:.0f} actions of {NAME} are not those that its own steps make look best in the"
+                f" first half of its runs, and {second:.0f} in the second. {FALLS}"
             )
 
     def _require_tries(self, runs: Sequence[Sequence[Step]], shape: tuple[int, int]) -> None:
@@ -378,7 +306,7 @@ class Rule:
             ((agent, _),) = deque(_learning(run.steps, self.right, shape), maxlen=1)
             if self.remembers:
                 longest = sorted(histories(run.steps), key=len)[-ASKED:]  # who looks up a whole one is found out
-                asked = [(history, _looks_best(agent.row(history))) for history in longest]
+                asked = [(history, _looks_best(agent.row(history).tolist())) for history in longest]
             else:
                 asked = [(step.state, _best(agent, step.state)) for step in run.steps[-ASKED:]]
             clear = [(question, best.index(True)) for question, best in asked if sum(best) == 1]
@@ -395,8 +323,6 @@ class Rule:
     def _cause(self, right: Surprises, tries: float | None) -> str:
         """Return the likely cause of surprises that no usual mistake explains."""
         found, by_chance = float(right.found.sum()), right.expected / self.epsilon
-        if found < right.expected:
-            return "So it seldom tries an action at random: is ε that of the text, up to the last step?"
         if found > 1.1 * by_chance:
             return f"The likely cause: {LOW}"
         if found > 0.9 * by_chance:
@@ -404,9 +330,16 @@ class Rule:
                 "So many come from chance alone, or from a table that never changes: are the actions chosen by the"
                 " values, with probability 1 − ε, and does the update change these values?"
             )
+        compare = (
+            f"{self.settings} with those of the text, and the update with its equation, term by term{self.otherwise}"
+        )
+        if not self._are_drawn(right):
+            return (
+                "Too many of them are the second best action, so chance did not draw them: the equation is another one,"
+                f" or a number in it. Compare {compare}"
+            )
+        if found < right.expected:
+            return "So it seldom tries an action at random: is ε that of the text, up to the last step?"
         is_known = tries is not None and abs(tries / self.epsilon - 1) <= SLACK
         unknown = f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare"
-        return (
-            f"{'ε is right, so compare' if is_known else unknown} {self.settings} with those of the text, and the"
-            f" update with its equation, term by term{self.otherwise}"
-        )
+        return f"{'ε is right, so compare' if is_known else unknown} {compare}"

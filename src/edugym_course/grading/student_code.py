@@ -133,11 +133,13 @@ def _sentence(what: str, error: Exception) -> str:
         hints = [FIELD]
     elif hints and hints[0] == FIELD and not _in_method(error):
         hints = ["is it a parameter, under another name?"]
+    line = _student_line(error)
+    if re.search(r"has no attribute '(\w+)'.*\nself\.\1 [-+*/]?= ", f"{message}\n{line}"):
+        hints = ["a NamedTuple takes no new fields: without `self.` it is a variable of the method"]
     because = f" ({hints[0]})" if hints else ""
     kind = type(error).__name__
     if isinstance(error, RecursionError):
         message, because = "a function calls itself for ever", ""
-    line = _student_line(error)
     if not line and isinstance(error, ValueError) and _last_file(error).startswith(PACKAGES):
         return message  # a check of the package refuses what it was given, and says so in a sentence
     place = f"the line `{line}`" if line else what

@@ -19,8 +19,13 @@ UNEXPLAINED = 0.25
 SIGMAS, CLEARLY = 4.0, 2.0
 """How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
 
-Row = tuple[bool, float, float]
-"""Of one step: whether its action was a surprise, how likely that was by ε, and the logarithm of its probability."""
+BOTH = 3.0
+"""How many standard deviations are more than chance where a second number speaks against it too."""
+
+Row = tuple[bool, float, float, float, float]
+"""Of one step: whether its action was a surprise, how likely that was by ε, the logarithm of its probability; and of a
+surprise, how many actions that do not look best look worse than it, less how many look better, and the variance of that
+number if one of them was drawn at random."""
 
 
 class Surprises(NamedTuple):
@@ -30,11 +35,15 @@ class Surprises(NamedTuple):
         found: for each step, 1 if it was so, else 0.
         chances: for each step, how likely that was by ε.
         logs: for each step, the logarithm of the probability of its action.
+        ranks: for each step, how many actions look worse than the surprise less how many look better; else 0.
+        variances: of the ranks, if chance draws a surprise.
     """
 
     found: Reals
     chances: Reals
     logs: Reals
+    ranks: Reals
+    variances: Reals
 
     @classmethod
     def of(cls, rows: Iterable[Row]) -> "Surprises":
@@ -59,6 +68,10 @@ class Surprises(NamedTuple):
     def deviation(self) -> float:
         """The standard deviation of their number."""
         return math.sqrt(float((self.chances * (1 - self.chances)).sum()))
+
+    def are_drawn(self, sigmas: float = SIGMAS) -> bool:
+        """Whether chance may have drawn them, whatever ε is: an equation that is nearly right takes the second best."""
+        return float(self.ranks.sum()) <= sigmas * math.sqrt(float(self.variances.sum()))
 
     def lateness(self, when: Reals) -> float:
         """How many standard deviations too late they come, whatever their number; below 0 if they come too early.

@@ -10,8 +10,9 @@ import pytest
 
 from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer, replay
+from edugym_course.grading.learners import Learner
 from edugym_course.grading.programs import Program, Step, learn_from, run_program, shape_of
-from edugym_course.grading.replay import SWAPPED, Learner, Rule
+from edugym_course.grading.replay import SWAPPED, Rule
 from edugym_course.grading.small_world import SmallWorld
 from tests.course.lessons.answers import LONG, namespace_after, read_answers, read_exercises
 

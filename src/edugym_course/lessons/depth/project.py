@@ -14,15 +14,9 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
 from edugym_course.grading.programs import NAME, Environment, run_program, shape_of
-from edugym_course.grading.replay import (
-    Learner,
-    Rule,
-    mistakes_of_loops,
-    other_settings,
-    other_tables,
-    replay,
-)
+from edugym_course.grading.replay import Rule, replay
 from edugym_course.grading.small_world import SmallWorld
 from edugym_course.grading.surprises import NATS, Surprises
 from edugym_course.lessons.depth.targets import EPSILON

@@ -13,7 +13,8 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, other_tables
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
+from edugym_course.grading.replay import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000

@@ -12,7 +12,8 @@ from gymnasium import spaces
 from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, stays
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, stays
+from edugym_course.grading.replay import Rule
 from edugym_course.grading.small_world import WIDTH, SmallWorld
 
 N_STEPS, K, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 3, 0.2, 0.8, 0.1

@@ -13,8 +13,9 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings
 from edugym_course.grading.programs import APART, NAME, run_program
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings
+from edugym_course.grading.replay import Rule
 from edugym_course.grading.small_world import ACTIONS, ENDS, GOES_ON, LAYERS, WIDTH, SmallWorld
 from edugym_course.lessons.model_based.methods import EPSILON, LEARNING_RATE
 

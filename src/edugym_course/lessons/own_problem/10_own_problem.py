@@ -977,7 +977,9 @@ play("my_problem.py")
 # - `step(self, action)` returns the observation, the reward, *terminated*, *truncated* and a dictionary. Every episode ends.
 # - The same seed and the same actions give the same episode.
 #
-# The check plays a hundred episodes and calls Gymnasium's own checker. Then let your program of lesson 0 learn it.
+# The check plays a hundred episodes and calls Gymnasium's own checker. It cannot know what you mean: if this is your problem
+# of exercise 4, let `check(project_10, (MyEnvironment, my_problem))` compare the two, place by place. Then let your program
+# of lesson 0 learn it.
 
 # %% tags=["project"]
 MyEnvironment = ...  # your program

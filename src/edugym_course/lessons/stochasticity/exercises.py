@@ -3,7 +3,8 @@
 import math
 from collections.abc import Callable, Mapping
 from functools import partial
-from itertools import takewhile
+from itertools import pairwise, takewhile
+from statistics import fmean
 from types import MappingProxyType
 from typing import Annotated, Any
 
@@ -75,7 +76,7 @@ def exercise_1(answer: Any, seed: int, careless: Careless = 0.0) -> str:
             "that is the standard deviation of a drive, 100 times the level": 100 * expected,
             "the sign is wrong": -expected,
         },
-        tolerance=0.00015,
+        tolerance=0.00006,
         says=says,
         otherwise=f"it is {side}" + ("; you are close, look in steps of 0.0001" if near else ""),
     )
@@ -108,6 +109,15 @@ def _unbeaten(players: Mapping[str, Pair], beats: Callable[[Pair, Pair], bool]) 
 def _until_beaten(players: Mapping[str, Pair]) -> set[str]:
     """Return the names before the first player that is beaten."""
     return {*takewhile(_unbeaten(players, _beats).__contains__, players)}
+
+
+def _chosen_by_weights(players: Mapping[str, Pair]) -> set[str]:
+    """Return the names of those with the highest mean less w times the spread, for any w from 0."""
+    pairs = [*players.values()]
+    equal = sorted((m - n) / (s - t) for m, s in pairs for n, t in pairs if (m - n) * (s - t) > 0)  # w at which two are
+    between = [0.0, *equal, 2 * max(equal, default=1.0)]
+    sums = [{name: m - w * s for name, (m, s) in players.items()} for w in map(fmean, pairwise(between))]
+    return {name for each in sums for name, total in each.items() if total == max(each.values())}
 
 
 FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
@@ -157,7 +167,7 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
             if not (any(m > mean for m, _ in players.values()) and any(s < spread for _, s in players.values()))
         }
     ),
-    "it compares rounded numbers; compare them as they are": (
+    "it compares rounded numbers, or takes near ones for equal; compare them as they are": (
         lambda players: _unbeaten(
             players, lambda a, b: _beats((round(a[0], 2), round(a[1], 2)), (round(b[0], 2), round(b[1], 2)))
         )
@@ -168,6 +178,8 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
     "these are the players for whom mean divided by spread is largest; that is only one taste": (
         lambda players: {n for n, (m, s) in players.items() if m / s == max(a / b for a, b in players.values())}
     ),
+    "these are the players with the highest weighted sum of mean and spread, for some weights; a player whom no weights"
+    " choose can be one that nobody beats": lambda players: _chosen_by_weights(players),
     "a mean below 0 is left out, and such a player may be one that nobody beats": (
         lambda players: {name for name in _unbeaten(players, _beats) if players[name][0] > 0}
     ),
@@ -181,8 +193,9 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
 }
 
 
-FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (18, 11), (18, 11), (20, 15), (9, 5), (12, 7), (10, 13), (3, 9))
-"""Mean and spread: six on the frontier, two of them alike; one is beaten in the spread alone, and one in the mean."""
+FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (16, 11), (16, 11), (20, 15), (9, 5), (12, 7), (10, 13), (3, 9))
+"""Mean and spread: six on the frontier, two of them alike, which no weighted sum chooses; one is beaten in the spread
+alone, and one in the mean."""
 
 
 def made_up_players(seed: int) -> list[dict[str, Pair]]:
@@ -332,8 +345,8 @@ WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "step": "minus",
         "weigh": "inverted",
     },
-    "good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite"
-    " sign)": {"weigh": "inverted"},
+    "good and bad surprises have changed places: whatever the sign of κ, bad ones weigh 1 + κ (κ > 0 avoids risk, as"
+    " β < 0 does)": {"weigh": "inverted"},
     "it asks whether the *reward* is good; a surprise is good if δ is above 0": {"weigh": "reward"},
     "it asks whether the *target* is above 0; a surprise is good if δ is": {"weigh": "target"},
     "it asks whether the old *value* is above 0; a surprise is good if δ is": {"weigh": "value"},

@@ -1,18 +1,23 @@
 """The project of lesson 8: a learner that avoids risk, from a blank file."""
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import gymnasium
+import numpy as np
 from gymnasium import spaces
 
 from edugym.agents.q_learning import QLearning
 from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
-from edugym.agents.tables import best_value, one_step_target
+from edugym.agents.tables import epsilon_greedy_action, greedy_action, one_step_target
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
 from edugym_course.grading.programs import run_program
-from edugym_course.grading.replay import Learner, Rule, mistakes_of_loops, other_settings, other_tables
+from edugym_course.grading.replay import Rule
 
 LEARNING_RATE, DISCOUNT, RISK, EPSILON = 0.4, 0.9, -0.5, 0.1
 N_STEPS, FORKS = 1_000, 5
@@ -62,21 +67,39 @@ def without_brackets(shape: tuple[int, int]) -> RiskSensitiveQLearning:
     return NothingSubtracted.create(shape, risk=RISK, learning_rate=LEARNING_RATE, discount=DISCOUNT)
 
 
-class ByReward(RiskSensitiveQLearning):
-    """The agent with the weight 2σ(βR)."""
+@dataclass
+class _Slips:
+    """The agent, but for one thing.
 
-    __slots__ = ()
+    Attributes:
+        Q: the table, of shape (n_states, n_actions).
+        future: the value of the next state, from its row.
+        weighed: what the weight is made of, from the reward, the target and δ.
+    """
+
+    Q: Reals
+    future: Callable[[Reals], float] = np.max
+    weighed: Callable[[float, float, float], float] = lambda reward, target, delta: delta
+
+    def act(self, state: int, rng: np.random.Generator) -> int:
+        """Choose an action by ε-greedy."""
+        return int(epsilon_greedy_action(self.Q, state, EPSILON, rng))
+
+    def greedy(self, state: int, rng: np.random.Generator) -> int:
+        """Choose the action with the highest value."""
+        return int(greedy_action(self.Q, state, rng))
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """Move Q(S, A) by δ, weighted by the reward."""
-        target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
-        weight = 1.0 + math.tanh(self.risk * reward / 2.0)
-        self.Q[state, action] += self.learning_rate * weight * (target - self.Q[state, action])
+        """Move Q(S, A) by δ, weighted."""
+        target = one_step_target(reward, DISCOUNT, float(self.future(self.Q[next_state])), terminated)
+        delta = target - float(self.Q[state, action])
+        weight = 1.0 + math.tanh(RISK * self.weighed(reward, target, delta) / 2.0)
+        self.Q[state, action] += LEARNING_RATE * weight * delta
 
 
-def by_reward(shape: tuple[int, int]) -> RiskSensitiveQLearning:
-    """Make this agent with the settings of the project."""
-    return ByReward.create(shape, risk=RISK, learning_rate=LEARNING_RATE, discount=DISCOUNT)
+def slips(shape: tuple[int, int], **how: Any) -> _Slips:
+    """Make an agent that makes a mistake in its update."""
+    return _Slips(np.zeros(shape), **how)
 
 
 def neutral(shape: tuple[int, int]) -> QLearning:
@@ -90,19 +113,33 @@ RULE = Rule(
     | {
         "all surprises weigh the same: that is Q-learning": Learner(neutral),
         "good surprises weigh more than bad ones: β is below 0": Learner(partial(agent, risk=-RISK)),
-        "the weight is half as large as it should be: 2σ(βδ) is 1 where δ = 0": Learner(
+        "the steps are half as large as they should be: 2σ(βδ), not σ(βδ), is 1 where δ = 0, and α is 0.4": Learner(
             partial(agent, learning_rate=LEARNING_RATE / 2)
         ),
         "− Q(S, A) is missing at the end of an episode: put brackets around `... if terminated else ...`": Learner(
             without_brackets
         ),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(agent, discount=0.0)),
-        "the weight is made of the reward, and it should be made of δ": Learner(by_reward),
+        "the weight is made of the reward, and it should be made of δ": Learner(
+            partial(slips, weighed=lambda reward, target, delta: reward)
+        ),
+        "the weight is made of the target, and it should be made of δ": Learner(
+            partial(slips, weighed=lambda reward, target, delta: target)
+        ),
+        "the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)": Learner(
+            agent, lambda step, before: step._replace(next_state=step.state)
+        ),
+        "the mean over the actions of the next state stands where the maximum should": Learner(
+            partial(slips, future=np.mean)
+        ),
+        "the maximum starts from 0, and all values may be lower: start from the first one": Learner(
+            partial(slips, future=lambda row: max(0.0, float(row.max())))
+        ),
     }
     | other_settings(
         agent,
         learning_rate=("α", LEARNING_RATE, (0.1, 0.5, 1.0)),
-        discount=("γ", DISCOUNT, (0.5,)),
+        discount=("γ", DISCOUNT, (0.5, 1.0)),
         risk=("β", RISK, (-2.0, -1.0, -0.1)),
     )
     | other_tables(agent),

@@ -175,7 +175,7 @@ my_problem = Weather()
 
 
 # %% watering is free
-# says: is best in every state, so there is nothing to decide: give it a price
+# says: is best in every state, so there is nothing to decide: give it a price, or lower that of another one
 # says: in my_problem the action
 class Free(Plant):
     __slots__ = ()
@@ -217,6 +217,7 @@ my_problem = Fine()
 
 # %% a pile without a limit
 # says: observation of Dishes must return an element of MultiDiscrete([7 4]), but returned (4, 4) for state (4, 4)
+# says: : is the space large enough, and is `terminal` True in time?
 class Dishes(NamedTuple):
     """Wash up, or let the dishes pile up: the state is (evening, pile)."""
 

@@ -151,3 +151,37 @@ class MyEnvironment(gymnasium.Env):
 # in: a walk in the wind
 # - return self.place, -1.0, over, self.steps == 50, {}
 # + return -1.0, self.place, over, self.steps == 50, {}
+
+# %% beside its problem: she dozes
+# says: MyEnvironment and your problem differ: an episode begins with (0, 1) in 100% of all cases in MyEnvironment, and in 0% in your
+#   problem
+# in: beside the problem that it should be
+# - self.state = (0, 2)
+# + self.state = (0, 1)
+
+# %% beside its problem: paid twice
+# says: MyEnvironment and your problem differ: after the action 0 at the observation (0, 2), the reward is 4 on average in MyEnvironment, and 2 in your
+#   problem
+# in: beside the problem that it should be
+# - return np.array(self.state), reward, self.state[0] == 8, False, {}
+# + return np.array(self.state), 2 * reward, self.state[0] == 8, False, {}
+
+# %% beside its problem: no chime
+# says: after the action 1 at the observation (0, 2), there follows (1, 1) in 0% of all cases in MyEnvironment, and in 7
+# in: beside the problem that it should be
+# - self.state = DAY.transition(before, action, self.np_random)
+# + self.state = DAY.transition(before, 0 if action == 1 else action, self.np_random)
+
+# %% beside its problem: the clock stops her
+# says: it terminates
+# says: at the observation (7, 0), it terminates in 0% of all cases in MyEnvironment, and in 100% in your problem
+# in: beside the problem that it should be
+# - return np.array(self.state), reward, self.state[0] == 8, False, {}
+# + return np.array(self.state), reward, False, self.state[0] == 8, {}
+
+# %% beside its problem: a fourth action
+# says: MyEnvironment and your problem differ: in 20000 random steps the action 3 is taken at the observation (0, 2)
+# says:  times in MyEnvironment, and 0 times in your problem
+# in: beside the problem that it should be
+# - self.action_space = spaces.Discrete(3)
+# + self.action_space = spaces.Discrete(4)

@@ -150,11 +150,16 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
             " state, and end the episode by `terminal`, as Morning does"
         )
     with student_code("my_problem", limit=PLANNING_SECONDS):
-        check_mdp(answer)
-        _require_small(answer)
-        values = solve(answer)
-        for state in values.model.states:  # random steps come to few of them
-            CheckedMDP(answer).observation(state, np.random.default_rng(seed))
+        try:
+            check_mdp(answer)
+            _require_small(answer)
+            values = solve(answer)
+            for state in values.model.states:  # random steps come to few of them
+                CheckedMDP(answer).observation(state, np.random.default_rng(seed))
+        except ValueError as error:
+            if "element" not in str(error):
+                raise
+            raise WrongAnswer(f"{error}: is the space large enough, and is `terminal` True in time?") from None
     model = values.model
     policy, live = values.greedy_policy(), ~model.terminal
     with told_as_wrong():
@@ -176,7 +181,8 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
     if best_always.any():
         name = names_of(answer)[int(best_always.argmax())]
         raise WrongAnswer(
-            f"in my_problem the action {name!r} is best in every state, so there is nothing to decide: give it a price"
+            f"in my_problem the action {name!r} is best in every state, so there is nothing to decide: give it a price,"
+            " or lower that of another one"
         )
     possible = model.rewards[model.probabilities > 0]
     if price is not None and not np.isclose(abs(possible), price, rtol=0, atol=1e-9).any():

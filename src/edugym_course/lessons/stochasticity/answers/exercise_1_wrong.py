@@ -64,3 +64,7 @@ level = 1.59
 # %% coarse places
 # says: that is the crossing with places a quarter of a cell apart (`cell=0.25`), which is too coarse here: leave `cell` out
 level = round(exact.crossing(0.02, 0.025, cell=0.25, max_hits=5), 4)
+
+# %% the first level at which the chip is worth more
+# says: it is too high; you are close, look in steps of 0.0001
+level = 0.0233

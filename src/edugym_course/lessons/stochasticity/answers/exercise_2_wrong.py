@@ -200,7 +200,7 @@ def frontier(players):
 
 
 # %% rounded to two digits
-# says: it compares rounded numbers; compare them as they are
+# says: it compares rounded numbers, or takes near ones for equal; compare them as they are
 def frontier(players):
     rounded = {name: (round(mean, 2), round(spread, 2)) for name, (mean, spread) in players.items()}
     return [
@@ -249,3 +249,14 @@ def frontier(players):
         if mean > 0 and not beaten:
             kept.append(name)
     return kept
+
+
+# %% every weight
+# says: these are the players with the highest weighted sum of mean and spread, for some weights; a player whom no
+#   weights choose can be one that nobody beats
+def frontier(players):
+    chosen = set()
+    for weight in np.linspace(0, 20, 2001):
+        worth = {name: mean - weight * spread for name, (mean, spread) in players.items()}
+        chosen |= {name for name in worth if worth[name] == max(worth.values())}
+    return list(chosen)

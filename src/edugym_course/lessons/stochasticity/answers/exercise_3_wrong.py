@@ -1,6 +1,6 @@
 # %% the signs
-# says: good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite
-#   sign)
+# says: good and bad surprises have changed places: whatever the sign of κ, bad ones weigh 1 + κ (κ > 0 avoids risk, as
+#   β < 0 does)
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]

@@ -14,7 +14,7 @@
 
 # %% no 2
 # slow
-# says: the weight is half as large as it should be: 2σ(βδ) is 1 where δ = 0
+# says: the steps are half as large as they should be: 2σ(βδ), not σ(βδ), is 1 where δ = 0, and α is 0.4
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 / (1 + np.exp(0.5 * delta)) * delta
@@ -93,3 +93,47 @@
 # + for t in range(n_steps):
 # - a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
 # + a = rng.integers(len(Q[s])) if rng.random() < 0.2 * (1 - t / n_steps) else Q[s].argmax()
+
+# %% an ε that falls by half
+# slow
+# says: Their share falls during a run: ε should be the same from the first step to the last
+# in: the weight in one line
+# - for _ in range(n_steps):
+# -     a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+# + for step in range(n_steps):
+# +     a = rng.integers(len(Q[s])) if rng.random() < 0.1 - 0.05 * step / n_steps else Q[s].argmax()
+
+# %% two weights of an older rule
+# slow
+# says: Too many of them are the second best action, so chance did not draw them: the equation is another one, or a number in it. Compare
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * (0.5 if delta > 0 else 1.5) * delta
+
+# %% the old maximum
+# slow
+# says: the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * Q[s].max() - Q[s, a]
+
+# %% a mean
+# slow
+# says: the mean over the actions of the next state stands where the maximum should
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * Q[s2].mean() - Q[s, a]
+
+# %% a maximum from 0
+# slow
+# says: the maximum starts from 0, and all values may be lower: start from the first one
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * max(0.0, Q[s2].max()) - Q[s, a]
+
+# %% a weight by the target
+# slow
+# says: the weight is made of the target, and it should be made of δ
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * (delta + Q[s, a]))) * delta

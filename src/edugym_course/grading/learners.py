@@ -1,0 +1,131 @@
+"""The method that a program from a blank file should have, and the usual mistakes, each an agent that makes it."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym_course.grading.programs import Step
+from edugym_course.grading.surprises import NATS, UNEXPLAINED
+
+LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
+
+Maker = Callable[[tuple[int, int]], Any]
+"""Makes an agent for the shape of a table."""
+
+
+class Learner(NamedTuple):
+    """A method, or a mistake.
+
+    Attributes:
+        make: makes an agent, for the shape of a table. Its values are in its table `Q`, or it has a method
+            `values(state)`.
+        alter: what it takes a step for, after what it took the step before for (None at the first).
+        skips: from which steps it does not learn.
+        swaps: whether it takes a random action with probability 1 − ε.
+        restarts: whether it takes the first state of the next episode for the one that a truncated step led to.
+        nats: of a mistake, how much more probable it must make the actions than the right equation, as a logarithm;
+            more for one that a right program resembles.
+        leaves: of a mistake, the share of the surprises above those by ε that it may leave; more for one that hangs on
+            what the steps do not show.
+    """
+
+    make: Maker
+    alter: Callable[[Step, Step | None], Step] = lambda step, before: step
+    skips: Callable[[Step], bool] = lambda step: False
+    swaps: bool = False
+    restarts: bool = False
+    nats: float = NATS
+    leaves: float = UNEXPLAINED
+
+
+def _goes_on(step: Step, before: Step | None) -> Step:
+    return step._replace(terminated=False, truncated=step.terminated or step.truncated)
+
+
+def _ends(step: Step, before: Step | None) -> Step:
+    return step._replace(terminated=step.terminated or step.truncated)
+
+
+def _old_start(step: Step, before: Step | None) -> Step:
+    return step._replace(state=before.next_state) if before and (before.terminated or before.truncated) else step
+
+
+def stays(step: Step, before: Step | None) -> Step:
+    """Take the first state of an episode for all of its states."""
+    return step if before is None or before.terminated or before.truncated else step._replace(state=before.state)
+
+
+def _costs(step: Step, before: Step | None) -> Step:
+    return step._replace(reward=-step.reward)
+
+
+def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = False) -> dict[str, Learner]:
+    """Return the mistakes that any loop can have, by their sentences.
+
+    Args:
+        make: makes the right agent.
+        on_policy: whether it learns from the next action. What such a program learns beyond an end cannot be told from
+            its steps, for it hangs on an action that is never taken.
+        remembers: whether it learns from windows. One that goes on into the next episode is like none that was met.
+    """
+    beyond_an_end = {
+        "the value of a state after the end is looked up; a terminal state has no future, so its target is the reward"
+        " alone": Learner(make, _goes_on),
+        "a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has"
+        " its value": Learner(make, _ends),
+    }
+    if not remembers:
+        sentence = "S' is the state after the reset where an episode was truncated: learn first, and reset then"
+        beyond_an_end[sentence] = Learner(make, restarts=True)
+    return ({} if on_policy else beyond_an_end) | {
+        "what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and"
+        " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
+        "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
+        " gives the first state of the new one": Learner(make, _old_start),
+        "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, stays),
+        LOW: Learner(make, _costs),
+    }
+
+
+def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Sequence[float]]) -> dict[str, Learner]:
+    """Return agents that take other numbers than those of the text, by their sentences.
+
+    Args:
+        make: makes the right agent, for the shape of a table and with these settings.
+        settings: for each, its symbol, the right number, and others that are told at every seed tried: numbers of other
+            lessons, and more and less.
+    """
+    return {
+        f"{symbol} is about {other:g}, and it should be {right:g}": Learner(partial(make, **{name: other}))
+        for name, (symbol, right, others) in settings.items()
+        for other in others
+    }
+
+
+class _WholeNumbers(np.ndarray[Any, Any]):
+    """An array whose entries lose what is behind the decimal point, as those of dtype int do."""
+
+    def __setitem__(self, where: Any, value: Any) -> None:
+        """Write what is before the decimal point."""
+        super().__setitem__(where, np.trunc(value))
+
+
+def other_tables(make: Maker, values: Sequence[float] = (1.0, 10.0)) -> dict[str, Learner]:
+    """Return agents whose table `Q` does not begin at 0, or holds whole numbers, by their sentences."""
+
+    def begun(value: float, shape: tuple[int, int]) -> Any:
+        agent = make(shape)
+        agent.Q[...] = value
+        return agent
+
+    def cut_off(shape: tuple[int, int]) -> Any:
+        agent = make(shape)
+        return agent._replace(Q=agent.Q.view(_WholeNumbers))
+
+    return {f"the first values are about {value:g}, and not 0": Learner(partial(begun, value)) for value in values} | {
+        "what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does": Learner(
+            cut_off
+        )
+    }
