@@ -198,6 +198,7 @@ RULE = Rule(
     worlds=8,
     world=VeiledWorld,
     remembers=True,
+    looks_closer=False,
 )
 CORRIDOR = Race(
     partial(gymnasium.make, "edugym/MemoryCorridor-v0"),

@@ -178,6 +178,7 @@ RULE = Rule(
     worlds=8,
     n_steps=500,
     world=small_world,
+    looks_closer=False,
 )
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(dyna))
 
