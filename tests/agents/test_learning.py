@@ -54,7 +54,7 @@ CLIMBERS: list[tuple[int, int, Any, dict[str, Any], dict[str, Any]]] = [
     (4, 50_000, eg.ActorCritic, FAST, STILL),
     (4, 50_000, eg.REINFORCE, FAST, STILL),
     (25, 100_000, eg.CountBased, FAST, {"bonus": 0.0}),  # where random climbing takes 67 million steps on average
-    (50, 8_000, eg.GoExplore, {}, STILL),
+    (100, 20_000, eg.GoExplore, {}, STILL),
 ]
 
 

@@ -230,7 +230,7 @@ def test_reset_is_needed(entry: Entry) -> None:
 def test_rendering_changes_nothing(entry: Entry, mode: str) -> None:
     """Drawing, as often as one likes, leaves the episode and its random stream as they are."""
     drawn, undrawn = (Player(make(entry, render_mode=m), entry.name, seed=9) for m in (mode, None))
-    for _ in range(4):
+    for _ in range(8):
         for _ in range(2):
             frame = drawn.env.render()
             drawn.bare.scene()
