@@ -2,7 +2,7 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -12,6 +12,7 @@ from gymnasium import spaces
 from gymnasium.utils.env_checker import check_env
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks.interfaces import require_mdp
 from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_class
@@ -49,11 +50,8 @@ def project_10(answer: Any, seed: int) -> str:
 
     `answer` is its class; or a pair of it and of the same problem in the form of exercise 4, with which it is compared.
     """
-    if isinstance(answer, tuple) and len(answer) == 2 and not isinstance(answer, type):
-        answer, problem = answer
-        told = project_10(answer, seed)
-        _require_same(_steps(_made(answer), seed), _steps(MDPEnv(problem), seed))
-        return f"{told} It plays like {type(problem).__name__}."
+    if type(answer) in (tuple, list):  # a problem may be a NamedTuple
+        return _compared(answer, seed)
     require_class(NAME, answer)
     if not issubclass(answer, gymnasium.Env):
         raise WrongAnswer(f"{NAME} should inherit from gymnasium.Env: class {NAME}(gymnasium.Env)")
@@ -84,6 +82,22 @@ def project_10(answer: Any, seed: int) -> str:
         f"Right: Gymnasium's checker passes it. Random play takes {np.mean(lengths) - 1:.1f} steps and gets"
         f" {np.mean(totals):.4g}{' in every episode: is there something to learn?' if len({*totals}) == 1 else '.'}"
     )
+
+
+def _compared(pair: Sequence[Any], seed: int) -> str:
+    """Check an environment, and that it plays like the same problem in the form of exercise 4."""
+    if len(pair) != 2:
+        raise WrongAnswer(f"check {NAME} alone, or two things, ({NAME}, my_problem), but here are {len(pair)}")
+    answer, problem = pair
+    told = project_10(answer, seed)
+    with student_code("my_problem"):
+        require_mdp(problem, "my_problem")
+        other = MDPEnv(problem)
+        if not isinstance(other.action_space, spaces.Discrete):
+            raise WrongAnswer(f"the actions of my_problem should be numbered, but are {other.action_space}")
+        played = _steps(other, seed)
+    _require_same(_steps(_made(answer), seed), played)
+    return f"{told} It plays like {type(problem).__name__}."
 
 
 def _steps(environment: Environment, seed: int) -> _Steps:

@@ -185,3 +185,22 @@ class MyEnvironment(gymnasium.Env):
 # in: beside the problem that it should be
 # - self.action_space = spaces.Discrete(3)
 # + self.action_space = spaces.Discrete(4)
+
+# %% beside its problem: a third thing
+# says: check MyEnvironment alone, or two things, (MyEnvironment, my_problem), but here are 3
+# in: beside the problem that it should be
+# - MyEnvironment = (ByHand, DAY)
+# + MyEnvironment = (ByHand, DAY, 1)
+
+# %% beside its problem: no problem
+# says: my_problem must be an MDP, a value with the methods
+# in: beside the problem that it should be
+# - MyEnvironment = (ByHand, DAY)
+# + MyEnvironment = [ByHand, None]
+
+# %% beside its problem: one with real actions
+# says: the actions of my_problem should be numbered, but are
+# in: beside the problem that it should be
+# - MyEnvironment = (ByHand, DAY)
+# + import edugym
+# + MyEnvironment = (ByHand, edugym.make_mdp("Trashbot"))
