@@ -3,8 +3,6 @@
 import math
 from collections.abc import Callable, Mapping
 from functools import partial
-from itertools import pairwise, takewhile
-from statistics import fmean
 from types import MappingProxyType
 from typing import Annotated, Any
 
@@ -20,6 +18,13 @@ from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, given, number
 from edugym_course.lessons.stochasticity.exact import CROSSINGS, crossing, from_the_tee
+from edugym_course.lessons.stochasticity.exercises.frontier import (
+    FRONTIER_MISTAKES,
+    Pair,
+    beats,
+    made_up_players,
+    unbeaten,
+)
 from edugym_course.lessons.stochasticity.methods import LEVEL, methods_with
 
 HITS = 5
@@ -90,133 +95,6 @@ def exercise_1(answer: Any, seed: int, careless: Careless = 0.0) -> str:
     )
 
 
-Pair = tuple[float, float]
-
-
-def _beats(one: Pair, other: Pair) -> bool:
-    return one[0] >= other[0] and one[1] <= other[1] and one != other
-
-
-def _unbeaten(players: Mapping[str, Pair], beats: Callable[[Pair, Pair], bool]) -> set[str]:
-    """Return the names of the players that no other one beats, by a rule."""
-    return {
-        name
-        for name, one in players.items()
-        if not any(beats(two, one) for other, two in players.items() if other != name)
-    }
-
-
-def _until_beaten(players: Mapping[str, Pair]) -> set[str]:
-    """Return the names before the first player that is beaten."""
-    return {*takewhile(_unbeaten(players, _beats).__contains__, players)}
-
-
-def _chosen_by_weights(players: Mapping[str, Pair]) -> set[str]:
-    """Return the names of those with the highest mean less w times the spread, for any w from 0."""
-    pairs = [*players.values()]
-    equal = sorted((m - n) / (s - t) for m, s in pairs for n, t in pairs if (m - n) * (s - t) > 0)  # w at which two are
-    between = [0.0, *equal, 2 * max(equal, default=1.0)]
-    sums = [{name: m - w * s for name, (m, s) in players.items()} for w in map(fmean, pairwise(between))]
-    return {name for each in sums for name, total in each.items() if total == max(each.values())}
-
-
-FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
-    "a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower"
-    " mean; one of the two may be equal": lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] < b[1]),
-    "two players with the same two numbers do not beat each other; one of the two must be really better": (
-        lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] <= b[1])
-    ),
-    "every player is as good as itself, so it must not beat itself: one of the two numbers must be really better": (
-        lambda players: set()
-    ),
-    "after the first player that is beaten nobody is taken: is a variable set to True there, and never back to"
-    " False?": _until_beaten,
-    "the first player alone is looked at: `return` ends the loop, so write it below, as far to the left as `for`": (
-        lambda players: _unbeaten(players, _beats) & {next(iter(players))}
-    ),
-    "an equal mean is left out: a player with the same mean and a larger spread is beaten too": (
-        lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] <= b[1])
-    ),
-    "an equal spread is left out: a player with the same spread and a lower mean is beaten too": (
-        lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] < b[1])
-    ),
-    "it takes a *larger* spread as better": (
-        lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] >= b[1] and a != b)
-    ),
-    "it takes a *lower* mean as better": (
-        lambda players: _unbeaten(players, lambda a, b: a[0] <= b[0] and a[1] <= b[1] and a != b)
-    ),
-    "it takes a lower mean and a larger spread as better: the comparison is the wrong way round": (
-        lambda players: _unbeaten(players, lambda a, b: _beats(b, a))
-    ),
-    "these are the players that *are* beaten": lambda players: {*players} - _unbeaten(players, _beats),
-    "these are the players with the highest mean; a lower mean with a smaller spread is worth choosing too": (
-        lambda players: {name for name, (mean, _) in players.items() if mean == max(m for m, _ in players.values())}
-    ),
-    "these are the players with the smallest spread; a larger spread with a higher mean is worth choosing too": (
-        lambda players: {name for name, (_, spread) in players.items() if spread == min(s for _, s in players.values())}
-    ),
-    "one better number is enough there to beat a player; the other one must not be worse": (
-        lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] or a[1] < b[1])
-    ),
-    "these are all the players: nobody is beaten; is the comparison ever true?": lambda players: {*players},
-    "a player must be beaten by *one* other player in both numbers, not by one in the mean and another in the spread": (
-        lambda players: {
-            name
-            for name, (mean, spread) in players.items()
-            if not (any(m > mean for m, _ in players.values()) and any(s < spread for _, s in players.values()))
-        }
-    ),
-    "it compares rounded numbers, or takes near ones for equal; compare them as they are": (
-        lambda players: _unbeaten(
-            players, lambda a, b: _beats((round(a[0], 2), round(a[1], 2)), (round(b[0], 2), round(b[1], 2)))
-        )
-    ),
-    "these are the players for whom mean minus spread is largest; that is only one taste": (
-        lambda players: {n for n, (m, s) in players.items() if m - s == max(a - b for a, b in players.values())}
-    ),
-    "these are the players for whom mean divided by spread is largest; that is only one taste": (
-        lambda players: {n for n, (m, s) in players.items() if m / s == max(a / b for a, b in players.values())}
-    ),
-    "these are the players with the highest weighted sum of mean and spread, for some weights; a player whom no weights"
-    " choose can be one that nobody beats": lambda players: _chosen_by_weights(players),
-    "a mean below 0 is left out, and such a player may be one that nobody beats": (
-        lambda players: {name for name in _unbeaten(players, _beats) if players[name][0] > 0}
-    ),
-    "of players with the same two numbers only one is left; they do not beat each other": (
-        lambda players: {
-            name
-            for name in _unbeaten(players, _beats)
-            if name == next(other for other, pair in players.items() if pair == players[name])
-        }
-    ),
-}
-
-
-FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (16, 11), (16, 11), (20, 15), (9, 5), (12, 7), (10, 13), (3, 9))
-"""Mean and spread: six on the frontier, two of them alike, which no weighted sum chooses; one is beaten in the spread
-alone, and one in the mean."""
-
-
-def made_up_players(seed: int) -> list[dict[str, Pair]]:
-    """Make players up: a case by hand, again with one who beats all others, by chance, one alone, and means below 0."""
-    rng = np.random.default_rng(seed)
-    few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
-    cases = []
-    for lowest, pairs in (
-        (0.6, FRONTIER_CASE),
-        (0.6, ((22, 1), *FRONTIER_CASE)),
-        (0.3, few),
-        (0.3, few[:1]),
-        (-0.6, FRONTIER_CASE),
-    ):
-        scale = float(rng.choice([0.003, 0.004]))  # so small that two digits do not tell them apart
-        order = sorted(rng.permutation(len(pairs)), key=lambda k: k > 1)  # the first two in front, not to be beaten
-        players = [(round(lowest + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]
-        cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
-    return cases
-
-
 Least = Annotated[
     float,
     Own(
@@ -237,7 +115,7 @@ def exercise_2(answer: Any, seed: int, least: Least = -math.inf) -> str:
     found = [_names(answer, players) for players in cases]
     for players, names in zip(cases, found, strict=True):
         allowed = {name for name, (mean, _) in players.items() if mean >= least}
-        right = _unbeaten(players, _beats) & allowed
+        right = unbeaten(players, beats) & allowed
         if names == right:
             continue
         if names - allowed:
@@ -288,7 +166,7 @@ def _one_name(players: Mapping[str, Pair], names: set[str], right: set[str]) -> 
     """Return why one name is missing, or too many."""
     if names - right:
         name = min(names - right)
-        other = next(other for other, pair in players.items() if _beats(pair, players[name]))
+        other = next(other for other, pair in players.items() if beats(pair, players[name]))
         return f"{name} is beaten by {other}"
     return f"nobody beats {min(right - names)}"
 
