@@ -74,8 +74,8 @@ async function begun(pyodide, memory, module, tables) {
   const libm = {}
   for (const name of mathematics.split(' ')) if (pyodide._module[`_${name}`]) libm[name] = pyodide._module[`_${name}`]
   const draw = await drawing(module, tables, memory, libm)
-  // One for each text, since V8 shares what it learns about functions of equal text: made anew for every seed, each would
-  // have classes of its own, and after four of them V8 takes up to five times as long.
+  // A program is made once for each text. V8 shares what it learns about functions of equal text: if every seed made the
+  // program anew, each would have other classes, and after four of them all would run up to five times slower.
   const programs = new Map()
   const programOf = text => {
     if (programs.size === MOST_PROGRAMS) programs.clear()

@@ -174,7 +174,8 @@ class Rule:
         world: makes one, with the arguments of `SmallWorld`.
         remembers: whether the policy that is returned is given the history of an episode, O_0, A_0, O_1, ..., O_t, in
             the place of O_t alone. The agents of the rule then have a method `row(history)`, the values at its end.
-        looks_closer: whether a program takes longer runs too, and may not take the second best action too often.
+        looks_closer: whether a program takes longer runs too, and may not take the second best action too often. Off
+            where some mistakes would then be told otherwise than they should; why is not found out.
     """
 
     right: Learner

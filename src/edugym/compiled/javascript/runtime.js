@@ -41,7 +41,7 @@ const power = (base, exponent) => {
 }
 const shifted = (a, n) => n < 0 ? doubt('a negative shift') : a === 0 ? 0 : whole(a * power(2, n))
 const shiftedBack = (a, n) => n < 0 ? doubt('a negative shift') : n > 53 ? (a < 0 ? -1 : 0) : Math.floor(whole(a) / power(2, n))
-const integer = x => (x | 0) === x ? x | 0 : x // as V8 knows it: a number of an array of reals is real to it
+const integer = x => (x | 0) === x ? x | 0 : x // V8 takes what comes from an array of reals for a real number
 const small = x => (x | 0) === x ? x | 0 : doubt('more than 32 bits')
 const both = (a, b) => small(a) & small(b), either = (a, b) => small(a) | small(b), one = (a, b) => small(a) ^ small(b)
 
