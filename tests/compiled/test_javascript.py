@@ -49,6 +49,10 @@ REFUSED_HERE = {
 
 FIRST = "class P(NamedTuple):\n    x: float\n    y: float"
 TWO = "def g(self, a, b, c=0.5): return a + 2 * b * c\ndef one(self, rng): return self.g(rng.random(), c=rng.random(), b=rng.random())"
+AB = {
+    "fields": "A: np.ndarray\n    B: np.ndarray\n    N: np.ndarray",
+    "values": "np.zeros((9, 2)), np.ones((9, 2)), np.zeros(9, np.int64)",
+}
 TRAPS = {
     "keywords in another order": program("return 0.25 * s + self.one(rng)", more=TWO),
     "nan in tuples": program("p = P(s, math.nan)\nq = p\nreturn s + (1.0 if p == q else 2.0)", before=FIRST),
@@ -91,6 +95,13 @@ TRAPS = {
     "numbers of NumPy, and less than what is less than 0": program(
         "x = np.floor(0.3 * s-K) + np.sqrt(s-K) + np.trunc(-s) * 1e-3 + np.ceil(s-K) * 1e-2\nreturn 0.5 * s + x + (1 if np.isnan(x) else 0)",
         before="K = -0.5"),
+    "either of two fields": program(
+        "X, Y = (self.A, self.B) if rng.random() < 0.5 else (self.B, self.A)\ni = int(s) % 9\nX[i, 0] += 0.1 * (s - Y[i, 1])\nrow = self.B[i]\n"
+        "row[1] += 0.5\nself.N[i] += 2\nself.N[-1] += int(s) % 2\nbest, few = np.flatnonzero(self.N == self.N.max()), np.flatnonzero(X[i] > 0)\n"
+        "return (0.5 * s + X[i, 0] + Y[i].max() + row.argmax() + len(best) + best[0] + len(few) + len(X) + self.A.shape[1]) % 50", **AB),
+    "sums beyond 32 bits": program(
+        "n = 700_000_000\nself.N[0] += n\nself.N[1] -= n\nself.N[2] += 3_000_000_000\n"
+        "return s + 1 + self.N[0] * 1e-9 + self.N[1] * 1e-9 + self.N[2] * 1e-10", **AB),
     "two rows at once": program("self.Q[0], self.Q[1] = self.Q[1] + 1, self.Q[0] * 0.5\nreturn (s + self.Q[0, 1]) % 50", **Q),
 }  # fmt: skip
 """Programs in which JavaScript, left to itself, would do something else."""
@@ -250,6 +261,15 @@ def test_flat(node: Node) -> None:
     for loop, values in ((added_up, np.ones((3, 3))), (copied, np.ones(3))):
         with pytest.raises(Untranslatable, match=r"it uses \.flat"):
             javascript.translated(loop, (values,), node)
+
+
+def test_other_arrays(node: Node) -> None:
+    """A translation keeps what it knows of its arrays only as long as they are the same."""
+    first, second = np.zeros(3), np.ones((5, 2))[:, 1]
+    call = javascript.translated(added_up, (first,), node)
+    for values in (first, second, first):
+        expected = values.copy()
+        assert (call(7, values), values.tolist()) == (added_up(7, expected), expected.tolist())
 
 
 def test_a_slip_after_many_steps(node: Node, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -25,7 +25,8 @@ class VisitRecorder(NamedTuple):
         visits: shape (n_intervals, n_states): how often each state was met in each interval of the training: every
             state in which it acted, and every terminal state that it entered.
         steps: shape (1,): the training steps so far.
-        n_steps: the training steps over which the intervals stretch; what comes later counts in the last.
+        interval: shape (1,): the present interval.
+        ends: shape (n_intervals - 1,): after how many steps each interval ends, but for the last, which never does.
     """
 
     agent: Any
@@ -33,7 +34,8 @@ class VisitRecorder(NamedTuple):
     actor: Any
     visits: Integers
     steps: Integers
-    n_steps: int
+    interval: Integers
+    ends: Integers
 
     @property
     def recorded(self) -> Any:
@@ -61,11 +63,12 @@ class VisitRecorder(NamedTuple):
 
     def record(self, state: int, next_state: int, terminated: bool) -> None:
         """Count a step that was taken in `state`, and where it led if that is an end."""
-        interval = min(self.steps[0] * len(self.visits) // self.n_steps, len(self.visits) - 1)
-        self.visits[interval, state] += 1
+        self.visits[self.interval[0], state] += 1
         if terminated:
-            self.visits[interval, next_state] += 1
+            self.visits[self.interval[0], next_state] += 1
         self.steps[0] += 1
+        while self.interval[0] < len(self.ends) and self.steps[0] >= self.ends[self.interval[0]]:
+            self.interval[0] += 1
 
 
 class _Around(NamedTuple):
@@ -166,7 +169,9 @@ def record_visits(
     evaluated = actor(contract) if contract.has_greedy else agent
     takes_vectors = "rewards" in contract.learns_from
     learns = learner(contract, FOR_OBJECTIVES if takes_vectors else LEARN_PARAMETERS)
-    recorder = VisitRecorder(agent, learns, evaluated, visits, np.zeros(1, np.int64), n_steps)
+    ends = np.array([-(-k * n_steps // n_intervals) for k in range(1, n_intervals)], np.int64)
+    steps, interval = np.zeros(1, np.int64), np.zeros(1, np.int64)
+    recorder = VisitRecorder(agent, learns, evaluated, visits, steps, interval, ends)
     if takes_vectors:
         return VectorVisitRecorder(recorder, visits)
     return OnPolicyVisitRecorder(recorder, visits) if contract.is_on_policy else recorder

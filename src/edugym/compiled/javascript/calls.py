@@ -266,9 +266,9 @@ def _of_all(writer: Iterations, node: ast.Call, called: Any) -> Code:
     name, argument = called.__name__, node.args[0]
     if called is len:
         value = writer.visit(argument)
-        if isinstance(value.kind, Array):
-            return Code(f"{value.text}.length", INT)
-        if isinstance(value.kind, List):
+        if isinstance(value.kind, Array) and value.kind.name:
+            return Code(f"{value.kind.name}_n0", INT)
+        if isinstance(value.kind, Array | List):
             return Code(f"{value.text}.length", INT)
         if isinstance(value.kind, Tuple):
             return Code(f"({value.text},{len(value.kind.parts)})", INT)

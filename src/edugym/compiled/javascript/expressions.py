@@ -6,9 +6,11 @@ from types import FunctionType, ModuleType
 from typing import Any
 
 from edugym.compiled.byte_code import inside
+from edugym.compiled.javascript import named
 from edugym.compiled.javascript.calls import call, own_function
 from edugym.compiled.javascript.iterations import Iterations
 from edugym.compiled.javascript.kinds import (
+    ARRAYS,
     INT,
     NEVER,
     Array,
@@ -78,9 +80,11 @@ class Expressions(Iterations):
             return self.member(node, owner, kind)
         if isinstance(kind, Array) and node.attr == "shape":
             shape = Tuple(None, (INT,) * kind.ndim)
-            held = self.fresh()
+            made, held = f"new {self.known.constants.tuple_class(shape)}", kind.name or self.fresh()
+            if kind.name:
+                return Code(f"{made}({','.join(f'{held}_n{k}' for k in range(kind.ndim))})", shape)
             sizes = ",".join(f"{held}[{k}]" for k in range(kind.ndim))
-            return Code(f"({held}={owner.text}.shape,new {self.known.constants.tuple_class(shape)}({sizes}))", shape)
+            return Code(f"({held}={owner.text}.shape,{made}({sizes}))", shape)
         if isinstance(kind, Array) and node.attr == "size":
             return Code(f"{owner.text}.size", INT)
         if isinstance(kind, Array) and node.attr == "ndim":
@@ -89,13 +93,21 @@ class Expressions(Iterations):
             return owner
         raise self.refused(node, f"it uses .{node.attr} of {described(kind)}")
 
+    def field(self, owner: Code, k: int) -> Code:
+        """Writes a part of a tuple."""
+        kind: Any = owner.kind
+        text = f"{kind.name}_{k}" if kind.name else f"{owner.text}.a{k}"
+        part = kind.parts[k]
+        alone = isinstance(part, Array) and part.name and part.ndim == 1
+        return Code(text, part, line=named.line(part) if alone else None)
+
     def member(self, node: ast.Attribute, owner: Code, kind: Tuple) -> Code:
         """Writes a field, a property or a constant of a NamedTuple."""
         fields: Any = getattr(kind.type, "_fields", ())
         found = getattr_static(kind.type, node.attr, None)
         if node.attr in fields:
             k = fields.index(node.attr)
-            return Code(f"{owner.text}.a{k}", kind.parts[k])
+            return self.field(owner, k)
         if isinstance(found, property) and isinstance(found.fget, FunctionType):
             return own_function(self, node, found.fget, [owner], {})
         if found is None or isinstance(found, FunctionType | classmethod | staticmethod):
@@ -178,7 +190,10 @@ class Expressions(Iterations):
         if isinstance(kind, Array):
             indices = self.indices(index)
             if self.is_one_place(node, kind, indices):
-                return Code(f"{owner.text}.at{kind.ndim}({','.join(map(self.index, indices))})", kind.of)
+                texts = list(map(self.index, indices))
+                if kind.name:
+                    return Code(named.element(kind, named.place(kind, texts)), kind.of)
+                return Code(f"{owner.text}.at{kind.ndim}({','.join(texts)})", kind.of)
             return self.part(owner, indices)
         if kind == NEVER:
             return owner
@@ -187,8 +202,7 @@ class Expressions(Iterations):
     def _part_of_tuple(self, node: ast.AST, owner: Code, kind: Tuple, index: ast.expr) -> Code:
         known = _literal(index)
         if known is not None and -len(kind.parts) <= known < len(kind.parts):
-            k = known % len(kind.parts)
-            return Code(f"{owner.text}.a{k}", kind.parts[k])
+            return self.field(owner, known % len(kind.parts))
         found = kind.parts[0] if kind.parts else NEVER
         for one in kind.parts:
             found = self.joined(node, found, one)
@@ -219,8 +233,9 @@ class Expressions(Iterations):
         if len(indices) > kind.ndim:
             raise self.refused(indices[-1], "it has more indices than the array has dimensions")
         picked = Array(kind.of, left, kind.frozen)
-        if len(indices) == 1 and left < kind.ndim:
-            return Code(f"{owner.text}.row({texts[0]})", picked, row=f"{owner.text},{texts[0]}")
+        if kind.name and len(indices) == left == 1 and kind.ndim == 2:
+            line = named.line(kind, texts)
+            return Code(f"new {ARRAYS[kind.of]}({line},null,null)", picked, line=line)
         return Code(f"{owner.text}.part({','.join(texts)})", picked)
 
 

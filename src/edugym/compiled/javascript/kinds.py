@@ -31,11 +31,13 @@ class Array(NamedTuple):
         of: the kind of its elements.
         ndim: its number of dimensions.
         frozen: whether code may only read it, since it reaches it by a name, and not by a field or an argument.
+        name: of the constant that it is for sure; None where it may be another array.
     """
 
     of: str
     ndim: int
     frozen: bool = False
+    name: str | None = None
 
 
 class Tuple(NamedTuple):
@@ -44,10 +46,13 @@ class Tuple(NamedTuple):
     Attributes:
         type: its class; None for a plain tuple.
         parts: the kinds of what is in it.
+        name: of the constant that it is for sure, with an underscore and a number for what is in it; None where it may
+            be another.
     """
 
     type: type | None
     parts: tuple[Any, ...]
+    name: str | None = None
 
     @property
     def shape(self) -> tuple[Any, int]:
@@ -92,14 +97,15 @@ class Code(NamedTuple):
     Attributes:
         text: the expression; it is evaluated once, wherever it stands.
         kind: of its value.
-        row: for a row of a table, the table and the row's number; a call that makes a number of it needs no array.
-        pairs: for a comparison of arrays, the arguments that `paired` compares; likewise.
+        line: for an array of one axis, its data, offset, length and stride where they are known without it; a call that
+            makes a number of it needs no array.
+        where: for a comparison of an array and a number, the call that makes the array of the places where it holds.
     """
 
     text: str
     kind: Kind
-    row: str | None = None
-    pairs: str | None = None
+    line: str | None = None
+    where: str | None = None
 
 
 def kind_of(value: Any, name: str) -> Kind:
@@ -141,7 +147,7 @@ def frozen(kind: Kind) -> Kind:
     """Returns the same kind, with arrays that code may only read."""
     if isinstance(kind, Array):
         return kind._replace(frozen=True)
-    return Tuple(kind.type, tuple(map(frozen, kind.parts))) if isinstance(kind, Tuple) else kind
+    return kind._replace(parts=tuple(map(frozen, kind.parts))) if isinstance(kind, Tuple) else kind
 
 
 def joined(one: Kind, other: Kind) -> Kind:
@@ -157,7 +163,7 @@ def joined(one: Kind, other: Kind) -> Kind:
     if isinstance(one, str) and isinstance(other, str) and {one, other} <= NUMBERS:
         return MIXED
     if isinstance(one, Array) and isinstance(other, Array) and one[:2] == other[:2]:
-        return Array(one.of, one.ndim, True)
+        return Array(one.of, one.ndim, one.frozen or other.frozen)
     if isinstance(one, Tuple) and isinstance(other, Tuple) and one.shape == other.shape:
         return Tuple(one.type, tuple(map(joined, one.parts, other.parts)))
     first, second = described(one), described(other)

@@ -91,6 +91,8 @@ def of_math(writer: Operations, node: ast.AST, name: str, given: Given) -> Code:
 
 
 EXTREMES = {"max": "largest", "min": "smallest", "argmax": "placeOfLargest", "argmin": "placeOfSmallest"}
+QUICK = ("largest", "placeOfLargest")
+"""Those that need no array, but only its data, offset, length and stride."""
 
 
 def _array(writer: Operations, node: ast.AST, code: Code) -> Code:
@@ -110,7 +112,7 @@ def of_array(writer: Operations, node: ast.AST, array: Code, name: str, given: G
     if given or named:
         return None
     if name == "copy":
-        return Code(f"copied({ARRAYS[kind.of]},{array.text})", kind._replace(frozen=False))
+        return Code(f"copied({ARRAYS[kind.of]},{array.text})", Array(kind.of, kind.ndim))
     return _reduced(array, name)
 
 
@@ -119,7 +121,8 @@ def _reduced(array: Code, name: str) -> Code | None:
     kind: Any = array.kind
     if name in EXTREMES and kind.of != BOOL:
         function, of = EXTREMES[name], INT if name.startswith("arg") else kind.of
-        return Code(f"{function}At({array.row})" if array.row else f"{function}({array.text})", of)
+        quick = array.line and kind.of == FLOAT and function in QUICK
+        return Code(f"{function}Of({array.line})" if quick else f"{function}({array.text})", of)
     if name == "sum":
         of_all = {FLOAT: "sumOfReals({})", INT: "sumOfWholes({}.flat())", BOOL: "countOf({}.flat())"}[kind.of]
         return Code(of_all.format(array.text), INT if kind.of == BOOL else kind.of)
@@ -171,15 +174,14 @@ def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: 
     if name == "sqrt" and array.kind.of == FLOAT:
         return Code(f"mapped(Real,root,{array.text})", Array(FLOAT, array.kind.ndim))
     if name == "flatnonzero":
-        where = f"wherePaired({array.pairs})" if array.pairs else f"whereNotZero({array.text})"
-        return Code(where, Array(INT, 1))
+        return Code(array.where or f"whereNotZero({array.text})", Array(INT, 1))
     if name == "count_nonzero":
         return Code(f"countOf({array.text}.flat())", INT)
     if name in ("zeros_like", "ones_like"):
-        kind, number = array.kind._replace(frozen=False), int(name == "ones_like")
+        kind, number = Array(array.kind.of, array.kind.ndim), int(name == "ones_like")
         return Code(f"mapped({ARRAYS[kind.of]},()=>{number},{array.text})", kind)
     if name == "copy":
-        return Code(f"copied({ARRAYS[array.kind.of]},{array.text})", array.kind._replace(frozen=False))
+        return Code(f"copied({ARRAYS[array.kind.of]},{array.text})", Array(array.kind.of, array.kind.ndim))
     if name == "median":
         return Code(f"median({array.text}.flat())", FLOAT)
     return _reduced(array, name)

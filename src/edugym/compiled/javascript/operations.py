@@ -175,6 +175,23 @@ class Operations(Base):
         text = f"(x,y)=>{one.text}"
         return text if len(self.temporary) > held else self.known.constants.operation(text)
 
+    def _where(self, test: str, array: Code, number: Code) -> str:
+        """Writes the call that makes the array of the places where a test of an array's x and of y holds.
+
+        Its function is written for this test and kind of array, since V8 is quick only with those that meet one kind.
+        """
+        kind: Any = array.kind
+        x = {FLOAT: "data[p]", INT: "whole64(data,p)", BOOL: "(data[p]!==0)"}[kind.of]
+        put = "places[2*n++]=k"
+        through = f"for(let k=0,p=offset;k<length;k++,p+=stride){{const x={x};if({test}){put}}}"
+        of_line = self.known.constants.operation(
+            f"(data,offset,length,stride,y)=>{{const begin=search(length);let n=begin;{through}return found(begin,n)}}"
+        )
+        if array.line:
+            return f"{of_line}({array.line},{number.text})"
+        of_array = f"(a,y)=>{of_line}(a.data,a.offset,a.length,a.stride,y)"
+        return f"{self.known.constants.operation(of_array)}({array.text},{number.text})"
+
     def spread_kind(self, node: ast.AST, kind: Kind) -> Kind:
         """Returns the kind of the array that `spreadable` makes."""
         if isinstance(kind, Tuple):
@@ -214,8 +231,10 @@ class Operations(Base):
             elements = [kind.of if isinstance(kind, Array) else kind for kind in kinds]
             held = len(self.temporary)
             one = self.compared(node, sign, Code("x", elements[0]), Code("y", elements[1]))
-            pairs = f"{self._named(one, held)},{left.text},{right.text}"
-            return Code(f"paired(Flags,{pairs})", Array(BOOL, ndim), pairs=pairs)
+            text = f"paired(Flags,{self._named(one, held)},{left.text},{right.text})"
+            with_number = isinstance(left.kind, Array) and ndim == 1 and isinstance(right.kind, str)
+            where = self._where(one.text, left, right) if with_number and len(self.temporary) == held else None
+            return Code(text, Array(BOOL, ndim), where=where)
         plain = {BOOL} | NUMBERS
         if all(kind in plain for kind in kinds):
             texts = [

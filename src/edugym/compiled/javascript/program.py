@@ -36,6 +36,7 @@ from edugym.compiled.javascript.kinds import (
     kind_of,
 )
 from edugym.compiled.javascript.known import Known
+from edugym.compiled.javascript.named import constants, with_names, without_names
 from edugym.compiled.javascript.sources import source_of
 from edugym.compiled.javascript.statements import Writer
 
@@ -45,6 +46,18 @@ MOST_PASSES = 30
 MOST_DEEP = 60
 """Calls of functions within functions may be this deep."""
 HEAPS = {FLOAT: "reals", INT: "halves", BOOL: "bytes"}
+KEPT = """// The loop for the arguments at hand: they stay the same from call to call, but for the carry.
+let buffer, last, loop
+const kept = told => {
+  const fixed = told.slice(at_number)
+  if (buffer !== memory() || fixed.length !== last.length || fixed.some((x, k) => !Object.is(x, last[k]))) {
+    buffer = memory()
+    heap = views(buffer)
+    last = fixed
+    loop = begun()
+  }
+  return loop
+}"""
 Loop = Callable[..., Any]
 
 
@@ -96,7 +109,7 @@ def translated(loop: Loop, arguments: tuple[Any, ...], on: Engine) -> Loop:
 
     def call(n: int, *given: Any) -> Any:
         numbers = [float(n)]
-        for value, kind in zip(given, program.given, strict=True):
+        for value, kind in [*zip(given, program.given, strict=True)][::-1]:  # the carry first
             numbers += _numbers(value, kind, on)
         for array in program.constants.arrays:
             numbers += _numbers(array, kind_of(array, "a constant"), on)
@@ -113,9 +126,7 @@ def _numbers(value: Any, kind: Kind, on: Engine) -> Iterator[float]:
         for part, inner in zip(tuple.__iter__(value), kind.parts, strict=True):
             yield from _numbers(part, inner, on)
     elif isinstance(kind, Array):
-        if kind_of(value, "an array") != kind._replace(frozen=False) or any(
-            one % value.itemsize for one in value.strides
-        ):
+        if kind_of(value, "an array")[:2] != kind[:2] or any(one % value.itemsize for one in value.strides):
             raise Doubt("an array of another type")
         yield on.address(value) / value.itemsize
         yield from map(float, value.shape)
@@ -142,21 +153,26 @@ class Program(Known):
         """Translates the loop for arguments like these; the program may call the functions of `libm`."""
         super().__init__(libm)
         names = list(inspect.signature(loop).parameters)
-        given = [INT, *(kind_of(one, name) for one, name in zip(arguments, names[1:], strict=True))]
+        carries = names[-1] == "carry"  # what the next call begins with
+        given = [
+            kind if name == "carry" else with_names(kind, f"h{k}")
+            for k, (one, name) in enumerate(zip(arguments, names[1:], strict=True))
+            for kind in [kind_of(one, name)]
+        ]
         key = (loop, "the loop")
         for _ in range(MOST_PASSES):
             self.begin_pass()
-            main = self._write(_plain(loop), key, dict(zip(names, given, strict=True)))
-            result = self.results[key]
-            if names[-1] == "carry":  # what the next call begins with
+            main = self._write(_plain(loop), key, dict(zip(names, [INT, *given], strict=True)))
+            result = without_names(self.results[key])
+            if carries:
                 given[-1] = joined(given[-1], result)
-            if not self.changed and (names[-1] != "carry" or result == given[-1]):
+            if not self.changed and (not carries or result == given[-1]):
                 break
         else:
             raise Untranslatable("the types of its variables are not to be found out")
-        self.given, self._result = given[1:], result
+        self.given, self._result = given, result
         _require_plain(result, "what the loop carries from step to step")
-        self.text = self._whole(main, given)
+        self.text = self._whole(main, carries)
 
     def begin_pass(self) -> None:
         """Forgets all that is written, but no kinds."""
@@ -184,34 +200,40 @@ class Program(Known):
 
     # The text
 
-    def _whole(self, main: str, given: list[Kind]) -> str:
-        known = self.constants
-        calls = [self._made(kind) for kind in given]  # first, since it may add classes
-        arrays = "".join(f"g{k}={self._made(kind_of(one, 'a constant'))};" for k, one in enumerate(known.arrays))
+    def _whole(self, main: str, carries: bool) -> str:
+        known, kinds = self.constants, [kind_of(one, "a constant") for one in self.constants.arrays]
+        fixed = self.given[:-1] if carries else self.given
+        told = [("carry", self.given[-1])] if carries else []
+        named = [*((f"h{k}", kind) for k, kind in enumerate(fixed))][::-1] + [
+            (f"g{k}", kind) for k, kind in enumerate(kinds)
+        ]
+        made = {name: self._made(kind) for name, kind in told + named}  # first, since it may add classes
         classes = [
             f"class {name}{{constructor({parts}){{{fields}}}}}"
             for name, count in known.classes.values()
             for parts in [",".join(f"a{k}" for k in range(count))]
             for fields in ["".join(f"this.a{k}=a{k};" for k in range(count))]
         ]
-        names = [f"g{k}" for k in range(len(known.arrays))] + [f"c{k}" for k in range(len(known.tuples))]
-        result = ",".join(_told("result", self._result))
+        defined = [text for name, kind in named for text in (f"{name}={made[name]}", *constants(kind, name))]
+        given = ",".join([*(f"h{k}" for k in range(len(fixed))), *(["carry"] if carries else [])])
         return "\n".join(
             [
                 "'use strict'",
                 RUNTIME.read_text(encoding="utf-8"),
                 *classes,
-                f"let {','.join(['numbers', 'at_number', 'heap', *names])}",
+                "let numbers,at_number,heap",
                 "const next=()=>numbers[at_number++]",
                 *(f"const o{k}={text}" for k, text in enumerate(known.operations)),
+                "const begun=()=>{",
+                *(f"const {text}" for text in [*defined, *known.tuples]),
                 *self._texts,
                 f"function loop{main}",
-                "return told=>{",
-                "numbers=told;at_number=0;heap=views(memory())",
-                f"const given=[{','.join(calls)}]",
-                arrays + ";".join(known.tuples),
-                "const result=loop(...given)",
-                f"return [{result}]",
+                f"return (n,carry)=>loop(n,{given})",
+                "}",
+                KEPT,
+                f"return told=>{{numbers=told;at_number=0;const n=integer(next()),carry={made.get('carry', 'null')}",
+                "const result=kept(told)(n,carry)",
+                f"return [{','.join(_told('result', self._result))}]",
                 "}",
             ]
         )

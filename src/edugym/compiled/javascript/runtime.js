@@ -83,7 +83,8 @@ const clipped = (x, low, high) => x !== x ? x : low !== low ? low : high !== hig
 // Arrays: `data` from `offset`, with `strides` in elements. Whole numbers of 64 bits are two of 32. An array of one axis
 // has `length` and `stride` alone, so that a row of a table costs one small object.
 const out = (i, n) => doubt(`index ${i} is out of bounds for size ${n}`)
-const at = (i, n) => i >= 0 && i < n ? i : i < 0 && i >= -n ? i + n : out(i, n)
+const fromEnd = (i, n) => i < 0 && i >= -n ? i + n : out(i, n)
+const at = (i, n) => i >>> 0 === i && i < n ? i : fromEnd(i, n)
 const views = buffer => ({ reals: new Float64Array(buffer), halves: new Int32Array(buffer), bytes: new Uint8Array(buffer) })
 const steps = shape => shape.map((_, axis) => shape.slice(axis + 1).reduce((a, b) => a * b, 1))
 class Strided {
@@ -102,11 +103,6 @@ class Strided {
   get shape() { return this.axes ?? [this.length] }
   get strides() { return this.apart ?? [this.stride] }
   get size() { return this.axes === null ? this.length : this.axes.reduce((a, b) => a * b, 1) }
-  row(i) {
-    if (this.axes.length !== 2) return this.part(i)
-    const offset = this.offset + at(i, this.length) * this.stride
-    return new this.constructor(this.data, offset, this.axes[1], this.apart[1], null, null)
-  }
   at3(i, j, k) { return this.part(i).at2(j, k) }
   put3(i, j, k, value) { this.part(i).put2(j, k, value) }
   // The part that numbers and slices [begin, end, step] pick, one for each of the first axes.
@@ -163,6 +159,13 @@ const whole64 = (halves, place) => { // most have 32 bits, and stay integers to 
 const put64 = (halves, place, value) => {
   halves[2 * place] = value
   halves[2 * place + 1] = (value | 0) === value ? value >> 31 : Math.floor(value / 4294967296)
+}
+const add64 = (halves, place, n) => {
+  const low = halves[2 * place], sum = low + n
+  if (halves[2 * place + 1] === low >> 31 && (sum | 0) === sum) {
+    halves[2 * place] = sum
+    halves[2 * place + 1] = sum >> 31
+  } else put64(halves, place, whole(whole64(halves, place) + n))
 }
 class Whole extends Strided {
   static data(n) { return new Int32Array(2 * n) }
@@ -290,11 +293,6 @@ const placeOfLargestOf = (data, offset, length, stride) => {
 }
 const placeOfLargest = a => a.axes === null && a instanceof Real ? placeOfLargestOf(a.data, a.offset, a.length, a.stride) : place(a.flat(), greater)
 const placeOfSmallest = a => place(a.flat(), less)
-// The same of a row of a table, of which no array is made.
-const rowOf = (a, i, ofReals, ofAny) => a.axes.length === 2 && a instanceof Real
-  ? ofReals(a.data, a.offset + at(i, a.length) * a.stride, a.axes[1], a.apart[1]) : ofAny(a.row(i))
-const largestAt = (a, i) => rowOf(a, i, largestOf, largest), placeOfLargestAt = (a, i) => rowOf(a, i, placeOfLargestOf, placeOfLargest)
-const smallestAt = (a, i) => smallest(a.row(i)), placeOfSmallestAt = (a, i) => placeOfSmallest(a.row(i))
 const listExtreme = (list, better) => {
   if (!list.length) doubt('the largest of nothing')
   return list.reduce((found, x) => better(x, found) ? x : found)
@@ -341,16 +339,25 @@ const sumInDoubt = list => {
   return list.length && sum + lost === sum ? sum : doubt('a sum whose last digit is in doubt')
 }
 const holds = x => x !== 0 && x !== false // NaN does
-// Where a comparison holds, as in flatnonzero(Q[state] == highest): no array of its results is made.
-const wherePaired = (operation, a, b) => {
-  if (!(a instanceof Strided) || b instanceof Strided || a.axes !== null) return whereNotZero(paired(Flags, operation, a, b))
-  let count = 0
-  for (let k = 0; k < a.length; k++) if (operation(a.get(a.offset + k * a.stride), b)) count++
-  const found = room(Whole, count)
-  for (let k = 0, next = found.offset; k < a.length; k++) if (operation(a.get(a.offset + k * a.stride), b)) found.set(next++, k)
-  return found
+// The places that searches find, one after the other: the writer writes each search.
+let places = Whole.data(SHARED), taken = 0
+const search = most => {
+  if (taken + most > SHARED) {
+    places = Whole.data(Math.max(most, SHARED))
+    taken = 0
+  }
+  return taken
 }
-const whereNotZero = a => wherePaired(holds, a.axes === null ? a : flattened(a), 0)
+const found = (begin, end) => {
+  taken = end
+  return new Whole(places, begin, end - begin, 1, null, null)
+}
+const whereNotZero = a => {
+  const list = a.flat(), begin = search(list.length)
+  let n = begin
+  for (let k = 0; k < list.length; k++) if (holds(list[k])) places[2 * n++] = k
+  return found(begin, n)
+}
 const countOf = list => list.reduce((sum, x) => sum + (x ? 1 : 0), 0)
 const median = list => {
   const n = list.length, sorted = Float64Array.from(list).sort()

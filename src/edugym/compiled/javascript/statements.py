@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from edugym.compiled.code import is_foreign
+from edugym.compiled.javascript import named
 from edugym.compiled.javascript.expressions import Expressions, Written
 from edugym.compiled.javascript.kinds import (
     FROZEN,
@@ -91,7 +92,10 @@ class Writer(Expressions):
         alone = self.is_one_place(node, array, indices)
         self.require_fits(node, array.of, value.kind, alone=alone)
         if alone:
-            return f"{owner.text}.put{array.ndim}({','.join(map(self.index, indices))},{value.text});"
+            texts = list(map(self.index, indices))
+            if array.name:
+                return named.put(array, named.place(array, texts), value.text)
+            return f"{owner.text}.put{array.ndim}({','.join(texts)},{value.text});"
         part = self.part(owner, indices)
         return f"assign({part.text},{self.spreadable(node, value, array.of)});"
 
@@ -141,9 +145,12 @@ class Writer(Expressions):
             return self.bind(node, target, self.operation(node, operation, before, self.visit(node.value))), False
         if not isinstance(target, ast.Subscript):
             raise self.refused(node, f"it assigns {ast.unparse(target)}")
-        owner, held = self.owner(target), self.fresh()
-        begin, indices = f"{held}={owner.text};", self.indices(target.slice)
+        owner, indices = self.owner(target), self.indices(target.slice)
         kind, names = owner.kind, list[ast.expr]()
+        if isinstance(kind, Array) and kind.name and self.is_one_place(node, kind, indices):
+            return self._augment(node, operation, kind, [self.index(one) for one in indices]), False
+        held = self.fresh()
+        begin = f"{held}={owner.text};"
         if isinstance(kind, Array) and (len(indices) < kind.ndim or any(isinstance(one, ast.Slice) for one in indices)):
             part, whole = self.part(Code(held, kind), indices), self.fresh()
             return f"{begin}{whole}={part.text};" + self.in_place(
@@ -161,6 +168,20 @@ class Writer(Expressions):
         return f"{begin}{given}={after.text};" + self.put(
             node, Code(held, kind), slices, Code(given, after.kind)
         ), False
+
+    def _augment(self, node: ast.AugAssign, operation: type, array: Array, indices: list[str]) -> str:
+        """Writes the statement that changes an element of an array that has a name."""
+        if array.frozen:
+            raise self.refused(node, FROZEN)
+        place, present, given = self.fresh(), self.fresh(), self.fresh()
+        begin = f"{place}={named.place(array, indices)};"
+        value = self.visit(node.value)
+        if array.of == value.kind == INT and operation is ast.Add and isinstance(node.value, ast.Constant | ast.Name):
+            return f"{begin}add64({array.name}_d,{place},{value.text});"
+        after = self.operation(node, operation, Code(present, array.of), value)
+        self.require_fits(node, array.of, after.kind, alone=True)
+        begin += f"{present}={named.element(array, place)};{given}={after.text};"
+        return begin + named.put(array, place, given)
 
     def in_place(self, node: ast.AugAssign, array: Code, value: Code) -> str:
         """Writes the statement that changes an array in place."""
