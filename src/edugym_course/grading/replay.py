@@ -51,7 +51,7 @@ SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random wit
 FALLS = "Their share falls during a run: ε should be the same from the first step to the last"
 FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
-    " that reset() gives"
+    " that reset() gives; and does the program learn from the first step of an episode as from the others?"
 )
 
 

@@ -72,7 +72,10 @@ HINTS = (
         "indices go from 0 to the size less 1: is the range, or the order of the indices, right?",
     ),
     ("math range error", "the exponential of a number above 709 is too large: write it with a negative exponent"),
-    ("math domain error|expected a positive input", "a logarithm needs a number above 0: leave zeros out"),
+    (
+        "math domain error|expected a positive input",
+        "a logarithm needs a number above 0: what should come out where it is 0?",
+    ),
     (
         "inhomogeneous|policy must be a whole number",
         "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?",

@@ -17,6 +17,7 @@ from edugym_course.lessons.depth import (
     methods,
     off_policy,
     pictures,
+    rates,
     targets,
     traces,
 )
@@ -150,6 +151,26 @@ def test_depth_of_those_who_met_the_exam() -> None:
     assert methods.passes_in_training(results, methods.MONTE_CARLO).tolist() == [3, 1, 0, 0]
     claims = experiments.start_claims(dict.fromkeys(experiments.START_VALUES, results))
     assert measured(claims) == [0.0] * 6 + [1.0] * 3 + [0.5] * 3 + [1.0] * 2
+
+
+def test_what_the_learning_rate_does() -> None:
+    """Of three runs of Monte Carlo two meet the exam with the small rate and pass, and with the large one none does."""
+    _, knowing, idle = study(0)
+    settings: dict[str, Any] = {"environment.n_actions": 5, "environment.total_days": 10, "layout_seed": [0, 0, 0]}
+
+    def runs(value: float, *agents: Any) -> Any:
+        makers = {methods.ONE_STEP: [idle] * 3, methods.MONTE_CARLO: list(agents)}
+        returns = {methods.ONE_STEP: 1.0, methods.MONTE_CARLO: value}
+        return made_up(
+            {name: [{0: returns[name], 10: returns[name]}] * 3 for name in makers}, agents=makers, **settings
+        )
+
+    slow, quick = runs(4.0, knowing, knowing, idle), runs(1.0, idle, idle, idle)
+    by_rate = {rates.SLOW: slow, rates.QUICK: quick, 1.0: quick}
+    claims = rates.rate_claims(by_rate, {rates.SLOW: quick, rates.QUICK: slow})
+    assert measured(claims[:5]) == [0.0, -3.0, 3.0, 0.666667, 1.0]
+    assert claims[5].measured.n == 0
+    assert measured(claims[6:]) == [3.0, 0.0]
 
 
 @pytest.mark.parametrize(

@@ -33,18 +33,19 @@ from edugym_course.lessons.depth.methods import (
     best_returns,
     compare,
     expected_returns,
+    kept,
     label,
     layouts,
     met_exam,
     passes,
 )
+from edugym_course.lessons.depth.rates import RATES, rate_claims, with_low_start
 from edugym_course.lessons.depth.targets import DAYS, EPSILON, target_claims
 from edugym_course.lessons.depth.traces import NOISES, trace_claims
 from edugym_course.lessons.depth.traces import through_rates as traces_through_rates
 from edugym_course.report import Report
 from edugym_course.reporting import SharedArguments, reporting
 
-RATES = (0.01, 0.1, 0.3, 1.0)
 EXTREMES = (1, math.inf)
 """The values of n where only one step and Monte Carlo are compared."""
 WITH_TEN_ACTIONS = (1, math.inf, 5)
@@ -100,7 +101,9 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         quiet: traces_through_rates(sigma=quiet, **how(repetitions=2 * how.repetitions)),
         noisy: traces_through_rates(sigma=noisy, **how()),
     }
-    return by_sigma, ten_actions, by_start, through_rates(RATES, **how()), too_high, traced
+    by_rate = through_rates(RATES, count_passes=True, **how())
+    by_rate_low = with_low_start(**how())
+    return by_sigma, ten_actions, by_start, by_rate, by_rate_low, too_high, traced
 
 
 def judge(
@@ -108,6 +111,7 @@ def judge(
     ten_actions: Results,
     by_start: Mapping[tuple[float, float], Results],
     by_rate: Mapping[float, Results],
+    by_rate_low: Mapping[float, Results],
     too_high: Mapping[tuple[float, float], Mapping[str, Reals]],
     traced: Mapping[float, Mapping[float, Results]],
 ) -> Report:
@@ -118,7 +122,7 @@ def judge(
         *action_claims(by_sigma[0.2], ten_actions),
         *meeting_claims(ten_actions),
         *start_claims(by_start),
-        *rate_claims(by_rate),
+        *rate_claims(by_rate, by_rate_low),
         *cutting_claims(too_high),
         *target_claims(),
         *trace_claims(traced),
@@ -294,12 +298,6 @@ def keeps_it(method: str, start: float, sigma: float) -> str:
     return f"With start values of {start:g} many {method} runs that have met the exam pass it (σ = {sigma:g})"
 
 
-def kept(results: Results, method: str) -> Reals:
-    """Return for every run that ever passed the exam in training whether it passes in the end: 1 or 0."""
-    final: Reals = passes(results, method)[met_exam(results, method) == 1]
-    return final
-
-
 def cutting_claims(too_high: Mapping[tuple[float, float], Mapping[str, Reals]]) -> list[Claim]:
     """Return the claims on the rule of exercise 3, which asks after the update whether an action is the best."""
     noisy, quiet = CUTTING[:-1], CUTTING[-1]
@@ -339,43 +337,6 @@ def asked_when_taken(sigma: float, rate: float) -> str:
         f"If it is asked when the action is taken, before luck can tell, values are less high (σ = {sigma:g}, learning"
         f" rate {rate:g})"
     )
-
-
-def rate_claims(by_rate: Mapping[float, Results]) -> list[Claim]:
-    """Return the claims on learning rates, for 500 episodes."""
-    slow, quick, fastest = by_rate[0.01], by_rate[0.3], by_rate[1.0]
-
-    def averages(results: Results, method: str) -> Reals:
-        return results.average(method)
-
-    return [
-        Claim(
-            "n = 1 learns faster with rate 0.3 than with 0.01",
-            "return averaged over 500 episodes, rate 0.3 less 0.01",
-            paired_difference(averages(quick, ONE_STEP), averages(slow, ONE_STEP)),
-            Above(1.0),
-            "its targets vary little, but must be handed back day by day",
-        ),
-        Claim(
-            "Monte Carlo learns more slowly with rate 0.3 than with 0.01",
-            "return averaged over 500 episodes, rate 0.3 less 0.01",
-            paired_difference(averages(quick, MONTE_CARLO), averages(slow, MONTE_CARLO)),
-            Below(-0.1),
-            "its targets vary much, and a small rate averages them",
-        ),
-        Claim(
-            "Each with a suitable rate, Monte Carlo (0.01) is ahead of n = 1 (0.3) over the first 500 episodes",
-            "return averaged over 500 episodes, less that of n = 1",
-            paired_difference(averages(slow, MONTE_CARLO), averages(quick, ONE_STEP)),
-            Above(0.5),
-        ),
-        Claim(
-            "Negative control: with rate 1, which keeps only the last target, Monte Carlo loses to n = 1",
-            "return averaged over 500 episodes, less that of n = 1, both with rate 1",
-            paired_difference(averages(fastest, MONTE_CARLO), averages(fastest, ONE_STEP)),
-            Below(-0.5),
-        ),
-    ]
 
 
 def figures(by_sigma: Mapping[float, Results], ten_actions: Results, by_rate: Mapping[float, Results]) -> list[Sheet]:

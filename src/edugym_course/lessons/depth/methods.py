@@ -227,6 +227,12 @@ def met_exam(results: Results, method: str) -> Reals:
     return np.where(np.isnan(passes), np.nan, passes > 0)
 
 
+def kept(results: Results, method: str) -> Reals:
+    """Return for every run that ever passed the exam in training whether it passes in the end: 1 or 0."""
+    final: Reals = passes(results, method)[met_exam(results, method) == 1]
+    return final
+
+
 def best_returns(tasks: Mapping[int, Study], *epsilons: float) -> list[float]:
     """Return for each ε the best expected return with random actions with this probability, a mean over layouts."""
     seeds = [_key(task) for task in tasks.values()]

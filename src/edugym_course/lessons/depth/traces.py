@@ -20,6 +20,7 @@ from edugym_course.lessons.depth.methods import (
     SHORT,
     Maker,
     compare,
+    counted,
     label,
 )
 from edugym_course.lessons.depth.targets import DISCOUNT, EPSILON
@@ -56,15 +57,22 @@ def tracer(
 
 
 def through_rates(
-    rates: Sequence[float] = RATES, *, trace_decays: Sequence[float] = TRACE_DECAYS, n_steps: int = SHORT, **how: Any
+    rates: Sequence[float] = RATES,
+    *,
+    trace_decays: Sequence[float] = TRACE_DECAYS,
+    n_steps: int = SHORT,
+    count_passes: bool = False,
+    **how: Any,
 ) -> dict[float, Results]:
     """Train every n and every λ with several learning rates; other arguments as in `methods.compare`."""
+    count = counted if count_passes else lambda make: make
     return {
         rate: compare(
             depths=BY_DEPTH,
-            own={trace_label(decay): tracer(decay, learning_rate=rate) for decay in trace_decays},
+            own={trace_label(decay): count(tracer(decay, learning_rate=rate)) for decay in trace_decays},
             learning_rate=rate,
             n_steps=n_steps,
+            count_passes=count_passes,
             **how,
         )
         for rate in rates

@@ -1,6 +1,7 @@
 # %% the smallest value
 # says: Q[
-# says: that is none of the usual mistakes, so compare your loop with the three lines, term by term
+# says: that is none of the usual mistakes
+# says: The steps after it are right, and at the next one G is cut: look at the third line, and at γ in the first
 def hand_back(self, length):
     G = 0.0
     for k in range(length - 1, -1, -1):
@@ -500,3 +501,29 @@ def hand_back(self, length):
 # in: while
 # - k -= 1
 # + return
+
+
+# %% the old value is forgotten
+# says: It is the last step of the episode, where G is still 0, so look at the first two lines
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] = self.learning_rate * G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% half a return
+# says: The steps after it are right, and at the next one G is not cut: look at your `if`, and at γ in the first line
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+        else:
+            G = (G + self.Q[s, a]) / 2

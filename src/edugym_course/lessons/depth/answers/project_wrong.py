@@ -223,3 +223,10 @@
 # in: three steps later
 # - def choose(values, rng, epsilon=0.1):
 # + def choose(values, rng, epsilon=0.05):
+
+# %% the first pair never learns
+# slow
+# says: and does the program learn from the first step of an episode as from the others?
+# in: three steps later
+# - if tau < 0 or (over and tau < len(R) - n):
+# + if tau < 1 or (over and tau < len(R) - n):

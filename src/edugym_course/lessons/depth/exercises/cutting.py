@@ -16,7 +16,7 @@ from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, 
 Settings = Mapping[str, Any]
 
 NO_CHANGE: Settings = MappingProxyType({})
-UNUSUAL = "that is none of the usual mistakes, so compare your loop with the three lines, term by term"
+UNUSUAL = "that is none of the usual mistakes"
 
 
 def hand_back(
@@ -242,6 +242,8 @@ def explained(all_cases: Sequence[Case], found: Sequence[Reals], settings: Setti
     why = _why(all_cases, found, settings)
     if why == UNUSUAL and not all_same(before[elsewhere], found[wrong][elsewhere]):
         why = "a value changes that is not on the path: the steps of the episode are 0 to length - 1"
+    elif why == UNUSUAL:
+        why += f". {_which_line(episode, right[wrong], found[wrong])}"
     return _where(before, episode, number, right[wrong], found[wrong], settings) + why
 
 
@@ -260,6 +262,22 @@ def _where(before: Reals, episode: Episode, number: int, right: Reals, found: Re
         return start + f"Q[{s}, {a}] should stay {right[s, a]:.4g}, but is {found[s, a]:.4g}: "
     asked, mine = float(right[first]), float(found[first])
     return start + f"Q[{first[0]}, {first[1]}] should become {digits(asked, mine)}, but is {digits(mine, asked)}: "
+
+
+def _which_line(episode: Episode, right: Reals, found: Reals) -> str:
+    """Return which of the three lines to look at: the loop goes backwards, so all is right before the first mistake."""
+    pairs = [*zip(episode.states, episode.actions, strict=True)]
+    k = max(k for k, pair in enumerate(pairs) if not all_same(right[pair], found[pair]))
+    if k + 1 == len(pairs):
+        return "It is the last step of the episode, where G is still 0, so look at the first two lines"
+    s, a = pairs[k + 1]
+    if right[s, a] < right[s].max():
+        return (
+            "The steps after it are right, and at the next one G is cut: look at the third line, and at γ in the first"
+        )
+    return (
+        "The steps after it are right, and at the next one G is not cut: look at your `if`, and at γ in the first line"
+    )
 
 
 def _why(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) -> str:
