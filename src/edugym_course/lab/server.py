@@ -14,7 +14,10 @@ from edugym_course.lab.start_page import write_start_page
 from edugym_course.lab.warm_up import warming_up
 
 SETTINGS = Path(__file__).parent / "jupyter"
-"""Settings of JupyterLab: Markdown is shown as a page, and no news are fetched. Those of the user come first."""
+"""Settings of JupyterLab, and a style sheet for phones: Markdown is shown as a page, and no news are fetched.
+
+Those of the user come first.
+"""
 
 
 def require_jupyterlab() -> None:

@@ -8,7 +8,7 @@ import ipywidgets
 from edugym.adapters.playing.game import Game
 from edugym.checks.parameters import true_or_false
 from edugym.rendering.scene import Scene
-from edugym_course.notebook.widget import NotebookWidget, picture_html, text_html
+from edugym_course.notebook.widget import NotebookWidget, picture_html, picture_widget, text_html
 
 HIDDEN = (
     '<div style="max-width: 240px; padding: 60px 20px; border: 1px solid; text-align: center">'
@@ -38,8 +38,7 @@ class Buttons(NotebookWidget):
         for name, button in self.actions.items():
             button.on_click(self.calling(partial(self.step, name)))
         self.new_episode.on_click(self.calling(self.reset))
-        self._picture, self._line, self._history = (ipywidgets.HTML() for _ in range(3))
-        self._picture.layout = ipywidgets.Layout(max_width="100%")
+        self._picture, self._line, self._history = picture_widget(), ipywidgets.HTML(), ipywidgets.HTML()
         in_rows = ipywidgets.Layout(flex_flow="row wrap", width="auto")
         controls = ipywidgets.VBox(
             [

@@ -15,7 +15,7 @@ import numpy as np
 
 from edugym.checks.parameters import in_short, one_of
 from edugym.rendering.drawing import Drawing
-from edugym_course.notebook.widget import NotebookWidget, png_html, svg_html
+from edugym_course.notebook.widget import SMALLEST_FIGURE, NotebookWidget, picture_widget, png_html, svg_html
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -37,7 +37,7 @@ class Shown(NamedTuple):
     def html(self) -> str:
         """It as an HTML element."""
         if self.mime_type == "image/png":
-            return png_html(base64.b64decode(self.data), self.description)
+            return png_html(base64.b64decode(self.data), self.description, SMALLEST_FIGURE)
         return svg_html(self.data) if self.mime_type == "image/svg+xml" else self.data
 
 
@@ -53,7 +53,7 @@ class Sliders(NotebookWidget):
         """Make the widgets, and call the function for the first time."""
         self.function = function
         self.controls = controls
-        self._picture, self._status = ipywidgets.HTML(), ipywidgets.HTML()
+        self._picture, self._status = picture_widget(), ipywidgets.HTML()
         self.update()
         for control in controls.values():
             control.observe(self.calling(self.update), "value")

@@ -11,7 +11,7 @@ from edugym.adapters.playing.game import Frame
 from edugym.checks.parameters import above
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
-from edugym_course.notebook.widget import NotebookWidget, picture_html, text_html
+from edugym_course.notebook.widget import NotebookWidget, picture_html, picture_widget, text_html
 
 FASTEST = 1000
 """The most frames a second: a player counts milliseconds."""
@@ -37,7 +37,7 @@ class Film(NotebookWidget):
         self.slider = ipywidgets.IntSlider(description="step", max=last, layout=ipywidgets.Layout(max_width="100%"))
         self.player = ipywidgets.Play(max=last, interval=round(1000 / frames_per_second))
         self._link = ipywidgets.jslink((self.player, "value"), (self.slider, "value"))
-        self._picture, self._line = ipywidgets.HTML(), ipywidgets.HTML()
+        self._picture, self._line = picture_widget(), ipywidgets.HTML()
         self.slider.observe(self.calling(self.show), "value")
         self.show()
         row = ipywidgets.HBox([self.player, self.slider], layout=ipywidgets.Layout(flex_flow="row wrap"))  # for phones

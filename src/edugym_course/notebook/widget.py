@@ -16,6 +16,10 @@ from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
+READABLE = 9.0
+"""The least size of text in a picture, in CSS pixels: in a narrower cell the picture scrolls sideways."""
+SMALLEST_FIGURE = 0.75
+"""What is left of a figure at least; the numbers beside the axes of a `Sheet` are then as small as is readable."""
 
 
 class NotebookWidget:
@@ -79,9 +83,22 @@ def picture_html(picture: Picture) -> str:
     return png_html(png_of(picture), "The environment")
 
 
+def picture_widget() -> ipywidgets.HTML:
+    """A place for a picture, as wide as the cell at most; a wider picture scrolls, and stays there when it changes."""
+    return ipywidgets.HTML(layout=ipywidgets.Layout(max_width="100%", overflow="auto"))
+
+
 def svg_html(svg: str) -> str:
-    """An SVG picture that is no wider than the page: phones are narrow."""
-    return svg.replace("<svg ", '<svg style="max-width: 100%; height: auto" ', 1)
+    """An SVG picture that is no wider than the page, for phones are narrow, unless its text would be too small."""
+    size = re.search(r'<svg [^>]*width="([\d.]+)"[^>]* viewBox="0 0 ([\d.]+) ', svg)
+    ems = [float(em) for em in re.findall(r'font-size="([\d.]+)"[^>]*>\s*[^<\s]', svg)]
+    least = min(float(size[1]), READABLE * float(size[2]) / min(ems)) if size and ems else 0
+    return svg.replace("<svg ", f'<svg style="{_widths(least)}; height: auto" ', 1)
+
+
+def _widths(least: float) -> str:
+    """The style of a picture that shrinks to the width of the page, but not below `least` CSS pixels."""
+    return f"max-width: max(100%, {least:.0f}px)"
 
 
 def png_of(pixels: np.ndarray[Any, np.dtype[np.uint8]]) -> bytes:
@@ -93,10 +110,18 @@ def png_of(pixels: np.ndarray[Any, np.dtype[np.uint8]]) -> bytes:
     return buffer.getvalue()
 
 
-def png_html(png: bytes, description: str) -> str:
-    """A PNG file as an HTML element; the description is for readers who cannot see it."""
+def png_html(png: bytes, description: str, smallest: float = 0) -> str:
+    """A PNG file as an HTML element.
+
+    Args:
+        png: the contents of the file.
+        description: what is in it, for readers who cannot see it.
+        smallest: what is left of its size at least where the page is narrow.
+    """
     data = base64.b64encode(png).decode()
-    return f'<img alt="{html.escape(description)}" src="data:image/png;base64,{data}" style="max-width: 100%">'
+    width, height = (int.from_bytes(png[place : place + 4], "big") for place in (16, 20))
+    size = f'width="{width}" height="{height}" style="{_widths(smallest * width)}; height: auto"'
+    return f'<img alt="{html.escape(description)}" src="data:image/png;base64,{data}" {size}>'
 
 
 def text_html(text: str) -> str:

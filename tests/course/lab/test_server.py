@@ -14,6 +14,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from traitlets.config.loader import PyFileConfigLoader
 
 from edugym_course.lab import lessons, server, start_page, warm_up
 from edugym_course.lab.lessons import Lesson, student_lessons
@@ -112,6 +113,16 @@ def test_how_jupyterlab_is_started(user: int, set_before: str, tmp_path: Path, m
     settings = (server.SETTINGS / "labconfig" / "default_setting_overrides.json").read_text()
     assert '"markdown": "Markdown Preview"' in settings
     assert '"fetchNews": "false"' in settings
+
+
+def test_the_style_sheet_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """That of the user comes first."""
+    monkeypatch.setenv("JUPYTER_CONFIG_DIR", str(tmp_path))
+    settings = PyFileConfigLoader("jupyter_server_config.py", str(server.SETTINGS)).load_config()
+    assert settings.LabApp.custom_css
+    first, last = settings.ServerApp.tornado_settings["static_custom_path"]
+    assert first == str(tmp_path / "custom")
+    assert Path(last, "custom.css").exists()
 
 
 def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> None:
