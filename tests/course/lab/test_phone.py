@@ -37,11 +37,12 @@ waves()""",
     'frames("Study", [0, 1])',
     "source(frames)",
     'print("agent     ", "12 345 " * 9)',
+    'play("Casino").game.picture()',
 )
 FOLD = "<details><summary>Answer</summary>\n\nIt is 4.\n</details>\n\nAnd this follows."
 
 PICTURES = f"""
-return [...{PANEL}.content.node.querySelectorAll('.jp-OutputArea-output :is(img, svg)')].map(picture => {{
+return [...{PANEL}.content.node.querySelectorAll('.jp-OutputArea-output :is(img[src*=png], svg)')].map(picture => {{
     const width = picture.getBoundingClientRect().width;
     const texts = [...picture.querySelectorAll('text')].filter(text => text.textContent);
     const size = text => parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a;
@@ -81,6 +82,11 @@ def test_pictures_can_be_read(page: Page) -> None:
     for picture in pictures:
         assert picture["letters"] > 8.9
         assert picture["hidden"] < 5
+
+
+def test_a_scene_keeps_its_size(page: Page) -> None:
+    """It is no row of a film's pictures, which grows to be readable."""
+    assert page(f"{PANEL}.content.node.querySelector('.jp-RenderedSVG img').width") == 480
 
 
 def test_a_line_stays_a_line(page: Page) -> None:
