@@ -182,7 +182,7 @@ class FiniteModel(NamedTuple):
 
 
 def looked_ahead(model: FiniteModel, V: Reals, discount: float) -> Reals:
-    """`FiniteModel.action_values` for the sweeps of planning, which have looked at V and discount before."""
+    """Look one step ahead, as `FiniteModel.action_values` does, but without its checks of V and discount."""
     Q: Reals = np.einsum("sak,sak->sa", model.probabilities, model.rewards + discount * V[model.successors])
     return Q
 

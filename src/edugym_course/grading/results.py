@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from itertools import combinations
 from typing import Any
 
-from edugym.experiments.configuration import described
+from edugym.experiments.configuration import described, task
 from edugym.experiments.results.tables import Results
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.values import given
@@ -23,10 +23,11 @@ def check_results(
     Args:
         what: the name of the answer, for the sentence.
         answer: the student's value.
-        asked: by the name of a column of the results, what it should hold: "environment", "environment.map_name",
-            "n_steps", "repetitions", ... (see `Results.table`).
+        asked: by the name of a column of the results, what it should hold: "n_steps", "repetitions", ... (see
+            `Results.table`).
         methods: by label, functions that make the agents that were asked for; others may be there as well.
-        environment: what the agents are made for.
+        environment: what the agents are made for, made by its id. All of its parameters should be those of the
+            experiment, but for the seed of a layout.
 
     Raises:
         WrongAnswer: it is no results, or those of another experiment.
@@ -42,8 +43,15 @@ def check_results(
     if not answer.complete:
         raise WrongAnswer(f"{what} is not complete: the experiment was stopped, so run its cell again")
     rows = answer.table.groupby("method", sort=False).first()
-    for column, value in asked.items():
-        found = rows[column].iloc[0] if column in rows else None
+    spec = environment.spec
+    defaults = task(spec.id).settings  # what an environment was not made with, the results do not tell
+    told = {column: rows[column].iloc[0] for column in rows}
+    others = dict.fromkeys(column for column in told if column.startswith("environment."))
+    wanted = others | task(spec.id, spec.kwargs).settings | dict(asked)
+    for column, value in wanted.items():
+        if column.endswith("layout_seed"):
+            continue
+        found = told.get(column, defaults.get(column))
         if found != value:
             setting = column.rpartition(".")[2]
             raise WrongAnswer(f"{what} should be an experiment with {setting} {value}, but it has {setting} {found}")

@@ -4,9 +4,10 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+import gymnasium
 import pytest
 
-from edugym import QLearning, make_mdp, repeat
+from edugym import QLearning, repeat
 from edugym.experiments.results.tables import Results
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.results import check_results
@@ -19,16 +20,16 @@ METHODS: Methods = {
 }
 
 
-def results(methods: Methods, **how: Any) -> Results:
+def results(methods: Methods, task: Any = "Boulder", **how: Any) -> Results:
     """An experiment of ten steps."""
     how = {"repetitions": 2, "evaluate_every": 10, "jobs": 1, **how}
-    return repeat("Boulder", methods, 10, parameters=WALL, **how)
+    return repeat(task, methods, 10, **({"parameters": WALL} if isinstance(task, str) else {}), **how)
 
 
 def checked(answer: Any) -> Any:
     """Check an experiment of ten steps with two repetitions."""
-    asked = {"environment": "edugym/Boulder-v0", "environment.height": 3, "n_steps": 10, "repetitions": 2}
-    wall = make_mdp("Boulder", **WALL)
+    asked = {"n_steps": 10, "repetitions": 2}
+    wall = gymnasium.make("edugym/Boulder-v0", **WALL)
     return check_results("mine", answer, asked=asked, methods=METHODS, environment=wall)
 
 
@@ -38,6 +39,10 @@ def test_experiments() -> None:
     same: Methods = {**METHODS, "again": METHODS["slow"]}
     for answer, says in (
         (results(METHODS, repetitions=3), "mine should be an experiment with repetitions 2, but it has repetitions 3"),
+        (
+            results(METHODS, gymnasium.make("edugym/Boulder-v0", height=2)),
+            "mine should be an experiment with height 3, but it has height 2",
+        ),
         (results(other), "mine should have for 'fast' the learning_rate 0.9, but it has 0.8"),
         (results(same), "mine should have different methods, but 'slow' and 'again' are the same agent"),
         (results({"slow": METHODS["slow"]}), "mine should have the method 'fast', but has only slow: keep the labels"),
@@ -48,7 +53,8 @@ def test_experiments() -> None:
             checked(answer)
     answer = results({**METHODS, "own": partial(QLearning.create, learning_rate=0.5)})
     assert checked(answer) is answer
-    whole = results(METHODS)
+    whole = results(METHODS, gymnasium.make("edugym/Boulder-v0", height=3, layout_seed=0))
+    assert checked(whole) is whole
     table = whole.table[(whole.table["method"] != "fast") | (whole.table["repetition"] == 0)]
     says = "^mine is not complete: the experiment was stopped, so run its cell again$"
     with pytest.raises(WrongAnswer, match=says):

@@ -1,5 +1,6 @@
 """The project of lesson 9: Dyna, from a blank file."""
 
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -25,12 +26,20 @@ CLEARLY = 200.0
 """How many nats tell that nothing is planned: 327 to 1535 where it is so (six seeds), and up to 35 for a program that
 draws each pair as often as it was tried, whose rare pairs lag behind ours."""
 
-CELLS, WALK, CORRIDORS = 30, 400, 20
+CORRIDORS, NUMBERS = 20, 300
+
+CELLS, WALK, MOVES, COST = 30, 400, (-1, 0, 1), 1.0
 REACHED = {0: 1.6, 1: 2.0, 2: 2.4, 3: 2.7, 5: 3.7, 7: 4.5, 10: 5.8, 15: 7.0, 20: 7.7, 50: 8.7, 100: 9.0}
 """How often a program that imagines so many steps gets through a corridor, a mean of 40, ties broken by either way."""
 FEWEST, MOST = 4.9, 6.8
 """How often a program may get there. Six right programs, which draw the pairs in four ways, do so 5.3 to 6.5 times (20
 corridors, five seeds); two with five imagined steps up to 4.0 times, and one with twenty 7.3 times or more."""
+
+SHORT_CELLS, SHORT_WALK, MANY_MOVES, LOW_COST = 20, 250, (1,) * 18 + (-1,) * 12, 0.1
+"""A corridor with so many actions that a program has tried few of them when it first gets to the end."""
+FEWEST_OF_TRIED = 5.2
+"""How often a program must get there. Five that draw the pairs in three ways do so 6.0 times or more, and three whose
+imagined steps are of any action of a state that was seen 4.3 times at most (20 corridors, six seeds)."""
 
 
 class Planner:
@@ -96,17 +105,19 @@ def small_world(seed: int, truncates: bool = True, noisy: bool = False) -> Small
 
 
 class Corridor(gymnasium.Env[Any, Any]):
-    """A corridor: one action goes on, one back, and one stays, another one in each cell. Only its end is worth a way.
+    """A corridor: some actions go on, some back, and some stay, others in each cell. Only its end is worth a way.
 
-    How often a program gets there tells how much it plans: the value of the end must come back through all cells.
+    How often a program gets there tells how much it plans: the value of the end must come back through all cells. Most
+    of the numbers that an observation might be are those of no cell: who imagines steps from them plans little.
     """
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, cells: int = CELLS, moves: Sequence[int] = MOVES, cost: float = COST) -> None:
         """Draw the numbers of the cells and the actions."""
         rng = np.random.default_rng(APART + seed)
-        self.observation_space, self.action_space = spaces.Discrete(CELLS), spaces.Discrete(3)
-        self._names, self._moves = rng.permutation(CELLS), [rng.permutation([-1, 0, 1]) for _ in range(CELLS)]
-        self._cell = 0
+        self.observation_space, self.action_space = spaces.Discrete(NUMBERS), spaces.Discrete(len(moves))
+        self._names = NUMBERS // cells * rng.permutation(cells)
+        self._moves = [rng.permutation(moves) for _ in range(cells)]
+        self._cost, self._cell = cost, 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Begin in the first cell."""
@@ -115,37 +126,49 @@ class Corridor(gymnasium.Env[Any, Any]):
         return int(self._names[0]), {}
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
-        """Move, at a cost of 1; the end brings 10."""
+        """Move, at a cost; the end brings 10."""
         self._cell = max(0, self._cell + int(self._moves[self._cell][action]))
-        is_end = self._cell == CELLS - 1
-        return int(self._names[self._cell]), 9.0 if is_end else -1.0, is_end, False, {}
+        is_end = self._cell == len(self._names) - 1
+        return int(self._names[self._cell]), 10.0 * is_end - self._cost, is_end, False, {}
+
+
+def times_reached(program: Any, seed: int, n_steps: int, corridor: Callable[[int], Corridor]) -> float:
+    """Return how often a program gets to the end of a corridor, the mean of some."""
+    numbers = range(CORRIDORS * seed, CORRIDORS * (seed + 1))
+    ends = [
+        step.terminated for number in numbers for step in run_program(program, corridor(number), n_steps, number).steps
+    ]
+    return sum(ends) / CORRIDORS
 
 
 def require_plans(program: Any, seed: int) -> None:
-    """Refuse a program that imagines far fewer or far more steps than ten.
+    """Refuse a program that imagines far fewer or far more steps than ten, or many that were never tried.
 
     Raises:
         WrongAnswer: it does, or it breaks the contract.
     """
-    numbers = range(CORRIDORS * seed, CORRIDORS * (seed + 1))
-    ends = [
-        step.terminated for number in numbers for step in run_program(program, Corridor(number), WALK, number).steps
-    ]
-    reached = sum(ends) / CORRIDORS
-    if FEWEST <= reached <= MOST:
-        return
-    as_with = min(set(REACHED) - {PLANNING_STEPS}, key=lambda n: abs(REACHED[n] - reached))
-    why = (
-        "Count the imagined steps, draw each from *all* pairs that were tried, and learn from it as from a real one,"
-        " with α = 1; and from each real step at once, too"
-        if reached < FEWEST
-        else "Does it imagine ten steps after each real one, and not a whole sweep?"
-    )
-    raise WrongAnswer(
-        f"in corridors of {CELLS} cells, {NAME} gets to the end {reached:.1f} times in {WALK} steps, and with"
-        f" {PLANNING_STEPS} imagined steps after each real one it should be some {REACHED[PLANNING_STEPS]:g} times:"
-        f" with {as_with} it is {REACHED[as_with]:g} times. {why}"
-    )
+    reached = times_reached(program, seed, WALK, Corridor)
+    if not FEWEST <= reached <= MOST:
+        as_with = min(set(REACHED) - {PLANNING_STEPS}, key=lambda n: abs(REACHED[n] - reached))
+        why = (
+            "Count the imagined steps, draw each from *all* pairs that were tried and from no others, and learn from it"
+            " as from a real one, with α = 1; and from each real step at once, too"
+            if reached < FEWEST
+            else "Does it imagine ten steps after each real one, and not a whole sweep?"
+        )
+        raise WrongAnswer(
+            f"in corridors of {CELLS} cells, {NAME} gets to the end {reached:.1f} times in {WALK} steps, and with"
+            f" {PLANNING_STEPS} imagined steps after each real one it should be some {REACHED[PLANNING_STEPS]:g} times:"
+            f" with {as_with} it is {REACHED[as_with]:g} times. {why}"
+        )
+    many = partial(Corridor, cells=SHORT_CELLS, moves=MANY_MOVES, cost=LOW_COST)
+    if (reached := times_reached(program, seed, SHORT_WALK, many)) < FEWEST_OF_TRIED:
+        raise WrongAnswer(
+            f"in corridors where {len(MANY_MOVES)} actions can be taken, {NAME} gets to the end {reached:.1f} times in"
+            f" {SHORT_WALK} steps, and it should be some 7 times; with 3 actions all is well. Are many of the imagined"
+            " steps wasted? In a state that was seen, draw one of the actions that were *taken* there: the model knows"
+            " nothing of the others"
+        )
 
 
 def dyna(shape: tuple[int, int]) -> DynaQ:
@@ -168,12 +191,14 @@ RULE = Rule(
         "pairs are imagined that were never tried: the model knows nothing of them": Learner(
             partial(Planner, untried=True)
         ),
+        "what is behind the decimal point of a reward is lost: the model holds whole numbers, as an array with"
+        " dtype=int does": Learner(Planner, lambda step, before: step._replace(reward=float(int(step.reward)))),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
     }
     | other_settings(Planner, discount=("γ", DISCOUNT, (1.0, 0.9))),
     EPSILON,
-    otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action, and"
-    " where it ended an imagined step has no future either",
+    otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action that"
+    " was tried, and of no other; where it ended an imagined step has no future either",
     noisy=False,
     worlds=8,
     n_steps=500,

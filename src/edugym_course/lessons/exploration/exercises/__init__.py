@@ -234,9 +234,6 @@ def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -
     """Check the results of the three methods, and of one more, on a frozen lake."""
     lake = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
     asked = {
-        "environment": "FrozenLake-v1",
-        "environment.map_name": "8x8",
-        "environment.is_slippery": False,
         "n_steps": N_STEPS,
         "repetitions": 5,
     } | ({} if experiment_seed is None else {"experiment_seed": experiment_seed})

@@ -35,3 +35,9 @@ lake_results = repeat(
     evaluation_episodes=10,
     parameters={"map_name": "4x4", "is_slippery": True},
 )
+
+# %% the usual lake, which is that one
+# slow
+# in: a smaller rate
+# - lake,
+# + gym.make("FrozenLake-v1"),

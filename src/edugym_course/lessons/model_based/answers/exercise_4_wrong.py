@@ -67,3 +67,13 @@ lake_results = repeat(
 # in: a smaller rate
 # - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
 # + {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=0.1, discount=0.1)},
+
+# %% a lake without holes
+# says: should be an experiment with desc None, but it has desc ["SFFF", "FFFF", "FFFF", "FFFG"]
+lake = gym.make("FrozenLake-v1", desc=["SFFF", "FFFF", "FFFF", "FFFG"], is_slippery=True)
+lake_results = repeat(lake, methods, 3_000, repetitions=5, evaluation_episodes=10)
+
+# %% a larger lake
+# says: should be an experiment with map_name 4x4, but it has map_name 8x8
+lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=True)
+lake_results = repeat(lake, methods, 3_000, repetitions=5, evaluation_episodes=10)

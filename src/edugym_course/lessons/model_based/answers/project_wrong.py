@@ -40,8 +40,8 @@
 
 # %% a model of states
 # slow
-# says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action, and where it
-#   ended an imagined step has no future either
+# says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action that was
+#   tried, and of no other; where it ended an imagined step has no future either
 # in: a model in arrays
 # - R[s, a], S2[s, a], ends[s, a] = r, s2, terminated
 # + R[s], S2[s], ends[s] = r, s2, terminated
@@ -63,7 +63,7 @@
 
 # %% no end in the model
 # slow
-# says: and where it ended an imagined step has no future either
+# says: where it ended an imagined step has no future either
 # in: a model in arrays
 # - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
 # + Q[i, j] = R[i, j] + 0.95 * Q[S2[i, j]].max()
@@ -73,7 +73,7 @@
 # says: in corridors of 30 cells, my_program gets to the end
 # says: times in 400 steps, and with 10 imagined steps after each real one it should be some 5.8 times:
 # says: imagined steps after each real one it should be some
-# says:  times. Count the imagined steps, draw each from *all* pairs that were tried, and learn from it as from a real one, with α = 1; and from each real step at once, too
+# says:  times. Count the imagined steps, draw each from *all* pairs that were tried and from no others, and learn from it as from a real one, with α = 1; and from each real step at once, too
 # in: a model in arrays
 # - for _ in range(10):
 # + for _ in range(1):
@@ -99,7 +99,7 @@
 # %% five imagined steps
 # slow
 # says: with 5 it is 3.7 times
-# says: Count the imagined steps, draw each from *all* pairs that were tried, and learn from it as from a real one, with α = 1; and from each real step at once, too
+# says: Count the imagined steps, draw each from *all* pairs that were tried and from no others, and learn from it as from a real one, with α = 1; and from each real step at once, too
 # in: lists of lists
 # - for k in self.rng.choice(len(memories), 10):
 # + for k in self.rng.choice(len(memories), 5):
@@ -117,3 +117,38 @@
 # says: and from each real step at once, too
 # in: lists of lists
 # - me.improve(s, a, r, s2, over)
+
+# %% actions that nobody tried, in states that were seen
+# slow
+# says: for each state *and* action that was tried, and of no other
+# in: a model in arrays
+# - i, j = tried[rng.integers(len(tried))]
+# + i, j = tried[rng.integers(len(tried))][0], rng.integers(n_actions)
+
+# %% any pair, and nothing where it was not tried
+# slow
+# says: Count the imagined steps, draw each from *all* pairs that were tried and from no others
+# in: a model in arrays
+# - i, j = tried[rng.integers(len(tried))]
+# + i, j = int(rng.integers(n_states)), int(rng.integers(n_actions))
+# + if (i, j) not in tried:
+# +     continue
+
+# %% rewards in whole numbers
+# slow
+# says: what is behind the decimal point of a reward is lost: the model holds whole numbers, as an array with dtype=int
+#   does
+# in: a model in arrays
+# - R, S2, ends = np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions), int), np.zeros((n_states, n_actions))
+# + R, S2, ends = np.zeros((3, n_states, n_actions), int)
+
+# %% any action of a state that was seen, and nothing where it was not tried
+# slow
+# says: in corridors where 30 actions can be taken, my_program gets to the end
+# says: times in 250 steps, and it should be some 7 times; with 3 actions all is well. Are many of the imagined steps
+#   wasted? In a state that was seen, draw one of the actions that were *taken* there: the model knows nothing of the others
+# in: a model in arrays
+# - i, j = tried[rng.integers(len(tried))]
+# + i, j = tried[rng.integers(len(tried))][0], rng.integers(n_actions)
+# + if (i, j) not in tried:
+# +     continue

@@ -109,6 +109,11 @@ def _why_lost(agent: Any) -> str:
             "it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said,"
             " however many updates it makes"
         )
+    if not is_ours(type(agent)):
+        return (
+            "does each value average over many outcomes, by expected updates or by a learning rate such as 0.1? Over"
+            " all of them, those that end the episode too? And does it make enough updates?"
+        )
     return "let each value average over many outcomes, by expected updates or by a learning rate such as 0.1"
 
 
@@ -116,9 +121,6 @@ def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -
     """Check the results of three methods, and of one more, on the slippery lake."""
     lake = gymnasium.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
     asked = {
-        "environment": "FrozenLake-v1",
-        "environment.map_name": "4x4",
-        "environment.is_slippery": True,
         "n_steps": LAKE_STEPS,
         "repetitions": 5,
         "evaluation_episodes": 10,
