@@ -45,7 +45,7 @@ def check_results(
     rows = answer.table.groupby("method", sort=False).first()
     spec = environment.spec
     defaults = task(spec.id).settings  # what an environment was not made with, the results do not tell
-    told = {column: rows[column].iloc[0] for column in rows}
+    told = {str(column): rows[column].iloc[0] for column in rows}
     others = dict.fromkeys(column for column in told if column.startswith("environment."))
     wanted = others | task(spec.id, spec.kwargs).settings | dict(asked)
     for column, value in wanted.items():

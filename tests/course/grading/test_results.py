@@ -12,7 +12,7 @@ from edugym.experiments.results.tables import Results
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.results import check_results
 
-WALL = {"height": 3, "layout_seed": 0}
+WALL: dict[str, Any] = {"height": 3, "layout_seed": 0}
 Methods = dict[str, Callable[[Any], Any]]
 METHODS: Methods = {
     "slow": partial(QLearning.create, learning_rate=0.1),
@@ -23,7 +23,7 @@ METHODS: Methods = {
 def results(methods: Methods, task: Any = "Boulder", **how: Any) -> Results:
     """An experiment of ten steps."""
     how = {"repetitions": 2, "evaluate_every": 10, "jobs": 1, **how}
-    return repeat(task, methods, 10, **({"parameters": WALL} if isinstance(task, str) else {}), **how)
+    return repeat(task, methods, 10, parameters=WALL if isinstance(task, str) else None, **how)
 
 
 def checked(answer: Any) -> Any:
