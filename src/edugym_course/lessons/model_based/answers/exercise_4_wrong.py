@@ -77,3 +77,22 @@ lake_results = repeat(lake, methods, 3_000, repetitions=5, evaluation_episodes=1
 # says: should be an experiment with map_name 4x4, but it has map_name 8x8
 lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=True)
 lake_results = repeat(lake, methods, 3_000, repetitions=5, evaluation_episodes=10)
+
+
+# %% one of one's own that learns from the last outcome
+# slow
+# says: does each value average over many outcomes, by expected updates or by a learning rate such as 0.1? Over all of
+#   them, those that end the episode too? And does it make enough updates?
+class Mine(NamedTuple):
+    Q: np.ndarray
+
+    def learn(self, state, action, reward, next_state, terminated):
+        self.Q[state, action] = reward + (0.0 if terminated else 0.99 * self.Q[next_state].max())
+
+    def act(self, state, rng):
+        return int(self.Q[state].argmax())
+
+
+lake_results = repeat(
+    lake, {**methods, "mine": lambda lake: Mine(np.zeros((16, 4)))}, 3_000, repetitions=5, evaluation_episodes=10
+)
