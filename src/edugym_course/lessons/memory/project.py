@@ -167,7 +167,10 @@ RULE = Rule(
         "there is no memory: the values hang on the last observation alone": mistake(window=partial(last, k=1)),
         "the actions are missing in the window": mistake(window=lambda history: history[::2][-K:]),
         "the window has two observations, and it should have three": mistake(window=partial(last, k=2)),
-        "the window has four observations or more, and it should have three": mistake(window=partial(last, k=4)),
+        "the window has four observations, and it should have three": mistake(window=partial(last, k=4)),
+        "the window has five observations or more, or the whole episode; it should have three": mistake(
+            window=partial(last, k=KEPT)
+        ),
         "the window has six entries, an action too many at its front": mistake(
             window=lambda history: history[-2 * K :]
         ),
@@ -198,7 +201,6 @@ RULE = Rule(
     worlds=8,
     world=VeiledWorld,
     remembers=True,
-    looks_closer=False,
 )
 CORRIDOR = Race(
     partial(gymnasium.make, "edugym/MemoryCorridor-v0"),

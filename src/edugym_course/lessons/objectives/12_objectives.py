@@ -142,7 +142,7 @@ figures.by_weights()
 # Turn the line. Can you find a price for treasure 3 at concavity 0.5? And at 0.25? What happens at concavity 1 and a price of 5?
 
 # %%
-sliders(figures.one_weight, concavity=(0.0, 1.0, 0.25), price=(0.5, 8.0, 0.25))
+sliders(figures.one_weight, price=(0.5, 8.0, 0.25), concavity=(0.0, 1.0, 0.25))
 
 # %% [markdown]
 # <details><summary>What came out</summary>

@@ -35,7 +35,7 @@ def front(concavity: float, **more: Any) -> Sheet:
     return Sheet("front", [[Front(front_of(concavity), f"concavity {concavity:g}", **more)]])
 
 
-def one_weight(concavity: float, price: float) -> Sheet:
+def one_weight(price: float, concavity: float = 0.5) -> Sheet:
     """Return what Q-learning picks up for one price, with the line of all that is as good, for sliders."""
     found = {"Q-learning": [treasure_of(weighted(concavity, price).returns[-1])]}
     return front(concavity, found=found, weights=(1.0, price))

@@ -232,7 +232,6 @@ RULE = Rule(
     EPSILON,
     otherwise="; the first entry of an observation is no word, it is the hit points",
     world=TalkingWorld,
-    looks_closer=False,
 )
 TOY = Race(
     partial(gymnasium.make, "edugym/Tamagotchi-v0", tau=TAU, max_msg_length=LENGTH),

@@ -71,7 +71,7 @@
 
 # %% four observations
 # slow
-# says: the window has four observations or more, and it should have three
+# says: the window has four observations, and it should have three
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
 # + w2 = (w + (a, o))[-7:]
@@ -132,12 +132,21 @@
 
 # %% the whole episode
 # slow
-# says: the window has four observations or more, and it should have three
+# says: the window has five observations or more, or the whole episode; it should have three
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
 # + w2 = w + (a, o)
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return lambda history: int(values(history).argmax())
+
+# %% five observations
+# slow
+# says: the window has five observations or more, or the whole episode; it should have three
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = (w + (a, o))[-9:]
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return lambda history: int(values(history[-9:]).argmax())
 
 # %% the observation before the action
 # slow

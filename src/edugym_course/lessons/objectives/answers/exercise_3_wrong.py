@@ -90,7 +90,7 @@
 
 
 # %% squared
-# says: it is right in 1 of 5 cases: what is special in this one?
+# says: in this case it looks like this: the steps beyond the limit are squared; the rate times their number is added
 # in: max
 # - return max(0.0, price + rate * (steps - limit))
 # + return max(0.0, price + rate * (steps - limit) ** 2)
@@ -227,3 +227,9 @@ def new_price(price, steps, limit, rate):
 # says: the price may fall to 0, and not only to the rate
 def new_price(price, steps, limit, rate):
     return max(rate, price + rate * (steps - limit))
+
+
+# %% not above 10
+# says: new_price(40.0, 16, 8, 0.5) should be 44, but is 10: it is right in 5 of 6 cases
+def new_price(price, steps, limit, rate):
+    return min(max(0.0, price + rate * (steps - limit)), 10.0)

@@ -179,6 +179,7 @@ def exercise_3(answer: Any, seed: int, delay: Delay = 0) -> str:
         (0.5, 1, 9 + shift, 0.25),
         (0.0, 15, 11 - shift, 0.5),
         (3.0, 6 + shift, 6 + shift, 0.25),
+        (40.0, 16 + shift, 8, 0.5),
     ):
         call = f"new_price({price}, {steps}, {limit}, {rate})"
         with student_code(call):
