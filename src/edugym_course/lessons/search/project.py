@@ -114,6 +114,13 @@ RIDDLES = (
         written({ROOT: ((0.0, 1), (2.4, END), (2.4, END)), 1: ((10.0, END), (-3.0, END), (-3.0, END))}),
     ),
     Riddle(
+        "what follows the best action is good only if one goes on well two steps later",
+        "the tree has too few levels: does each simulation add a node, also below those that it has added before?",
+        written(
+            {ROOT: ((0.0, 1), (2.6, END), (2.6, END)), 1: ((0.0, 2),) * 3, 2: ((7.0, END), (0.0, END), (0.0, END))}
+        ),
+    ),
+    Riddle(
         "chance says where the best action leads, and each place wants another action",
         "is a node a state with the way to it? After one action two states may follow, and each is a node of its own",
         crossing,
@@ -130,15 +137,16 @@ RIDDLES = (
         written({ROOT: ((1.0, END), (-5.0, 1), (-5.0, 1)), **line(-5.0, 9.0, 2)}),
         n_simulations=N_ACTIONS,
     ),
+    ROUND,
     Riddle(
         "a larger reward comes eight steps later",
         "is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)",
-        written({ROOT: ((10.0, END), (0.0, 1), (0.0, 1)), **line(0.0, 18.0, 8)}),
+        written({ROOT: ((10.0, END), (0.0, 1), (0.0, 1)), **line(0.0, 22.0, 8)}),
     ),
     Riddle(
         "a reward comes nine steps later that is worth waiting for",
         f"does each simulation look {DEPTH} steps ahead, roll-out included, and is γ not below 0.9?",
-        written({ROOT: ((0.0, 1), (8.0, END), (8.0, END)), **line(0.0, 30.0, 9)}),
+        written({ROOT: ((0.0, 1), (8.0, END), (8.0, END)), **line(0.0, 22.0, 9)}),
     ),
     Riddle(
         "one action seldom pays much, and the others pay more on average",
@@ -152,7 +160,6 @@ RIDDLES = (
         changing,
         n_simulations=N_ACTIONS,
     ),
-    ROUND,
     Riddle(
         f"{FEW} simulations are too few to forget the bad tries after an action",
         "is the return of the simulation passed on to the node before, and not the highest value of the node after?",

@@ -1,6 +1,6 @@
 # %% a loop and a path
 # slow
-# says: Right: it solves all 13 riddles, and asks of the model what a search may ask.
+# says: Right: it solves all 14 riddles, and asks of the model what a search may ask.
 def my_program(model, n_actions, state, n_simulations, seed):
     rng = np.random.default_rng(seed)
     N, Q = {}, {}

@@ -282,3 +282,27 @@ my_program = 3
 # - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
 # + Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
 # + G = Q[visited][N[visited] > 0].max()
+
+
+# %% two levels
+# says: what follows the best action is good only if one goes on well two steps later
+# says: the tree has too few levels: does each simulation add a node, also below those that it has added before?
+# in: nodes are objects
+# - if node is not None and child is None:
+# + if node is root and child is None:
+
+
+# %% γ = 0.92
+# slow
+# says: discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)
+# in: nodes are objects
+# - G += 0.9 * visit(child, after, left - 1)
+# + G += 0.92 * visit(child, after, left - 1)
+
+
+# %% γ = 0.89
+# slow
+# says: steps ahead, roll-out included, and is γ not below 0.9?
+# in: nodes are objects
+# - G += 0.9 * visit(child, after, left - 1)
+# + G += 0.89 * visit(child, after, left - 1)
