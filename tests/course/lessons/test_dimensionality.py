@@ -206,28 +206,35 @@ def value(
     follows: bool = True,
     masked: bool = True,
     truncated_ends: bool = False,
+    mean: bool = False,
     discount: float = DISCOUNT,
 ) -> float:
-    """The target of a move when the bad image is worth −1, and the good one what it pays for ever or once."""
+    """The target of a move when the good image is worth what it pays for ever or once, and the bad one what it pays."""
     worth = riddle.good.reward / (1.0 if riddle.good.terminated else 1.0 - discount)
+    if mean and riddle.choosy:
+        worth = (worth - 1.0 - 1.0) / 3
     ends = masked and (move.terminated or (truncated_ends and move.truncated))
-    return move.reward + (0.0 if ends else discount * follows * (worth if move.image == project.GOOD else -1.0))
+    return move.reward + (
+        0.0 if ends else discount * follows * (worth if move.image == project.GOOD else riddle.bad.reward)
+    )
 
 
 @pytest.mark.parametrize(
     ("mistake", "solved"),
     [
-        ({}, [True, True, True, True, True]),
-        ({"follows": False}, [True, False, True, False, True]),
-        ({"masked": False}, [True, True, False, True, False]),
-        ({"truncated_ends": True}, [True, True, True, False, True]),
-        ({"discount": 0.95}, [True, True, True, True, False]),
-        ({"discount": 0.5}, [True, True, True, False, True]),
+        ({}, [True, True, True, True, True, True]),
+        ({"follows": False}, [True, False, True, False, True, False]),
+        ({"mean": True}, [True, True, True, True, True, False]),
+        ({"masked": False}, [True, True, False, True, False, True]),
+        ({"truncated_ends": True}, [True, True, True, False, True, True]),
+        ({"discount": 0.95}, [True, True, True, True, False, True]),
+        ({"discount": 0.5}, [True, True, True, False, True, True]),
     ],
 )
 def test_what_a_riddle_asks_for(mistake: dict[str, Any], solved: list[bool]) -> None:
     """With right targets the right action is the best one; with a mistake not in the riddles that ask for it."""
-    found = [value(riddle, riddle.right, **mistake) > value(riddle, riddle.wrong, **mistake) for riddle in RIDDLES]
+    riddles = [*RIDDLES, project.CHOOSY]
+    found = [value(riddle, riddle.right, **mistake) > value(riddle, riddle.wrong, **mistake) for riddle in riddles]
     assert found == solved
 
 

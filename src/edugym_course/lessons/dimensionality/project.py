@@ -5,6 +5,7 @@ give a table. The program is put to the test instead: in riddles of six images, 
 part of the method is missing, and in Catch in changing light, where no image comes twice.
 """
 
+import math
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -22,11 +23,12 @@ from edugym_course.grading.programs import (
     NAME,
     Environment,
     Run,
+    actions_of,
     require_reproducible,
     returns_of,
     run_program,
 )
-from edugym_course.grading.replay import TRIAL
+from edugym_course.grading.replay import ASKED, TRIAL
 
 ROWS, COLUMNS = 5, 5
 N_STEPS, RIDDLE_STEPS, RUNS, EPISODES = 10_000, 2_000, 3, 50
@@ -45,9 +47,10 @@ PATIENCE = 5
 """A program that solves a riddle in this many times as many steps is only slow."""
 QUESTIONS, GOOD, BAD = 4, 4, 5
 TWIN_STEPS, TWIN_QUESTIONS, TWINS_SOLVED = 4_000, 300, 0.92
+MASK = "Is g_j 0 where h_j is 0?"
 FROZEN = (
     "Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2"
-    " and b2? And is g_j 0 where h_j is 0?"
+    f" and b2? {MASK}"
 )
 
 
@@ -64,19 +67,23 @@ class Riddle(NamedTuple):
     """A task with six images: questions with one right action each, and a good and a bad image.
 
     In the good image every action brings 1, unless `good` says otherwise, and in the bad one −1; then the episode is
-    over.
+    over. So it is in the bad image, unless `bad` says otherwise.
 
     Attributes:
         right: what follows the right action of a question.
         wrong: what follows another one.
         asks: what must be learned to solve it.
         good: what follows an action in the good image.
+        bad: what follows an action in the bad image.
+        choosy: whether only one action does that in the good image, and the others bring −1.
     """
 
     right: Move
     wrong: Move
     asks: str
     good: Move = Move(1.0, GOOD)
+    bad: Move = Move(-1.0, GOOD)
+    choosy: bool = False
 
 
 RIDDLES = (
@@ -113,6 +120,15 @@ RIDDLES = (
         good=Move(0.2, GOOD, terminated=False, truncated=True),
     ),
 )
+CHOOSY = Riddle(
+    Move(0.0, GOOD, terminated=False),
+    Move(0.0, BAD, terminated=False),
+    "the right action leads to an image in which one action brings 1 and the others −1, and another one to an image in"
+    " which all bring −0.2: does the target have the *largest* value of S', and not their mean, or that of one action?",
+    bad=Move(-0.2, GOOD),  # less than the largest value of the good image, and more than their mean
+    choosy=True,
+)
+"""It is asked last, so that other mistakes are told by the riddles that ask for them."""
 
 
 class Album(gymnasium.Env[Any, Any]):
@@ -135,6 +151,7 @@ class Album(gymnasium.Env[Any, Any]):
         self.answers: list[tuple[int, bool]] = []
         self._images = rng.random((QUESTIONS + 2, ROWS, COLUMNS), np.float32)
         self._right = rng.permutation([0, 1, 2, int(rng.integers(3))])
+        self._best = int(rng.integers(3))
         self._riddle, self._image, self._last = riddle, 0, last
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
@@ -148,8 +165,10 @@ class Album(gymnasium.Env[Any, Any]):
         if self._image < QUESTIONS:
             self.answers.append((action, bool(action == self._right[self._image])))
             move = self._riddle.right if self.answers[-1][1] else self._riddle.wrong
+        elif self._image == GOOD:
+            move = Move(-1.0, GOOD) if self._riddle.choosy and action != self._best else self._riddle.good
         else:
-            move = self._riddle.good if self._image == GOOD else Move(-1.0, GOOD)
+            move = self._riddle.bad
         self._image = move.image if self._last is None or not move.terminated else self._last
         return self._images[self._image].copy(), move.reward, move.terminated, move.truncated, {}
 
@@ -216,7 +235,8 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
         return (
             "Its actions change with the image that it is shown after a terminated end, so it looks up what comes then:"
             " where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over"
-            " the actions of each row?)"
+            " the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1"
+            " learn from it, and not from the image in which the action was taken?)"
         )
     if found.is_one and riddle is not RIDDLES[-1]:  # there values that grow without end may make it so
         return (
@@ -289,7 +309,7 @@ def _cause_in_catch(program: Any, run: Run, share: float, number: int) -> str:
             f"while it learned, it caught {trained:.0%} in the end. A policy sees a new image at each step. Does the"
             " program, too, or is `state = next_state` missing?"
         )
-    return symptom(run, 2 * share - 1)
+    return f"{symptom(run, math.inf)}. {MASK}"  # nothing is wrong with the policy
 
 
 class Twins(gymnasium.Env[Any, Any]):
@@ -338,6 +358,17 @@ def twins_solved(program: Any, seed: int) -> float:
     return float(np.mean(shares))
 
 
+def check_policy(program: Any, seed: int) -> None:
+    """Check that the policy takes one action in each image.
+
+    Raises:
+        WrongAnswer: it draws its actions, or it breaks the contract.
+    """
+    album = Album(RIDDLES[0], seed)
+    policy = run_program(program, album, TRIAL, seed).policy
+    actions_of(policy, [album.reset(seed=number)[0] for number in range(ASKED)], 3, "image")
+
+
 def check_twins(program: Any, seed: int) -> None:
     """Check that the hidden layer of a program learns.
 
@@ -358,7 +389,9 @@ def project_4(answer: Any, seed: int) -> str:
     for riddle in RIDDLES:
         check_riddle(answer, riddle, seed)
     share = check_catch(answer, seed)
+    check_policy(answer, seed)
     check_twins(answer, seed)
+    check_riddle(answer, CHOOSY, seed)
     return (
         f"Right: it solves the riddles, and in the middle one of {RUNS} runs on Catch in changing light it catches"
         f" {share:.0%} of the balls; random play catches 20%."

@@ -59,7 +59,7 @@
 
 # %% no end
 # slow
-# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row?)
+# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not from the image in which the action was taken?)
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * old.layers(S2[i])[2].max(axis=1)
@@ -146,7 +146,7 @@ def my_program(environment, n_steps, seed):
 
 # %% no end, one step at a time
 # slow
-# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row?)
+# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not from the image in which the action was taken?)
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = r + 0.9 * q(x2)[1][a2] - Q[a]
@@ -186,7 +186,8 @@ def my_program(environment, n_steps, seed):
 # slow
 # says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
 # says: of the questions.
-# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
+# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? Is g_j 0 where h_j is 0?
+# says: Is g_j 0 where h_j is 0?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -198,7 +199,7 @@ def my_program(environment, n_steps, seed):
 # %% a small hidden layer that never learns, one step at a time
 # slow
 # says: Where two pixels together tell the right action, it does not find it either.
-# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? And is g_j 0 where h_j is 0?
+# says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? Is g_j 0 where h_j is 0?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -237,7 +238,14 @@ def my_program(environment, n_steps, seed):
 
 # %% the largest value of the batch
 # slow
-# says: Or is its maximum over a whole batch, and not over the actions of each row?
+# says: Or is its maximum over a whole batch, and not over the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not from the image in which the action was taken?
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max()
+
+# %% the mean over the next actions
+# slow
+# says: the right action leads to an image in which one action brings 1 and the others −1, and another one to an image in which all bring −0.2: does the target have the *largest* value of S', and not their mean, or that of one action?
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].mean(axis=1)
