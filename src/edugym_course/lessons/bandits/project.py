@@ -28,11 +28,11 @@ N_STEPS, PULLS = 3_000, 100
 SHORT_RUNS = 60
 """So many runs of 10 steps are looked at: which of several equal arms is pulled, and what the policy is. After so few
 pulls the best arm is often another one than the last, or than the most pulled."""
-SURE_PULLS, SURE_ARMS = 4_000, 5
+SURE_PULLS, SURE_ARMS = 8_000, 10
 """In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end."""
 LAYOUTS = 0, 1
 """Two such bandits, with another best arm each."""
-LATE = 3_500
+LATE = 7_000
 """So many of these pulls are looked at."""
 EXACTLY = 0.05
 """What a mistake may leave that sticks to one arm: a little of this is in much else that goes wrong."""
