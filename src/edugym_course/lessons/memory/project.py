@@ -73,6 +73,7 @@ class Windowed:
         learning_rate: α.
         discount: γ.
         first: the values at first.
+        epsilon: how far the target is the mean over all next actions, and not the maximum; ε in expected SARSA.
     """
 
     def __init__(
@@ -85,12 +86,13 @@ class Windowed:
         learning_rate: float = LEARNING_RATE,
         discount: float = DISCOUNT,
         first: float = 0.0,
+        epsilon: float = 0.0,
     ) -> None:
         """Know nothing."""
         self._Q: defaultdict[History, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._past: History = ()
         self._window, self._left, self._grows, self._moves = window, left, grows, moves
-        self._learning_rate, self._discount = learning_rate, discount
+        self._learning_rate, self._discount, self._epsilon = learning_rate, discount, epsilon
 
     def row(self, history: History) -> Reals:
         """The values of the window at the end of a history."""
@@ -104,7 +106,9 @@ class Windowed:
         """Learn from a step, and remember it."""
         now = (*self._past, state)
         then = (*now, action, next_state) if self._moves else now
-        target = reward if terminated else reward + self._discount * self.row(then).max()
+        after = self.row(then)
+        value = (1 - self._epsilon) * after.max() + self._epsilon * after.mean()
+        target = reward if terminated else reward + self._discount * value
         self.move(now, action, target)
         if self._grows:
             self._past = (*now, action)[-2 * KEPT :]
@@ -190,6 +194,8 @@ RULE = Rule(
         "Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA": Learner(
             WindowedSARSA
         ),
+        "the target has the mean over the next actions, as ε-greedy draws them, where the maximum should stand: that is"
+        " expected SARSA": mistake(epsilon=EPSILON),
     }
     | other_settings(
         Windowed,

@@ -229,3 +229,12 @@ def my_program(environment, n_steps, seed):
             w = (environment.reset()[0],)
             a = act(w)
     return lambda history: int(values(tuple(history)[-5:]).argmax())
+
+
+# %% expected SARSA
+# slow
+# says: the target has the mean over the next actions, as ε-greedy draws them, where the maximum should stand: that is
+#   expected SARSA
+# in: tuples in a dictionary
+# - target = r + (not terminated) * 0.8 * values(w2).max()
+# + target = r + (not terminated) * 0.8 * (0.9 * values(w2).max() + 0.1 * values(w2).mean())
