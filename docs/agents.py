@@ -42,13 +42,13 @@ NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 MEASURED = Path(__file__).parent / "isolation.json"
 """What every remedy gains, as `isolation.py` has measured it."""
 
-SETTING = """For every environment there is a ladder of tasks, from easy to hopeless. Each agent trains on each rung of
-the ladder, with the same number of steps as all others. A score of 1 means that it then plays each of them as well as
-can be, 0 that it plays no better than at random. All agents have their default settings: nothing is tuned, so a low
-score does not mean that the agent cannot learn the task. (One exception: on Trashbot, `GaussianActorCritic` has tiles
-over the wrist and what it holds only.) Agents with features or a network see an observation as a vector, the others as
-a row of their table. SB3 stands for Stable-Baselines3 and sb3-contrib: their agents are made as `PPO("MlpPolicy", env)`
-is, play one copy, and take as many steps as the others and no more."""
+SETTING = """Each agent trains on each rung of the ladder, with the same number of steps as all others. A score of 1
+means that it then plays each of them as well as can be, 0 that it plays no better than at random. All agents have
+their default settings: nothing is tuned, so a low score does not mean that the agent cannot learn the task. (One
+exception: on Trashbot, `GaussianActorCritic` has tiles over the wrist and what it holds only.) Agents with features
+or a network see an observation as a vector, the others as a row of their table. SB3 stands for Stable-Baselines3 and
+sb3-contrib: their agents are made as `PPO("MlpPolicy", env)` is, play one copy, and take as many steps as the others
+and no more."""
 YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent of yours, and shows it beside these
 ([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4)"` does it for an agent with a
 wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
@@ -56,7 +56,7 @@ SCORES = """The score, and how far its 95 % interval reaches to both sides; *run
 **Bold** are the highest score of a challenge, and those that are not surely worse. A score a little above 1 is
 luck: the best play is known on average, and an agent plays a limited number of episodes. Three runs tell little, so
 their intervals are wide. A dash: the agent cannot enter; the reasons are below. A question mark: it is not measured."""
-MORE = "Where the table only says how many more agents there are, they are bold in the scores below."
+MORE = "Where a line says “and 7 more”, the table of scores below has the names of all, in bold."
 SAME = """Older versions can stand here, since only agents whose code has changed are measured again. A hash of the
 code of agent, task and training says so; what was made from other code is listed at the end.""".replace("\n", " ")
 BREAKS = """How strong a challenge may become for an agent: the two rungs between which its mean score first falls below
@@ -102,7 +102,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
         [
             "# Which agent works with which environment",
             "",
-            fill(SETTING, 120),
+            fill(f"{agent_profiles.with_ladders()} {SETTING}", 120),
             "",
             fill(YOURS, 120),
             "",

@@ -77,11 +77,11 @@ def rounded(minutes: float) -> int:
 def announced(counts: Counts) -> str:
     """Return the times of a lesson in words."""
     asides = sum(rounded(words / WORDS) for words in counts.asides)
-    told = f"About {rounded(counts.path / WORDS)} minutes, "
+    told = f"About {rounded(counts.path / WORDS)} minutes for the text, "
     if asides:
         which = "aside, which is" if len(counts.asides) == 1 else "asides, which are"
-        told += f"{asides} more for the {which} folded and can be skipped, and "
-    told += f"{rounded(counts.tasks / TASK_WORDS + counts.lines)} for the exercises"
+        told += f"{asides} more for the {which} folded and can be skipped, "
+    told += f"and {rounded(counts.tasks / TASK_WORDS + counts.lines)} more for the exercises"
     if counts.extra:
         told += f"; {' and '.join(counts.extra)} come{'s' if len(counts.extra) == 1 else ''} on top"
     return f"{told} (estimated)."

@@ -38,10 +38,10 @@ The whole file: [`{path}`]({repository}/blob/{ref}/{path}).
 
 ## What it is good at
 
-For every environment there is a ladder of tasks, from easy to hopeless. A score of 1 means that {name}, at its
-defaults, learns to play a task as well as can be, 0 that it plays no better than at random. (A little above 1 is
-luck.) The number behind the name of an environment is the mean over its ladder, with a 95 % interval. Grey lines are
-the other agents. [All agents side by side](index.md) says how this was measured.
+{ladders} A score of 1 means that {name}, at its defaults, learns to play a task as well as can be, 0 that it plays no
+better than at random. (A little above 1 is luck.) The number behind the name of an environment is the mean over its
+ladder, with a 95 % interval. Grey lines are the other agents. [All agents side by side](index.md) says how this was
+measured.
 
 ### When to take it
 
@@ -96,6 +96,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         path=path,
         repository=REPOSITORY,
         ref=REF,
+        ladders=agent_profiles.with_ladders(),
         take=" ".join(_taken(name)),
         profile="\n\n".join(_fares(name)),
         races="\n".join(_raced(kind)) or "It is in no race of the playground.",
@@ -193,10 +194,26 @@ def _raced(kind: Any) -> Iterator[str]:
             racing = "0.1.2" if found[0] < 3 else f"{found[0]}.0.1"
             where = urlencode({"task": race.environment, "agents": racing})
             called = " and ".join(f"“{race.agents[k].label}”" for k in found)
-            yield f'- <a href="../playground/index.html#{where}">{race.environment}</a>, where it is called {called}.'
+            other = " There it gets other observations or actions than on the ladder, which it cannot enter."
+            link = f'<a href="../playground/index.html#{where}">{race.environment}</a>'
+            yield f"- {link}, where it is called {called}.{other * _cannot_enter(kind.__name__, race.environment)}"
+
+
+def _cannot_enter(name: str, environment: str) -> bool:
+    """Whether there is a ladder in an environment that an agent cannot enter."""
+    return environment in _stored().blank.get(name, {})
 
 
 def _used(name: str, lessons: list[Lesson]) -> Iterator[str]:
+    """The lessons that name an agent, or train it in a function of their own."""
     for lesson in lessons:
-        if re.search(rf"\b{name}\b", lesson.text):
+        if re.search(rf"\b{name}\b", lesson.text + _functions(lesson.name)):
             yield f"- [{lesson.title}](../lessons/{lesson.name}.md)"
+
+
+@cache
+def _functions(lesson: str) -> str:
+    """The code in the folder of a lesson, without that of exercises."""
+    [text] = (ROOT / "src/edugym_course/lessons").glob(f"*/{lesson}.py")
+    files = [path for path in text.parent.glob("*.py") if path.name not in ("exercises.py", "project.py")]
+    return "\n".join(path.read_text(encoding="utf-8") for path in sorted(files))

@@ -6,12 +6,12 @@ from typing import Any
 import groups
 import mathematics
 import previews
-from repository import VERSION
+from repository import ROOT, documented
 
 project = "EduGym"
 author = "The EduGym developers"
 project_copyright = "The EduGym developers, MIT licence"
-version = release = VERSION
+version = release = documented((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
 language = "en"
 smartquotes = False  # docstrings speak of code
 

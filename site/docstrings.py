@@ -76,12 +76,14 @@ def described(name: str, thing: Any, module: str = "edugym", docstring: str | No
         name: the name.
         thing: what has it.
         module: where it is imported from.
-        docstring: what to say of a class in place of its docstring, where that stands elsewhere on the page.
+        docstring: what to say of a class in place of its docstring, where that stands elsewhere on the page, or of what
+            has none.
     """
     if inspect.isfunction(thing):
         return _directive("function", name + signature(thing), markdown(thing), module)
     if not inspect.isclass(thing):
-        return _directive("data", name, summary(thing) if thing.__doc__ != type(thing).__doc__ else "", module)
+        own = docstring or (summary(thing) if thing.__doc__ != type(thing).__doc__ else "")
+        return _directive("data", name, own, module)
     members = [_member(label, member) for label, member in public_members(thing)]
     text = _HEADING.sub(r"**\1**\n", markdown(thing)) if docstring is None else docstring
     return _directive("class", name, "\n\n".join([text, *members]), module, colons=5)

@@ -105,7 +105,7 @@ def lesson(path: Path) -> Lesson:
         if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):
             name = f"{path.stem}-{cell['id']}"
             view = slider_views.shown(book, path.stem, f"{name}-slider", heading) if book else ""
-            text.append(_outputs(shown, name, heading, figures, view).replace(LIVE, _live(source)))
+            text.append(_outputs(shown, source, name, heading, figures, view).replace(LIVE, _live(source)))
         if re.search(r"^sliders\(", source, re.MULTILINE):
             text += races
             races = []
@@ -162,7 +162,9 @@ def _fenced(code: str, language: str) -> str:
     return f"{fence}{language}\n{code.rstrip()}\n{fence}"
 
 
-def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: dict[str, bytes], view: str) -> str:
+def _outputs(
+    outputs: list[dict[str, Any]], source: str, name: str, heading: str, figures: dict[str, bytes], view: str
+) -> str:
     """Return all outputs of a cell; where they answer a prediction, they are shown on demand.
 
     Sliders are the `view`, if there is one, or else their first picture.
@@ -174,7 +176,7 @@ def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: di
         if output["output_type"] == "stream":
             parts.append(_fenced("".join(output["text"]), "text"))
         elif shown.startswith("Your prediction. "):
-            parts.append(_question(shown.removeprefix("Your prediction. "), name))
+            parts.append(_question(shown.removeprefix("Your prediction. "), name, source))
         elif shown.startswith("<p>Measured: "):
             answers = True
             parts.append(html.unescape(re.sub(r" \(You made no prediction.*", "", shown.removeprefix("<p>"))))
@@ -196,12 +198,13 @@ def _outputs(outputs: list[dict[str, Any]], name: str, heading: str, figures: di
     return f"::::{{container}} output\n{body}\n::::"
 
 
-def _question(shown: str, name: str) -> str:
-    """Return a prediction to make: radio buttons, or a field for a number."""
+def _question(shown: str, name: str, source: str) -> str:
+    """Return a prediction to make: radio buttons, or a field for a number with its unit, which the cell names."""
     question, _, choices = shown.partition("<br>")
     options = re.split(r"(?:^| )\([a-z]\) ", choices)[1:]
     fields = [f'<label><input type="radio" name="{name}"> {option}</label>' for option in options]
-    fields = fields or ['<label>your guess <input type="text" inputmode="decimal" size="8"></label>']
+    unit = "".join(re.findall(r'unit="(.*?)"', source)[:1])
+    fields = fields or [f'<label>your guess <input type="text" inputmode="decimal" size="8"> {unit}</label>']
     return f'<fieldset class="prediction"><legend>Your prediction. {question}</legend>{"".join(fields)}</fieldset>'
 
 

@@ -15,6 +15,10 @@ HEAD = """# Reference
 Every public name of `edugym`, by the room of the package in which it is defined; and those of `edugym.games`,
 `edugym.objectives` and `edugym.deep`, which one imports from there.
 """
+ENTRIES = (
+    "The environments of the course, by name. Each entry has a `name`, such as `Boulder`, an `id` for"
+    " `gymnasium.make`, the `challenge` that it isolates, and the number of its `lesson`."
+)
 LISTS = ("games", "objectives", "deep")
 """Modules that list public names of their own."""
 
@@ -64,7 +68,8 @@ def pages() -> dict[str, str]:
 
 def _page(room: str, module: Any, names: list[Name]) -> str:
     own = [name for name in names if name.room == room and name.name not in AGENTS]
-    parts = [described(name.name, name.thing, name.module) for name in own]
+    about = {"ENVIRONMENTS": ENTRIES}
+    parts = [described(name.name, name.thing, name.module, about.get(name.name)) for name in own]
     more = "Each agent has [a page of its own](../agents/index.md).\n" if room == "agents" else ""
     return "\n\n".join([f"# edugym.{room}", markdown(module), more, *parts, ""])
 

@@ -21,6 +21,12 @@ _LINK = re.compile(rf"(?<=\]\()(?:{re.escape(_MAIN)}|(?!https?:|mailto:|[#/]))[^
 _SECTION = re.compile(r"^<!-- section: (\S+) # (.+) -->$", re.MULTILINE)
 
 
+def documented(changelog: str) -> str:
+    """Return which version a checkout documents: a release, and what came after it if its changelog lists that."""
+    later = changelog.partition("\n## [Unreleased]\n")[2].partition("\n## [")[0].strip()
+    return f"{VERSION}, and what came after it" if later else VERSION
+
+
 def page_of(path: str) -> str | None:
     """Return the page that a file of the checkout becomes, without an ending; None if it becomes none."""
     folder, name = os.path.split(path)

@@ -52,6 +52,12 @@ def agents() -> dict[str, Any]:
     return {name: kind.create for name, kind in kinds.items()} | {"GaussianActorCritic": on_tiles}
 
 
+def with_ladders() -> str:
+    """Say how many environments have a ladder, in a sentence."""
+    count = f"{len(LADDERS)} of the {len(ENVIRONMENTS)} environments"
+    return f"For {count} there is a ladder of tasks, from easy to hopeless."
+
+
 def on_tiles(environment: Any) -> GaussianActorCritic:
     """An actor-critic with real-valued actions, on tiles over the wrist."""
     return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))

@@ -65,8 +65,8 @@ def when_to_take(agent: str, measured: Mapping[str, Any]) -> Iterator[str]:
             continue
         sizes = {name: gain(rungs) for name, rungs in measured["gains"][remedy.name].items()}
         own = sizes.pop(remedy.own)
-        size = f"Its score less that of {remedy.base} is {shown(own)} there."
-        yield f"It is the course's remedy for the challenge of {remedy.own}. {size}"
+        size = f"There its score differs from that of {remedy.base} by {shown(own)}."
+        yield f"In our comparison of remedies it is the one for the challenge of {remedy.own}. {size}"
         more = [f"{name} ({shown(size)})" for name, size in sizes.items() if size.low > NO_CHANGE]
         less = [f"{name} ({shown(size)})" for name, size in sizes.items() if size.high < -NO_CHANGE]
         if more:

@@ -78,6 +78,14 @@ def test_links_of_a_release_lead_to_its_own_code(monkeypatch: pytest.MonkeyPatch
     assert len(set(re.findall(r"/v9\.8\.7/(\w+)", done.stdout))) == 3
 
 
+def test_the_site_says_of_which_version_it_is() -> None:
+    """What is unreleased counts if there is anything; a new release has nothing yet."""
+    released = f"# Changelog\n\n## [Unreleased]\n\n## [{repository.VERSION}] - 2026-01-01\n\nThe first.\n"
+    assert repository.documented(released) == repository.VERSION
+    later = released.replace("[Unreleased]\n", "[Unreleased]\n\n- More.\n")
+    assert repository.documented(later) == f"{repository.VERSION}, and what came after it"
+
+
 def test_a_link_to_nothing_is_an_error() -> None:
     """The message names the file and the link."""
     with pytest.raises(ValueError, match=r"docs/teaching\.md.*nowhere\.md"):
@@ -291,8 +299,14 @@ def test_an_agents_page_has_equation_code_lessons_and_profile(lessons: list[less
     assert "a table needs the actions 0, 1" in page
     assert "No agent is good here." in page  # in MemoryCorridor, where the highest score is 0.39
     assert "MemoryCorridor" not in page.split("### When to take it")[1].partition("### Its ladders")[0]
+    assert "Catch</a>, where it is called “Q(λ), places”. There it gets other observations" in agent_pages.page(
+        "QLambda", edugym.QLambda, lessons
+    )
+    assert "lessons/03_depth.md" in agent_pages.page("SARSALambda", edugym.SARSALambda, lessons)
     sarsa = agent_pages.page("SARSA", edugym.SARSA, lessons)
-    assert re.search(r"remedy for the challenge of Roadrunner.*less that of QLearning is .*saves", sarsa, re.DOTALL)
+    assert re.search(
+        r"the one for the challenge of Roadrunner.*differs from that of QLearning.*saves", sarsa, re.DOTALL
+    )
     for picture in re.findall(r"<svg.*</svg>", page):
         seen = ElementTree.fromstring(picture)
         own, *others = (line.attrib for line in reversed(seen.findall("polyline")))

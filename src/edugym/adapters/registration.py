@@ -156,6 +156,13 @@ def parameters_of(creator: Callable[..., Any]) -> dict[str, Any]:
 def make_mdp(name: str, **parameters: Any) -> Any:
     """The MDP of an environment by its name: `make_mdp("Boulder", height=30)` is `Boulder.create(height=30)`.
 
+    Args:
+        name: its name, such as "Boulder", or its id, such as "edugym/Boulder-v0".
+        **parameters: those of its `create`; the others have their defaults.
+
+    Returns:
+        The MDP: for `train`, `finite_model` and the `create` of agents.
+
     Raises:
         ValueError: there is no such environment, it has no such parameter, or one is not as its class says.
     """

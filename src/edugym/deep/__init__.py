@@ -27,7 +27,14 @@ def stable_baselines3_env(
 ) -> "MDPVecEnv":
     """Copies of an environment for an agent of Stable-Baselines3.
 
-        PPO("MlpPolicy", stable_baselines3_env("Catch", 64, rows=5)).learn(100_000)
+        from stable_baselines3 import PPO
+        from edugym.deep import stable_baselines3_env
+
+        copies = stable_baselines3_env("Catch", 64, rows=5)
+        PPO("MlpPolicy", copies, n_steps=32, batch_size=512, learning_rate=2e-3).learn(10_000)
+
+    PPO learns after each round of `n_steps` steps in every copy: with 64 copies and its default of 2048 that is only
+    after 131 072 steps.
 
     RecurrentPPO of sb3-contrib refuses every `MultiDiscrete` observation, such as that of Golf: "input_size should be
     of type int". It takes one as a vector, from Stable-Baselines3's own copies:

@@ -37,6 +37,8 @@ def stable_baselines3_run(
 ) -> Run:
     """Train an agent of Stable-Baselines3 (or sb3-contrib), in one thread of torch.
 
+        from edugym.deep import stable_baselines3_run
+
         stable_baselines3_run("Catch", "PPO", 20_000, num_envs=64, n_steps=32, batch_size=512, learning_rate=2e-3)
 
     Args:

@@ -12,6 +12,10 @@ from edugym.training.run import Run
 class LibraryAgent(NamedTuple):
     """An agent of Stable-Baselines3 or sb3-contrib, as `PPO("MlpPolicy", env)` makes it: one copy, its own settings.
 
+        from functools import partial
+        import edugym
+        from edugym.deep.library import LibraryAgent
+
         edugym.profile({"PPO": partial(LibraryAgent.create, algorithm="PPO")})
 
     Attributes:

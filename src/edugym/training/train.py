@@ -55,8 +55,8 @@ def train(
     Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
     (1) Gymnasium environments that do not come from EduGym; (2) EduGym environments inside a wrapper that you have
     added; (3) the environment Supermarket if you set its `step_timeout`, which makes each step last some time. All
-    others, such as your own MDP in an `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. From 5000
-    steps on, these are compiled to machine code where possible; your own classes, if that is faster than to interpret.
+    others, such as your own MDP in an `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. In runs of
+    5000 steps or more these are compiled to machine code where possible, and your own classes if that saves time.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -64,7 +64,10 @@ def train(
 
     Args:
         environment: an MDP, a Gymnasium environment, or the name or id of one.
-        agent: an agent for it; its tables are changed in place.
+        agent: an agent for it; its tables are changed in place. Any object with `act(observation, rng)`, which gives an
+            action, and `learn(...)`, which takes by name what it needs of state, action, reward, next_state,
+            next_action, terminated and truncated; it may have `greedy(observation, rng)`, to be evaluated by. See the
+            guide *Write your own environment and agent in plain Python*.
         n_steps: the number of training steps, 1 or more.
         max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one.
             `max_steps` replaces that limit, except in the three kinds of environments above: there both limits hold,

@@ -272,8 +272,8 @@ def test_an_aside_is_folded_below_its_heading(source: Path) -> None:
         inside = [cell.source for cell in notebook.cells if "aside" in cell.metadata.get("tags", [])]
         assert inside == [folded[0], "Halves are fun.", "half = 1 / 2", folded[1], "third = 1 / 3"]
         opening = notebook.cells[0].source
-        assert "**Time.** About 5 minutes, 10 more for the asides, which are folded" in opening
-        assert "and 5 for the exercises (estimated)." in opening
+        assert "**Time.** About 5 minutes for the text, 10 more for the asides, which are folded" in opening
+        assert "and 5 more for the exercises (estimated)." in opening
 
 
 @pytest.mark.slow

@@ -90,5 +90,5 @@ def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> 
     assert {name for name, *_ in hours} == build.lesson_sources().keys()
     for name, hour, minute in hours:
         opening = build.read_lesson(build.lesson_sources()[name]).cells[0].source
-        path, exercises = re.findall(r"About (\d+) minutes.* (\d+) for the exercises", opening)[0]
+        path, exercises = re.findall(r"About (\d+) minutes.* (\d+) more for the exercises", opening)[0]
         assert 60 * int(hour) + int(minute) == int(path) + int(exercises), name

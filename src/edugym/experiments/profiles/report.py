@@ -92,13 +92,13 @@ INTRODUCTION = (
 TAKE = (
     "Find the line that is most like your problem. “Highest score” names the agent with the highest score of all that"
     f" were tried there, where it is {HALF} or more. “Not surely worse” names the agents whose score is lower, but"
-    " perhaps only by chance. “Weakest in” says where the agent with the highest score is weak: in this challenge it is"
-    " furthest behind the best agent."
+    " perhaps only by chance. “Weakest in” names the challenge in which the agent with the highest score falls"
+    " furthest behind the best agent there, and its score there."
 )
 MORE = "If the table only says how many more agents there are, look for the stars in the table of all scores below."
 NO_LINE = (
-    "Two problems have no line: a reward that drowns in noise, and what is lost while learning. Only the play after the"
-    " training counts."
+    "Two problems are not in the table, since no score shows them: rewards in which noise hides the differences, and"
+    " rewards that are lost while the agent still learns. A score counts only how it plays after the training."
 )
 OTHERS = (
     "Agents that you did not give are called the other agents, and are grey. They are EduGym's and those of"

@@ -183,7 +183,10 @@ source(NStepSARSA.learn)
 # ($0.9^7 < 0.5$). How many episodes does one-step SARSA need?
 
 # %%
-half_way = predict("One-step SARSA: the value of the first day is half of 10 after ...", unit="episodes")
+half_way = predict(
+    "The same episode again and again, α = 0.1: with one-step SARSA the value of the first day is half of 10 after ...",
+    unit="episodes",
+)
 half_way
 
 # %%

@@ -163,7 +163,7 @@ Delay = Annotated[
     int,
     Own(
         tuple(range(1, 51)),
-        "Your diver needs time to dress: in your version a dive takes {delay} steps more than `steps` says.",
+        "Your diver needs time to dress: in your version a dive takes `steps` + {delay} steps.",
     ),
 ]
 
