@@ -241,6 +241,7 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
         "buttons": buttons(race, mdp),
         "codes": WORDS[race.environment].codes(mdp),
         "others": list(others(race, mdp)),
+        "limit": task_of(race.measured(mdp)).max_steps if race.is_finite else None,
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
         "optimum": optimum(race.measured(mdp)) if race.is_finite else None,
@@ -306,6 +307,14 @@ def optimum(mdp: Any) -> float:
     return edugym.value_iteration(edugym.finite_model(mdp), 1.0, horizon=task_of(mdp).max_steps).start
 
 
+def random_return(mdp: Any) -> float:
+    """The expected return of an episode of random actions, from the exact model."""
+    model = edugym.finite_model(mdp)
+    n_states, n_actions, _ = model.successors.shape
+    policy = np.full((n_states, n_actions), 1 / n_actions)
+    return edugym.policy_evaluation(model, policy, 1.0, horizon=task_of(mdp).max_steps).start
+
+
 def buttons(race: Race, mdp: Any) -> Buttons:
     """What actions are called where somebody plays."""
     return [list(race.actions)] if race.actions else WORDS[race.environment].buttons(mdp)
@@ -315,7 +324,11 @@ def others(race: Race, mdp: Any) -> Iterator[tuple[str, float]]:
     """What simple players do, and what they get, for people to compare with."""
     task, rule = played(race, mdp), WORDS[race.environment].rule
     n_actions = int(task.action_space.n)
-    yield "moves at random", mean_return(task, lambda seen, rng: int(rng.integers(n_actions)))
+    if race.is_finite:  # what happens once in a thousand games is seldom seen in fewer
+        at_random = random_return(race.measured(mdp))
+    else:
+        at_random = mean_return(task, lambda seen, rng: int(rng.integers(n_actions)))
+    yield "moves at random", at_random
     if rule:
         what, choose = rule
         yield what, mean_return(task, lambda seen, rng: choose(seen))

@@ -36,7 +36,7 @@ def learning(module: Any) -> dict[str, Any]:
 USUAL = {
     edugym.QLearning: ("Q-learning", "learns what is best for somebody who never slips"),
     edugym.SARSA: ("SARSA", "learns what its own slips cost"),
-    edugym.ExpectedSARSA: ("expected SARSA", "SARSA, but counts with all that it might do next"),
+    edugym.ExpectedSARSA: ("expected SARSA", "as SARSA, but with the mean of all that it might do next"),
     edugym.DoubleQLearning: ("double Q-learning", "keeps two lists, and lets one check the other"),
     edugym.NStepSARSA: ("n-step SARSA", "looks four rewards ahead"),
     edugym.TreeBackup: ("tree backup", "looks four steps ahead, without its slips"),
@@ -105,8 +105,8 @@ RUNNING = learning(on_off_policy)
 ROADRUNNER = Race(
     "Roadrunner",
     "One step too far is the drop. Who runs best at the end?",
-    "Arrive exactly at the last cell before the cliff, which pays 1. Each step before costs 1. A fall costs 100, and "
-    "so does a stall: a speed below 0, which agents see as 0.",
+    "Arrive exactly at the last cell before the cliff, which pays 1. Each step before costs 1. A fall costs 100. "
+    "So does a stall, a speed below 0 (agents see it as 0).",
     usual(RUNNING, edugym.QLearning, edugym.SARSA, edugym.ExpectedSARSA, edugym.DoubleQLearning, edugym.NStepSARSA),
     on_off_policy.N_STEPS,
     Strength("size", (6, 8, 10, 12, 15, 20), 2),

@@ -76,20 +76,20 @@ class Words(NamedTuple):
 WORDS = {
     "Boulder": Words(
         "To find the one place that pays, among very many that do not.",
-        "Below the top nothing tells a climber that it is on the right way. Who only tries at random must guess every "
-        "grip right in one go. On a wall of fifteen, with two grips at each height, that happens in one of 32 768 "
-        "climbs. The others look on purpose where they have rarely been, or try what they have not tried, and need far "
-        "fewer climbs.",
+        "Below the top nothing tells a climber that it is on the right way. Somebody who only tries at random must "
+        "guess every grip of a climb right. On a wall of fifteen, with two grips at each height, that happens in one "
+        "of 32 768 climbs. The others look on purpose where they have rarely been, or try what they have not tried, and "
+        "need far fewer climbs.",
         "height of the wall",
         buttons=lambda mdp: [["left grip", "right grip"]] if mdp.n_grips == 2 else by_name(mdp),
     ),
     "Roadrunner": Words(
         "To run fast beside a cliff, when you still stumble now and then.",
         "While they learn, all runners sometimes make a move at random. SARSA counts in that it may stumble, and "
-        "learns to run with care. Q-learning learns the fastest run for somebody who never stumbles. What is compared "
-        "here are games in which nobody makes random moves any more, so the fastest run is the best.",
+        "learns to run with care. Q-learning learns the fastest run for somebody who never stumbles. The games "
+        "that count here are played without random moves, so the fastest run is the best.",
         "length of the road",
-        "Each column is a place on the road. In it, the higher a field, the faster the runner is there.",
+        "Each column is a place on the road. The higher a field lies, the faster the runner is there.",
     ),
     "Study": Words(
         "To find out which of many days earned the reward at the end.",

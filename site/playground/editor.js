@@ -36,6 +36,7 @@ const short_one = ({ learning_rate, discount, epsilon }) => SHORT.replace('rando
 // A package's agent, where a default says what the last line of the program sets in its place.
 const annotated = (source, settings) => settings.reduce((text, [name]) => text.replace(new RegExp(`^ {4}${name}: .*=.*$`, 'm'), line => `${line}  # the last line sets it`), source)
 const LATE = 100 // points of a curve
+const PATIENCE = 20_000 // milliseconds without a word of the reader's agent
 const PAUSE = 500 // milliseconds without a change after which the link has the program
 const KEPT = 'your last code' // what a template has replaced
 const SIGNS = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' }
@@ -192,6 +193,7 @@ export class Editor {
     this.running = true
     this.find('stop-code').disabled = false
     this.tell('Your agent learns …')
+    this.wait()
     this.python().postMessage({ kind: 'run', sizes: this.sizes, source: this.ran, task: this.code.task(lane), steps, seeds: chosen, episodes: race.episodes,
       table, look: this.task.look, measured: race.measure?.code })
     this.rival ??= new Worker('worker.js', { type: 'module' })
@@ -216,13 +218,22 @@ export class Editor {
     this.tell(text)
   }
 
+  // Say so when nothing comes: a loop of the reader's may never end.
+  wait() {
+    clearTimeout(this.waiting)
+    if (!this.running || !this.loaded) return
+    this.waiting = setTimeout(() => this.tell('Nothing has come from your agent for 20 s: it is slow, or a loop in it never ends. Stop ends it.'), PATIENCE)
+  }
+
   end() {
     this.running = false
+    this.wait()
     this.find('run-code').disabled = false
     this.find('stop-code').disabled = true
   }
 
   receive(data) {
+    this.wait()
     if (data.kind === 'loading' && !this.loaded) {
       this.loaded = data.share === 1
       this.tell(this.loaded ? 'Python starts: some seconds …' : `Python is loading: ${Math.floor(100 * data.share)} %`)
@@ -270,7 +281,7 @@ export class Editor {
     const pace = state.steps * ours.length / done.seconds
     const says = duel({ curves: ours }, { label: lane.label, curves: theirs }, student, task.optimum)
     const told = this.field.text === this.ran ? says : `Before your last changes: i${says.slice(1)}`
-    const luck = ours.length > 1 ? '' : ' Was it luck? Run several seeds at once.'
+    const luck = ours.length > 1 ? '' : ' Was it luck? “Seeds at once” repeats the race with other luck.'
     this.tell(`${told}${luck} Yours took ${done.seconds.toFixed(1)} s: ${short(Number(pace.toPrecision(2)))} steps a second, with evaluation.`)
   }
 

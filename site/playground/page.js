@@ -18,7 +18,7 @@ const OWN = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' } // settings t
 // On the page of the playground the address is that of the page around this one.
 const whole = window.frameElement?.hasAttribute('data-address') ? parent : window
 const SENT = 'The sender of this link has run this race'
-let state, race, task, bet = null, running = false, charted = 0
+let state, written, race, task, bet = null, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
 const editor = data.editor && new Editor(find, data, onCode) // where npm does not answer, the page is built without
@@ -45,6 +45,7 @@ find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join(
 
 async function open() {
   state = read(whole.location.hash)
+  written = null
   bet = null
   race = data.races.find(({ name }) => name === state.task) ?? data.races.find(({ name }) => name === 'Boulder')
   state.task = race.name
@@ -152,9 +153,13 @@ function controls() {
     lane.bet.textContent = !begun ? 'Bet on this one' : bet === k ? 'Your bet' : 'Bets are closed'
     lane.bet.title = begun ? 'Bets close when the race begins. “Other luck” opens them again.' : ''
   })
-  whole.history.replaceState(null, '', write(state))
-  find('whole').href = `../playground.html${write(state)}`
-  find('shared').textContent = '' // what was copied was another link
+  if (written !== write(state)) {
+    written = write(state)
+    whole.history.replaceState(null, '', written)
+    find('shared').textContent = '' // what was copied was another link
+  }
+  const ended = lanes.length && lanes.every(({ over }) => over)
+  find('whole').href = `../playground.html${write({ ...state, at: ended ? lanes.map(({ steps }) => steps) : state.at })}`
 }
 
 // The settings of the sliders that an agent takes, where the reader has moved them.

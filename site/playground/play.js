@@ -14,6 +14,7 @@ export class Play {
   }
 
   async open(race, task, streams) {
+    if (this.task === task) return // only the tab was left: the game and its points stay
     this.asked = task
     const loaded = await fetched(race.play)
     if (this.asked !== task) return // another task came meanwhile
@@ -36,7 +37,9 @@ export class Play {
   }
 
   others() {
-    return this.task.others.map(([what, mean]) => `Who ${what} gets about ${points(Number(Math.abs(mean) < 10 ? mean.toFixed(2) : mean.toPrecision(2)))}.`).join(' ')
+    const told = mean => Number(Math.abs(mean) >= 10 ? mean.toPrecision(2) : Math.abs(mean) >= 0.1 ? mean.toFixed(2) : mean.toPrecision(1))
+    const gets = mean => mean && Math.abs(mean) < 1e-6 ? 'hardly ever a point' : `about ${points(told(mean))}`
+    return this.task.others.map(([what, mean]) => `Somebody who ${what} gets ${gets(mean)}.`).join(' ')
   }
 
   // The digit of each action: that of its name, where it has one, else 1, 2, ...
@@ -107,7 +110,7 @@ export class Play {
       button.firstElementChild.textContent = names[k]
       button.hidden = !names[k]
     })
-    this.board.classList.toggle('unseen', this.blind.checked)
+    this.board.classList.toggle('unseen', this.blind.checked && !this.over)
     this.picture.happen(this.task.play.look.map(k => kernel.result(k)))
     let row = this.result(1)
     const parts = table.sizes.map((_, k) => k).reverse().map(k => {
@@ -119,9 +122,9 @@ export class Play {
     this.seen.textContent = `${race.told}: ${parts.join(', ')}.`
     const letters = Object.keys(codes).length ? ' The letters stand for numbers that are only names.' : ''
     this.blindWhy.textContent = this.blind.checked
-      ? `${race.numbers.length ? 'The words before the numbers are for you. ' : ''}Nobody tells the agent what its numbers mean: it has only them and the points to learn from.${letters}`
+      ? `${race.numbers.length ? 'The name before a number is only for you. ' : ''}Nobody tells the agent what its numbers mean: it has only them and the points to learn from.${letters}`
       : `Why play blind? Then you meet the game as the agent does: without a picture, you find out from your points alone what helps.${letters}`
-    this.score.innerText = `${what}\nStep ${this.result(2)}, ${points(this.result(3))} so far.\n${this.over ? this.ending() : ''}`
+    this.score.innerText = `${what}\nStep ${this.result(2)}${this.task.limit === null ? '' : ` of at most ${this.task.limit}`}, ${points(this.result(3))} so far.\n${this.over ? this.ending() : ''}`
     this.again.classList.toggle('due', this.over)
     this.again.firstChild.data = this.over ? 'Play again' : 'Start again'
   }

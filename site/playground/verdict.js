@@ -34,13 +34,17 @@ const called = (agents, { label }, i) => {
 }
 const begun = text => text[0].toUpperCase() + text.slice(1)
 
+// How a line goes: its end, its start, how far it stretches, and after how many steps it was nearly as high as at its end.
+function course(curves, t) {
+  const line = summary(curves, t), values = line.map(([, value]) => value), end = ending(curves, t)
+  const highest = Math.max(...values), span = highest - Math.min(...values)
+  return { ...end, span, highest, start: values[0], reached: line.find(([, value]) => value >= end.greedy[0] - 0.1 * span)[0] }
+}
+
 // `agents` have a label, and the curves of their seeds; `bet` is the number of one of them, or null, and `optimum` the best return, or null.
 export function verdict(agents, t, steps, bet, optimum) {
   const results = agents.map(({ curves }, i) => {
-    const label = called(agents, agents[i], i)
-    const line = summary(curves, t), values = line.map(([, value]) => value), end = ending(curves, t)
-    const span = Math.max(...values) - Math.min(...values)
-    return { label, curves, ...end, span, start: values[0], reached: line.find(([, value]) => value >= end.greedy[0] - 0.1 * span)[0] }
+    return { label: called(agents, agents[i], i), curves, ...course(curves, t) }
   })
   const good = best(results, ({ greedy }) => greedy, optimum), [top] = good.map(({ greedy }) => greedy).sort(([a], [b]) => b - a)
   const still = results.every(({ greedy, start, span }) => greedy[0] - start <= NOTHING * span)
@@ -61,20 +65,24 @@ export function verdict(agents, t, steps, bet, optimum) {
   const behind = rest.filter(one => !failed.includes(one) && !later.includes(one))
   sentences.push(...said(later, 'did as well, but got there later'))
   sentences.push(...said(behind, 'is behind', 'are behind'))
-  sentences.push(...said(failed, 'has learned nothing that shows', 'have learned nothing that shows'))
+  const rose = failed.some(({ start, highest }) => highest - start > 0.03 * (top[0] - start)) ? ': where a line rose, it did not stay' : ''
+  sentences.push(...said(failed, `has learned nothing that shows${rose}`, `have learned nothing that shows${rose}`))
   if (results.every(({ exploring }) => exploring)) {
     const earning = best(results, ({ exploring }) => exploring, optimum)
     if (winners.some(one => !earning.includes(one))) sentences.push(`While still exploring, ${listed(named(earning, ({ exploring }) => exploring))} earned most.`)
   }
   if (bet !== null) sentences.unshift(winners.includes(results[bet]) ? 'Your bet was right.' : `Your bet on “${results[bet].label}” was wrong.`)
-  if (agents[0].curves.length === 1) sentences.push('Was it luck? Run several seeds at once (Settings).')
+  if (agents[0].curves.length === 1) sentences.push('Was it luck? “Seeds at once” in the settings repeats the race with other luck.')
   return sentences.join(' ')
 }
 
 // How a reader's own agent compares with its rival; one seed shows no winner, but who did better with it.
 export function duel(own, rival, t, optimum) {
-  const results = [own, rival].map(agent => ({ ...agent, ...ending(agent.curves, t) }))
+  const results = [own, rival].map(agent => ({ ...agent, ...course(agent.curves, t) }))
   const good = best(results, ({ greedy }) => greedy, optimum), wins = own.curves.length > 1 ? 'wins' : 'did better with this seed'
-  const said = good.length > 1 ? 'no difference that shows' : `${good[0] === results[0] ? 'your agent' : rival.label} ${wins}`
+  const [first, last] = [...results].sort((a, b) => a.reached - b.reached), who = one => one === results[0] ? 'your agent' : rival.label
+  const sooner = last.reached - first.reached > own.curves[0].at(-1)[0] / 50
+    ? `, but ${who(first)} got there after ${short(first.reached)} steps, ${who(last)} after ${short(last.reached)}` : ''
+  const said = good.length > 1 ? `no difference that shows${sooner}` : `${who(good[0])} ${wins}`
   return `In the last tenth of training your agent has ${within(results[0].greedy)}, ${rival.label} ${within(results[1].greedy)}: ${said}.`
 }

@@ -67,11 +67,20 @@ addEventListener('toggle', reach, true)  // what was folded had no width
 const projected = document.querySelector('.projected')
 if (projected) {
   const parts = [...document.querySelectorAll('article > section > section + section')] // the first belongs to the title
+  // What is longer than the screen is turned over page by page, and at the end what was measured is opened.
   const turn = way => {
-    const top = part => Math.round(part.getBoundingClientRect().top)
-    const next = way > 0 ? parts.find(part => top(part) > 1) : parts.findLast(part => top(part) < -1)
-    if (next) next.scrollIntoView({ behavior: 'instant' })
-    else if (way < 0) scrollTo({ top: 0, behavior: 'instant' })
+    const top = part => Math.round(part.getBoundingClientRect().top), page = 0.9 * innerHeight
+    const next = parts.find(part => top(part) > 1), before = parts.findLast(part => top(part) < -1)
+    const end = next ? top(next) : Math.round(document.documentElement.getBoundingClientRect().bottom)
+    const fold = document.querySelector('details.measured:not([open])')
+    const by = distance => scrollBy({ top: distance, behavior: 'instant' })
+    if (way < 0) by(Math.max(-page, before ? top(before) : -scrollY))
+    else if (end - innerHeight > 0.05 * innerHeight) by(Math.min(page, next ? end : page))
+    else if (next) by(end)
+    else if (fold) {
+      fold.open = true
+      fold.scrollIntoView({ behavior: 'instant' })
+    }
   }
   const ways = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }
   addEventListener('keydown', event => {

@@ -11,7 +11,7 @@ import playground
 import pytest
 from offers import Race
 from places import MAPS
-from races import CASINO, RACES, TAMAGOTCHI, TRASHBOT
+from races import BOULDER, CASINO, RACES, TAMAGOTCHI, TRASHBOT
 from scenery import elements, key_of, scenery, table
 from words import WORDS
 
@@ -78,8 +78,9 @@ def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
     [
         (CASINO, 0, [0.5 * 0.5 * (-0.1 - 2.1)]),  # in with probability 1/2; then the machine, or what is none
         (TAMAGOTCHI, 0, [-676, 6707]),  # as its docstring has them
+        (BOULDER, 6, [8.678e-05]),  # that a fair coin, thrown 200 times, shows heads 20 times in a row
     ],
-    ids=["Casino", "Tamagotchi"],
+    ids=["Casino", "Tamagotchi", "Boulder"],
 )
 def test_simple_players_get_what_is_known(race: Race, k: int, expected: list[float]) -> None:
     """Somebody who moves at random, and somebody who does what the toy says."""

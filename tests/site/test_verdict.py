@@ -38,6 +38,11 @@ def said(name: str, *given: Any) -> str:
         ([[0.0] + [1.0] * 20, [0.0] * 10 + [1.0] * 11], 1.0, "got there first. B (1) did as well"),
         ([[0.0] + [1.0] * 20, [0.0] + [0.5] * 20], 1.0, "training. B (0.5) is behind."),
         ([[0.0] + [1.0] * 20, [0.0] * 21], 1.0, "training. B (0) has learned nothing that shows."),
+        (
+            [[0.0] + [1.0] * 20, [0.0] * 5 + [0.2] + [0.0] * 15],
+            1.0,
+            "nothing that shows: where a line rose, it did not",
+        ),
         ([[0.0] + [1.0] * 20, [0.0] * 21, [0.0] * 21], 1.0, "B (0) and C (0) have learned nothing"),
         ([[-9.0] + [-2.0] * 20] * 2, -2.0, "did equally well"),
         ([[1.0] * 5 + [0.0] * 3 + [1.0] * 12, [1.0] * 20], 1.0, "before training too, if not always between"),
@@ -56,6 +61,14 @@ def test_two_of_one_name() -> None:
     sentences = said("verdict", agents, [], 2000, None, 1.0)
     assert sentences.startswith("The first A (1) did best")
     assert "The second A (0.5) is behind. B (0) has learned" in sentences
+
+
+def test_a_duel_of_equals() -> None:
+    """Who got there first is said, if the other needed visibly longer."""
+    slow, fast, nearly = (agent(label, [0.0] * n + [1.0] * (40 - n)) for label, n in (("A", 20), ("B", 4), ("C", 20)))
+    assert "no difference that shows, but B got there after" in said("duel", slow, fast, 0, 1.0)
+    assert "no difference that shows, but your agent got there after" in said("duel", fast, slow, 0, 1.0)
+    assert said("duel", slow, nearly, 0, 1.0).endswith("no difference that shows.")
 
 
 @pytest.mark.parametrize(

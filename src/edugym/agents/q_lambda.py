@@ -28,7 +28,7 @@ class QLambda(NamedTuple):
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
-        Z: the traces that are not 0, as a list of pairs; one below 10⁻⁹ is dropped.
+        Z: the eligibility traces that are not 0, as a list of pairs; one below 10⁻⁹ is dropped.
         trace_decay: λ, from 0 to 1.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
