@@ -92,7 +92,7 @@ def test_every_mistake_learns_something_else(lesson: str) -> None:
     """From the steps of a right program: other values than the right equation, and than every other mistake."""
     rule = RULES[lesson]
     world = rule.world(3, rule.truncates, rule.noisy)
-    steps = run_program(program_with(rule.right, rule.epsilon), world, 400, 3).steps
+    steps = run_program(program_with(rule.right, rule.epsilon), world, 800, 3).steps
     learned = {"right": values_on_the_way(steps, rule.right, shape_of(world))}
     for sentence, mistake in rule.mistakes.items():
         values = values_on_the_way(steps, mistake, shape_of(world))
