@@ -30,7 +30,7 @@ COMPILED = {
     "counts": program("i = int(rng.integers(0, 9))\nself.N[i] += 1\nreturn s + self.N[i] / 3", **N),
     "array functions": program("self.Q[:, 0] = self.Q[:, 1] + rng.random()\nreturn self.Q.max() + np.argmax(self.Q[0])", **Q),
     "largest and smallest": program(
-        "i = int(s) % 9\nself.Q[i] = rng.random() - 0.5, math.nan if i == 7 else -0.0\n"
+        "i = int(s) % 9\nself.Q[i] = rng.random() - 0.5, math.nan if i == 7 else -0.5\n"
         "m = self.Q[i].max() + 2 * np.min(self.Q[i]) + 4 * np.max(self.Q[:, 0]) + 8 * self.Q[::2, 0].min() + self.Q.max()\n"
         "return s + self.N.max() - np.min(self.N) + (0.25 if m != m else m)", "Q: np.ndarray\n    N: np.ndarray", "np.zeros((9, 2)), np.arange(3)"),
     "largest by a method of one's own": program(
@@ -166,6 +166,8 @@ SURPRISES = {
     "whole to a negative power": program("k = int(s)\nreturn 10 ** -k + s + 1"),
     "three to 101": program("return 3 ** (101 + int(s) * 0) % 7 + s"),
     "large power late": program("return 3 ** int(s / 10) % 7 + s + 1"),
+    "the largest of two zeros": program("self.Q[0] = -0.0, 0.0\nreturn s + 1 + math.copysign(1, self.Q[0].max())", **Q),
+    "the smallest of two zeros": program("self.Q[:] = -0.0\nself.Q[3, 1] = 0.0\nreturn s + 1 + math.copysign(1, np.min(self.Q))", **Q),
     "sum": program("return s + 9007199254740993", start="2**62"),
     "product": program("return s * 3 + 1 if s < 10 ** 400 else 1", start="1"),
     "generator of numbers": program("return (s * 6364136223846793005 + 1442695040888963407) % 2 ** 64", start="1"),

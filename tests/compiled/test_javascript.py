@@ -31,7 +31,6 @@ REFUSED_HERE = {
     "whole at first": "whole numbers in one place and of real ones in another",
     "largest whole power": "more than 53 bits",
     "power of infinity": "a power of real numbers",
-    "largest and smallest": "0 and -0",
     "softmax": "it uses exp",
     "draws": "rng.poisson",
     "draws with defaults": "rng.poisson",

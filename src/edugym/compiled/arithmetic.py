@@ -82,24 +82,38 @@ def _median(values: Any) -> Any:
 
 
 def _extreme(name: str, better: Function, of_others: Function) -> Function:
-    """`np.max`, `np.min`, or the method of an array: Numba's own counts references, and so makes every step slower."""
+    """`np.max`, `np.min`, or the method of an array: Numba's own counts references, and so makes every step slower.
 
-    def extreme(a: Any) -> Any:
+    They raise an error where there is 0.0 and -0.0: which of them NumPy finds depends on the processor.
+    """
+
+    def of_line(a: Any) -> Any:
         if a.size == 0:
             raise ValueError("zero-size array")
-        found = a.flat[0]
-        for value in a.flat:
-            if value != value:  # NaN
-                return value
-            if better(value, found):
-                found = value
+        found = a[0]
+        for k in range(a.size):  # quicker than the values themselves
+            if a[k] != a[k]:  # NaN
+                return a[k]
+            if better(a[k], found):
+                found = a[k]
+        if found == 0.0:
+            for k in range(a.size):
+                if a[k] == 0.0 and math.copysign(1.0, a[k]) != math.copysign(1.0, found):
+                    raise ValueError("the largest or smallest of 0.0 and -0.0")
         return found
+
+    def of_table(a: Any) -> Any:
+        return of_line(a.ravel())
+
+    extending.register_jitable(of_line)
 
     def either(a: Any) -> Any:
         raise NotImplementedError
 
     def choose(a: Any) -> Function:
-        return extreme if isinstance(a, types.Array) and isinstance(a.dtype, types.Number) else of_others
+        if not (isinstance(a, types.Array) and isinstance(a.dtype, types.Number)):
+            return of_others
+        return of_line if a.ndim == 1 else of_table
 
     either.__name__ = name  # by which messages call it
     extending.overload(either, strict=False)(choose)
