@@ -64,9 +64,9 @@ export class Lane {
     const { curves, how, over, race } = this, { greedy, exploring, n } = ending(curves, how.student)
     const now = over ? greedy : estimate(curves.map(curve => curve.at(-1)[1]), how.student)
     if (!this.steps) return `before training: <b>${within(now)}</b>`
-    const what = race.measure ? '' : 'points ', when = over ? 'in the last tenth of training' : `after ${short(this.steps)} steps`
+    const what = race.measure ? '' : 'points ', when = over ? 'near the end' : `after ${short(this.steps)} steps`
     const some = n < curves.length ? ` (${n} of ${curves.length} seeds)` : ''
-    const meanwhile = race.measure ? '' : exploring ? `in training, where it explores: ${within(exploring)}${some}` : 'in training no game has ended'
+    const meanwhile = race.measure ? '' : exploring ? `${within(exploring)} in games of training${some}` : 'no game of training has ended'
     return `${what}<b>${within(now)}</b> ${when}<br>${meanwhile}`
   }
 }

@@ -72,7 +72,7 @@ export function verdict(agents, t, steps, bet, optimum) {
     if (winners.some(one => !earning.includes(one))) sentences.push(`While still exploring, ${listed(named(earning, ({ exploring }) => exploring))} earned most.`)
   }
   if (bet !== null) sentences.unshift(winners.includes(results[bet]) ? 'Your bet was right.' : `Your bet on “${results[bet].label}” was wrong.`)
-  if (agents[0].curves.length === 1) sentences.push('Was it luck? “Seeds at once” in the settings repeats the race with other luck.')
+  if (agents[0].curves.length === 1) sentences.push('Was it luck? “Other luck” repeats the race.')
   return sentences.join(' ')
 }
 

@@ -71,7 +71,7 @@ if (projected) {
   const turn = way => {
     const top = part => Math.round(part.getBoundingClientRect().top), page = 0.9 * innerHeight
     const next = parts.find(part => top(part) > 1), before = parts.findLast(part => top(part) < -1)
-    const end = next ? top(next) : Math.round(document.documentElement.getBoundingClientRect().bottom)
+    const end = next ? top(next) : document.documentElement.scrollHeight - scrollY
     const fold = document.querySelector('details.measured:not([open])')
     const by = distance => scrollBy({ top: distance, behavior: 'instant' })
     if (way < 0) by(Math.max(-page, before ? top(before) : -scrollY))
