@@ -241,7 +241,7 @@ def task(race: Race, k: int, made: dict[str, kernels.Manifest]) -> dict[str, Any
         "buttons": buttons(race, mdp),
         "codes": WORDS[race.environment].codes(mdp),
         "others": list(others(race, mdp)),
-        "limit": task_of(race.measured(mdp)).max_steps if race.is_finite else None,
+        "limit": task_of(played(race, mdp)).max_steps,
         "marks": MAPS[race.environment].marks(mdp),
         "look": MAPS[race.environment].look,
         "optimum": optimum(race.measured(mdp)) if race.is_finite else None,

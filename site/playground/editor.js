@@ -36,6 +36,7 @@ const short_one = ({ learning_rate, discount, epsilon }) => SHORT.replace('rando
 // A package's agent, where a default says what the last line of the program sets in its place.
 const annotated = (source, settings) => settings.reduce((text, [name]) => text.replace(new RegExp(`^ {4}${name}: .*=.*$`, 'm'), line => `${line}  # the last line sets it`), source)
 const LATE = 100 // points of a curve
+const SILENT = 'Nothing has come from your agent for 20 s: it is slow, or a loop in it never ends. Stop ends it.'
 const PATIENCE = 20_000 // milliseconds without a word of the reader's agent
 const PAUSE = 500 // milliseconds without a change after which the link has the program
 const KEPT = 'your last code' // what a template has replaced
@@ -222,7 +223,7 @@ export class Editor {
   wait() {
     clearTimeout(this.waiting)
     if (!this.running || !this.loaded) return
-    this.waiting = setTimeout(() => this.tell('Nothing has come from your agent for 20 s: it is slow, or a loop in it never ends. Stop ends it.'), PATIENCE)
+    this.waiting = setTimeout(() => this.tell(SILENT), PATIENCE)
   }
 
   end() {
@@ -233,6 +234,7 @@ export class Editor {
   }
 
   receive(data) {
+    if (this.find('code-status').textContent === SILENT) this.tell('Your agent learns …')
     this.wait()
     if (data.kind === 'loading' && !this.loaded) {
       this.loaded = data.share === 1

@@ -5,7 +5,6 @@ import { drawing } from './draws.js'
 import { knowledge } from './knowledge.js'
 
 const MOST_LINES = 200 // of what the program prints
-const MOST_PROGRAMS = 100 // that are kept
 const OFTEN = 200 // milliseconds between two looks at what it has printed
 let printed = [], told = 0
 let loading // a promise, since a second message may come meanwhile
@@ -74,16 +73,8 @@ async function begun(pyodide, memory, module, tables) {
   const libm = {}
   for (const name of mathematics.split(' ')) if (pyodide._module[`_${name}`]) libm[name] = pyodide._module[`_${name}`]
   const draw = await drawing(module, tables, memory, libm)
-  // A program is made once for each text. V8 shares what it learns about functions of equal text: if every seed made the
-  // program anew, each would have other classes, and after four of them all would run up to five times slower.
-  const programs = new Map()
-  const programOf = text => {
-    if (programs.size === MOST_PROGRAMS) programs.clear()
-    if (!programs.has(text)) programs.set(text, new Function('memory', 'draw', 'libm', text)(() => memory.buffer, draw, libm))
-    return programs.get(text)
-  }
   const make = text => {
-    const program = programOf(text)
+    const program = new Function('memory', 'draw', 'libm', text)(() => memory.buffer, draw, libm)
     return numbers => {
       try {
         if (memory.buffer !== pyodide._module.HEAP8.buffer) throw new Error('the memory of Python has moved')

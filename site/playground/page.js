@@ -388,7 +388,7 @@ find('share').onclick = async () => {
     find('shared').replaceChildren(shown, `: copy it with the menu of your mouse or finger.${without}`)
   }
 }
-find('with-results').onchange = controls
+find('with-results').onchange = () => { find('shared').textContent = '' } // what was copied was another link
 find('theme').onclick = () => {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'
   document.documentElement.dataset.theme = localStorage.theme = theme

@@ -74,8 +74,9 @@ if (projected) {
     const end = next ? top(next) : document.documentElement.scrollHeight - scrollY
     const fold = document.querySelector('details.measured:not([open])')
     const by = distance => scrollBy({ top: distance, behavior: 'instant' })
-    if (way < 0) by(Math.max(-page, before ? top(before) : -scrollY))
-    else if (end - innerHeight > 0.05 * innerHeight) by(Math.min(page, next ? end : page))
+    const begin = before ? top(before) : -scrollY, slack = 0.05 * innerHeight
+    if (way < 0) by(-begin > innerHeight + slack ? -page : begin)
+    else if (end > innerHeight + slack) by(page)
     else if (next) by(end)
     else if (fold) {
       fold.open = true

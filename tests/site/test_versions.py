@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 import versions
-from repository import ROOT
+from repository import ROOT, VERSION, documented
 
 PAGE = """<aside class="sidebar-drawer"><p class="versions">Version {version}</p></aside>
 <article role="main" id="furo-main-content">
@@ -149,3 +149,11 @@ def test_the_workflow_keeps_all_versions(tmp_path: Path) -> None:
     assert versions.versions(tmp_path / "shown") == ["1.1", "1.0", "dev"]
     assert "(the newest)" in (tmp_path / "shown" / "1.1" / "index.html").read_text(encoding="utf-8")
     assert run("git rev-list --count HEAD", tmp_path / "shown").strip() == "3"
+
+
+def test_the_site_says_of_which_version_it_is() -> None:
+    """What is unreleased counts if there is anything; a new release has nothing yet."""
+    released = f"# Changelog\n\n## [Unreleased]\n\n## [{VERSION}] - 2026-01-01\n\nThe first.\n"
+    assert documented(released) == VERSION
+    later = released.replace("[Unreleased]\n", "[Unreleased]\n\n- More.\n")
+    assert documented(later) == f"{VERSION}, and what came after it"

@@ -311,10 +311,16 @@ def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> Non
     assert browser.execute_script(shown) == 0
     first = "return [...document.querySelectorAll('h1, h2')].findIndex(one => one.getBoundingClientRect().top >= 0)"
     seen = []
+    body = browser.find_element("tag name", "body")
     for key in (Keys.PAGE_DOWN, Keys.ARROW_RIGHT, Keys.PAGE_UP, Keys.ARROW_LEFT):
-        browser.find_element("tag name", "body").send_keys(key)
+        body.send_keys(key)
         seen.append(browser.execute_script(first))
     assert seen == [2, 3, 2, 0]  # headings; the title and the first part share a screen
+    body.send_keys(Keys.PAGE_DOWN * 8)
+    assert browser.execute_script("return document.querySelector('details.measured').open")  # no mouse was needed
+    page = "document.documentElement"
+    left = browser.execute_script(f"return {page}.scrollHeight - innerHeight - scrollY")
+    assert left <= 0.05 * browser.execute_script("return innerHeight")
 
 
 @needs_browser

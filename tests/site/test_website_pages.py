@@ -78,14 +78,6 @@ def test_links_of_a_release_lead_to_its_own_code(monkeypatch: pytest.MonkeyPatch
     assert len(set(re.findall(r"/v9\.8\.7/(\w+)", done.stdout))) == 3
 
 
-def test_the_site_says_of_which_version_it_is() -> None:
-    """What is unreleased counts if there is anything; a new release has nothing yet."""
-    released = f"# Changelog\n\n## [Unreleased]\n\n## [{repository.VERSION}] - 2026-01-01\n\nThe first.\n"
-    assert repository.documented(released) == repository.VERSION
-    later = released.replace("[Unreleased]\n", "[Unreleased]\n\n- More.\n")
-    assert repository.documented(later) == f"{repository.VERSION}, and what came after it"
-
-
 def test_a_link_to_nothing_is_an_error() -> None:
     """The message names the file and the link."""
     with pytest.raises(ValueError, match=r"docs/teaching\.md.*nowhere\.md"):

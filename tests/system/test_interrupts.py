@@ -201,6 +201,26 @@ def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
         timer.join()
 
 
+@pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="this system has no clock for a thread")
+def test_a_limit_counts_the_time_of_its_own_thread() -> None:
+    """What waits while others work is not ended; what works itself is."""
+    idle, over = threading.Event(), threading.Event()
+
+    def work(until: threading.Event) -> None:
+        while not until.is_set():
+            pass
+
+    worker = threading.Thread(target=work, args=(over,))
+    worker.start()
+    try:
+        assert not interrupts.call_within(0.1, idle.wait, 0.5)
+        with pytest.raises(TimeoutError):
+            interrupts.call_within(0.1, work, idle)
+    finally:
+        over.set()
+        worker.join()
+
+
 def test_a_notebook_shows_one_line() -> None:
     """In place of a traceback; what is done is collected when somebody asks."""
     numbers = iter((5, 6))

@@ -99,7 +99,7 @@ def _extreme(name: str, better: Function, of_others: Function) -> Function:
         if found == 0.0:
             for k in range(a.size):
                 if a[k] == 0.0 and math.copysign(1.0, a[k]) != math.copysign(1.0, found):
-                    raise ValueError("the largest or smallest of 0.0 and -0.0")
+                    raise ValueError("which of 0.0 and -0.0 is largest or smallest depends on the processor: add 0.0")
         return found
 
     def of_table(a: Any) -> Any:

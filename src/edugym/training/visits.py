@@ -66,7 +66,7 @@ class VisitRecorder(NamedTuple):
         self.visits[self.interval[0], state] += 1
         if terminated:
             self.visits[self.interval[0], next_state] += 1
-        self.steps[0] += 1
+        self.steps[0] += 1  # a division at every step would take longer than what follows
         while self.interval[0] < len(self.ends) and self.steps[0] >= self.ends[self.interval[0]]:
             self.interval[0] += 1
 

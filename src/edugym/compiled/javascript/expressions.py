@@ -80,9 +80,10 @@ class Expressions(Iterations):
             return self.member(node, owner, kind)
         if isinstance(kind, Array) and node.attr == "shape":
             shape = Tuple(None, (INT,) * kind.ndim)
-            made, held = f"new {self.known.constants.tuple_class(shape)}", kind.name or self.fresh()
+            made = f"new {self.known.constants.tuple_class(shape)}"
             if kind.name:
-                return Code(f"{made}({','.join(f'{held}_n{k}' for k in range(kind.ndim))})", shape)
+                return Code(f"{made}({','.join(f'{kind.name}_n{k}' for k in range(kind.ndim))})", shape)
+            held = self.fresh()
             sizes = ",".join(f"{held}[{k}]" for k in range(kind.ndim))
             return Code(f"({held}={owner.text}.shape,{made}({sizes}))", shape)
         if isinstance(kind, Array) and node.attr == "size":

@@ -1,7 +1,7 @@
 """Writes the use of arrays that stay the same in all of a run, by names for their data, offset, lengths and strides.
 
-These are the arrays in the arguments of the loop, such as the table of an agent. In Node.js, code with such constants
-runs about twice as fast as code that asks an object for them at every step.
+These are the arrays in the arguments of the loop, such as the table of an agent. V8 runs code with such constants about
+twice as fast as code that asks an object for them at every step.
 """
 
 from collections.abc import Iterator, Sequence

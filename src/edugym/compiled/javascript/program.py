@@ -12,6 +12,7 @@ gives it that memory: that of a web page, or in tests that of Node.js.
 
 import inspect
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, count
 from pathlib import Path
 from types import FunctionType
 from typing import Any, Protocol
@@ -45,6 +46,13 @@ MOST_PASSES = 30
 """If kinds still change after so many passes, the translator gives up."""
 MOST_DEEP = 60
 """Calls of functions within functions may be this deep."""
+MOST_LOADS = 4
+"""A translation is loaded anew so often for other arguments, such as those of the run after those of the rehearsal.
+
+V8 is quick with the first constants that a program gets, and slow with all later ones; and it takes programs of equal
+text for one.
+"""
+_numbered = count()  # makes the texts differ
 HEAPS = {FLOAT: "reals", INT: "halves", BOOL: "bytes"}
 KEPT = """// The loop for the arguments at hand: they stay the same from call to call, but for the carry.
 let buffer, last, loop
@@ -105,15 +113,19 @@ def translated(loop: Loop, arguments: tuple[Any, ...], on: Engine) -> Loop:
         Untranslatable: there is no translation that does the same for sure.
     """
     program = Program(loop, arguments, on.libm)
-    run = on.load(program.text)
+    run: Callable[[Sequence[float]], Sequence[float]] | None = None
+    fixed, loads = list[float](), 0
 
     def call(n: int, *given: Any) -> Any:
-        numbers = [float(n)]
-        for value, kind in [*zip(given, program.given, strict=True)][::-1]:  # the carry first
-            numbers += _numbers(value, kind, on)
-        for array in program.constants.arrays:
-            numbers += _numbers(array, kind_of(array, "a constant"), on)
-        return program.result_of(iter(run(numbers)))
+        nonlocal run, fixed, loads
+        told = [[*_numbers(value, kind, on)] for value, kind in zip(given, program.given, strict=True)]
+        carry = told.pop() if program.carries else []
+        told += [[*_numbers(array, kind_of(array, "a constant"), on)] for array in program.constants.arrays]
+        now = [*chain.from_iterable(told)]
+        if run is None or (now != fixed and loads < MOST_LOADS):
+            run, loads = on.load(f"{program.text}\n//{next(_numbered)}"), loads + 1
+        fixed = now
+        return program.result_of(iter(run([float(n), *carry, *now])))
 
     return call
 
@@ -147,6 +159,7 @@ class Program(Known):
     Attributes:
         text: the body of a JavaScript function, for `Engine.load`.
         given: the kinds of the arguments after the first.
+        carries: whether the last of them is what the loop carries from call to call; the others stay the same in a run.
     """
 
     def __init__(self, loop: Loop, arguments: tuple[Any, ...], libm: frozenset[str]) -> None:
@@ -170,9 +183,9 @@ class Program(Known):
                 break
         else:
             raise Untranslatable("the types of its variables are not to be found out")
-        self.given, self._result = given, result
+        self.given, self.carries, self._result = given, carries, result
         _require_plain(result, "what the loop carries from step to step")
-        self.text = self._whole(main, carries)
+        self.text = self._whole(main)
 
     def begin_pass(self) -> None:
         """Forgets all that is written, but no kinds."""
@@ -200,13 +213,11 @@ class Program(Known):
 
     # The text
 
-    def _whole(self, main: str, carries: bool) -> str:
+    def _whole(self, main: str) -> str:
         known, kinds = self.constants, [kind_of(one, "a constant") for one in self.constants.arrays]
-        fixed = self.given[:-1] if carries else self.given
-        told = [("carry", self.given[-1])] if carries else []
-        named = [*((f"h{k}", kind) for k, kind in enumerate(fixed))][::-1] + [
-            (f"g{k}", kind) for k, kind in enumerate(kinds)
-        ]
+        fixed = self.given[:-1] if self.carries else self.given
+        told = [("carry", self.given[-1])] if self.carries else []
+        named = [(f"{letter}{k}", kind) for letter, some in (("h", fixed), ("g", kinds)) for k, kind in enumerate(some)]
         made = {name: self._made(kind) for name, kind in told + named}  # first, since it may add classes
         classes = [
             f"class {name}{{constructor({parts}){{{fields}}}}}"
@@ -215,7 +226,7 @@ class Program(Known):
             for fields in ["".join(f"this.a{k}=a{k};" for k in range(count))]
         ]
         defined = [text for name, kind in named for text in (f"{name}={made[name]}", *constants(kind, name))]
-        given = ",".join([*(f"h{k}" for k in range(len(fixed))), *(["carry"] if carries else [])])
+        given = ",".join([*(f"h{k}" for k in range(len(fixed))), *(["carry"] if self.carries else [])])
         return "\n".join(
             [
                 "'use strict'",

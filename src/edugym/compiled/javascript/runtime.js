@@ -237,7 +237,6 @@ const assign = (array, value) => {
   if (shape.length !== array.shape.length || shape.some((n, k) => n !== array.shape[k])) doubt('an array of another shape')
   array.fill(spread(value, shape))
 }
-const flattened = a => made(a.constructor, [a.size], a.flat())
 const copied = (kind, a) => made(kind, [...a.shape], a.flat())
 
 // Reductions of lists of numbers.
