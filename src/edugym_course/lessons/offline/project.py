@@ -119,6 +119,5 @@ def _why(program: Any, one: Run, seed: int) -> str:
         return (
             "that is worse than the clock that collected the nights; does it take the *best* action, by its own state?"
         )
-    if missed := unsolved(program, seed):
-        return f"it has learned something. In a log-book of our making {missed}"
-    return "it has learned something; does every step count, also those of a pair that has few?"
+    missed = unsolved(program, seed)
+    return f"it has learned something{f'. In a log-book of our making {missed}' if missed else ''}"

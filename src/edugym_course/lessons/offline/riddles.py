@@ -1,9 +1,9 @@
 """Log-books in which a careful reader has one choice only: riddles that nobody solves who leaves out a part."""
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
-
-import numpy as np
 
 from edugym.mdp.protocol import Random
 from edugym_course.lessons.offline.sweeps import Step
@@ -30,7 +30,8 @@ class Riddle(NamedTuple):
         shows: what the log-book shows, for the sentence.
         asks: which part of the method it takes.
         rest: the reward of each step after the moves.
-        at_both_ends: how many nights of the first kind stand at the start of the log-book, and as many at its end.
+        placed: of some nights, their number in the log-book, and their kind, an index of `nights`; the others come in
+            any order.
     """
 
     nights: tuple[tuple[int, tuple[Move, ...]], ...]
@@ -38,13 +39,35 @@ class Riddle(NamedTuple):
     shows: str
     asks: str
     rest: float = 1.0
-    at_both_ends: int = 0
+    placed: Mapping[int, int] = MappingProxyType({})
 
 
 def _corridor(name: str, action: int, first: float, last: float, between: float = 0.0) -> tuple[Move, ...]:
     """A night with a first and a last reward, and the same reward in each step between."""
     inner = tuple((name, 0, between) for _ in range(LENGTH - 2))
     return ((FIRST, action, first), *inner, (name, 0, last))
+
+
+def _of_all_nights(n_rooms: int = 14) -> Riddle:
+    """Action 0 leads to one of several rooms, and what is good in each was found in two nights alone.
+
+    Those of four rooms are both even or odd, and both at the start or at the end, and in other nights there the room is
+    met: so a half of the nights misses one, whichever it is. Of nights that are drawn, others are missing.
+    """
+    rooms = [(f"room {room}", room % N_ACTIONS, (room + 1) % N_ACTIONS) for room in range(n_rooms)]
+    goods = [(2, ((FIRST, 0, 0.0), (name, good, 10.0))) for name, good, _ in rooms]
+    bads = [(3, ((FIRST, 0, 0.0), (name, bad, -80.0))) for name, _, bad in rooms]
+    return Riddle(
+        (*goods, *bads, (10, ((FIRST, 1, 0.0), ("even", 0, 6.0)))),
+        right=0,
+        shows=(
+            f"action 0 leads to one of {n_rooms} states, in each of which one action brought 10, in two nights alone,"
+            " and another cost 80; action 1 leads to a state that brought 6 in each of 10 nights"
+        ),
+        asks="does the program learn from *all* nights, from the first to the last, and from those of a rare pair?",
+        placed={0: 0, 2: 0, 1: 1, 3: 1, 76: 2, 78: 2, 77: 3, 79: 3}
+        | {41: n_rooms, 40: n_rooms + 1, 5: n_rooms + 2, 4: n_rooms + 3},
+    )
 
 
 RIDDLES = (
@@ -73,6 +96,7 @@ RIDDLES = (
         ),
         asks="the value of the next state is the *largest* of its row",
     ),
+    _of_all_nights(),
     Riddle(
         ((40, _corridor("near", 0, 3.0, 6.9)), (40, _corridor("far", 2, 0.0, 10.0))),
         right=2,
@@ -113,7 +137,7 @@ RIDDLES = (
             " action 1 brought 3 in each of 40"
         ),
         asks="every step counts in the mean of its pair, with its own reward and next state (+= adds, and = forgets)",
-        at_both_ends=1,
+        placed={0: 0, 79: 0},
     ),
     Riddle(
         (
@@ -127,6 +151,22 @@ RIDDLES = (
             " to one that brought 0"
         ),
         asks="what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state",
+    ),
+    Riddle(
+        (
+            (1, ((FIRST, 0, -80.0),)),
+            (24, ((FIRST, 0, 3.0),)),
+            (30, ((FIRST, 1, 0.0),)),
+            (24, ((FIRST, 2, 3.0),)),
+            (1, ((FIRST, 2, -80.0),)),
+        ),
+        right=1,
+        shows=(
+            "action 0 cost 80 in the first night and brought 3 in 24 others, action 2 cost 80 in the last night and"
+            " brought 3 in 24 others, and action 1 brought 0 in each of 30"
+        ),
+        asks="the first night counts, and so does the last",
+        placed={0: 0, 79: 4},
     ),
 )
 
@@ -147,10 +187,10 @@ class LogBook(NamedTuple):
 
 def log_book(riddle: Riddle, rng: Random) -> LogBook:
     """Return the log-book of a riddle: the nights in any order, the numbers of the states dealt out anew."""
-    kinds = np.repeat(np.arange(len(riddle.nights)), [number for number, _ in riddle.nights])
-    ends = riddle.at_both_ends
-    inner = rng.permutation(kinds[2 * ends :])
-    order = [*kinds[:ends], *inner, *kinds[ends : 2 * ends]]
+    placed = dict(riddle.placed)
+    others = Counter({kind: number for kind, (number, _) in enumerate(riddle.nights)}) - Counter(placed.values())
+    drawn = iter(rng.permutation([*others.elements()]).tolist())
+    order = [placed[night] if night in placed else next(drawn) for night in range(others.total() + len(placed))]
     nights = [[*_moves(riddle, riddle.nights[kind][1], night)] for night, kind in enumerate(order)]
     places = {place: None for night in nights for place, *_ in night}
     number_of = dict(zip([*places, ("end", LENGTH)], rng.permutation(len(places) + 1).tolist(), strict=True))

@@ -95,7 +95,7 @@ my_program = [0, 1, 2]
 # + sums[s, a] = counts[s, a] * (r if terminated else r + V[after])
 
 # %% only what was done six times
-# says: it has learned something; does every step count, also those of a pair that has few?
+# says: does the program learn from *all* nights, from the first to the last, and from those of a rare pair?
 # in: sums and counts
 # - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
 # + Q = np.where(counts > 5, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
@@ -156,3 +156,20 @@ def my_program(steps, n_states, n_actions, seed):
             reward = np.mean([line[0] for line in lines]) - 2.0 / np.sqrt(len(lines))
             Q[pair] = reward + V[max(set(afters), key=afters.count)]
     return lambda state: int(Q[state].argmax())
+
+
+# %% half of the nights
+# says: action 0 leads to one of 14 states, in each of which one action brought 10, in two nights alone, and another cost 80; action 1 leads to a state that brought 6 in each of 10 nights
+# says: does the program learn from *all* nights, from the first to the last, and from those of a rare pair?
+# in: sums and counts
+# - for s, a, *_ in steps:
+# + steps = steps[: len(steps) // 2]
+# + for s, a, *_ in steps:
+
+# %% the last night is left out
+# says: action 0 cost 80 in the first night and brought 3 in 24 others, action 2 cost 80 in the last night and brought 3 in 24 others, and action 1 brought 0 in each of 30
+# says: the first night counts, and so does the last
+# in: sums and counts
+# - for s, a, *_ in steps:
+# + steps = steps[:-10]
+# + for s, a, *_ in steps:
