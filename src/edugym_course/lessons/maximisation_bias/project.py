@@ -26,6 +26,7 @@ from edugym_course.grading.programs import (
     require_reproducible,
     run_program,
 )
+from edugym_course.grading.surprises import SIGMAS, Surprises
 from edugym_course.lessons.maximisation_bias.methods import DISCOUNT, EPSILON, LEARNING_RATE, MIDDLE
 from edugym_course.lessons.maximisation_bias.riddles import require_riddles
 
@@ -99,14 +100,19 @@ class Arms(gymnasium.Env[Any, Any]):
         return 0, 1.0, True, False, {}
 
 
-ARM_RUNS, PULLS = 100, 30
+_WHERE = "where each action ends an episode, "
+ARM_RUNS, PULLS, SETTLED = 200, 60, 3
+"""After so many pulls of a run its favourite arm hardly changes: every other pull is a try."""
 SAME, AGAIN, LEAST, MUCH = 0.7, 0.75, 0.8, 0.985
 """Of the runs that begin with one arm; that pull it again when it has paid; of the pulls of a run's favourite arm, at
 least and at most. A right program: 0.2 on average, and three times 0.92."""
 
 
-def require_arms(answer: Any, seed: int) -> None:
+def require_arms(answer: Any, seed: int) -> Surprises:
     """Refuse a program that does not act by the sum of both tables, with ties drawn and a little chance.
+
+    Returns:
+        In which pulls it took another arm than its favourite one.
 
     Raises:
         WrongAnswer: it does not.
@@ -115,7 +121,8 @@ def require_arms(answer: Any, seed: int) -> None:
     pulls = [[step.action for step in run_program(answer, Arms(), PULLS, number).steps] for number in numbers]
     arm, begun = Counter(mine[0] for mine in pulls).most_common(1)[0]
     again = float(np.mean([mine[1] == mine[0] for mine in pulls]))
-    favourite = float(np.mean([Counter(mine).most_common(1)[0][1] / PULLS for mine in pulls]))
+    others = np.array([[one != Counter(mine).most_common(1)[0][0] for one in mine] for mine in pulls], float)
+    favourite = 1 - others.mean()
     told = ""
     if begun > SAME * ARM_RUNS:
         told = (
@@ -139,7 +146,33 @@ def require_arms(answer: Any, seed: int) -> None:
     elif favourite > MUCH:
         told = "it tries no action but the best one: a share ε = 0.1 of its actions are random ones"
     if told:
-        raise WrongAnswer(f"where each action ends an episode, {told}")
+        raise WrongAnswer(f"{_WHERE}{told}")
+    found = others[:, SETTLED:].ravel()
+    none = np.zeros(found.size)
+    return Surprises(found, np.full(found.size, EPSILON * (1 - 1 / int(Arms.action_space.n))), none, none, none)
+
+
+def require_steady(tries: Surprises) -> None:
+    """Refuse a program whose ε does not stay what it is, or is another one than it should be.
+
+    Args:
+        tries: what `require_arms` returns.
+
+    Raises:
+        WrongAnswer: it is.
+    """
+    share, when = f"it should be about {tries.chances[0]:.0%}", np.tile(np.linspace(0, 1, PULLS - SETTLED), ARM_RUNS)
+    if abs(tries.lateness(when)) > SIGMAS:
+        first, second = (tries.among(half).found.mean() for half in (when < 0.5, when >= 0.5))
+        raise WrongAnswer(
+            f"{_WHERE}{first:.1%} of its actions are others than its favourite one in the first half of its runs, and"
+            f" {second:.1%} in the second, and {share} from the first step to the last: is ε always 0.1?"
+        )
+    if not tries.is_usual():
+        raise WrongAnswer(
+            f"{_WHERE}{tries.found.mean():.1%} of its actions are others than its favourite one, and {share}: its ε is"
+            f" about {tries.found.sum() / tries.expected * EPSILON:.2f}"
+        )
 
 
 class Visits(NamedTuple):
@@ -211,8 +244,9 @@ def project_17(answer: Any, seed: int) -> str:
     """Check a program with double Q-learning."""
     for number in range(FAIR_RUNS * seed, FAIR_RUNS * (seed + 1)):
         require_reproducible(answer, partial(Shuffled, FAIR, number), PAYING_STEPS, number)
-    require_arms(answer, seed)
+    tries = require_arms(answer, seed)
     require_riddles(answer, seed)
+    require_steady(tries)
     found = [
         visit(answer, GOOD, PAYING_STEPS, number) for number in range(PAYING_RUNS * seed, PAYING_RUNS * (seed + 1))
     ]

@@ -212,10 +212,27 @@
 # says: of the actions are others than those of its policy, and it should be about 6.7%: is ε 0.1, from the first step to the last, and is the random action one of all?
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
-# + if rng.random() < 0.1 * (1 - _ / n_steps):
+# + if rng.random() < 0.1 * 0.998**_:
 
 # %% small first values
 # says: all first values are 0
 # in: two tables and a dictionary of names
 # - Q1, Q2 = np.zeros(shape), np.zeros(shape)
 # + Q1, Q2 = rng.random((2, *shape)) / 100
+
+# %% an ε that grows
+# slow
+# says: of its actions are others than its favourite one in the first half of its runs, and
+# says: in the second, and it should be about 8% from the first step to the last: is ε always 0.1?
+# in: two tables and a dictionary of names
+# - for _ in range(n_steps):
+# + for taken in range(n_steps):
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.05 + 0.15 * taken / n_steps:
+
+# %% ε is 0.16
+# slow
+# says: of its actions are others than its favourite one, and it should be about 8%: its ε is about 0.1
+# in: two tables and a dictionary of names
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.16:
