@@ -18,11 +18,12 @@ import numpy as np
 import edugym
 import edugym.objectives
 from edugym.adapters.fitting import fitted
-from edugym.checks.contract import LEARN_PARAMETERS, actor, contract_of, tables_of
+from edugym.checks.contract import LEARN_PARAMETERS, contract_of, tables_of
 from edugym.checks.values import deep_copy
 from edugym.compiled.javascript import program as javascript
 from edugym.compiled.javascript.libraries import LIBM
 from edugym.mdp.task import Task, table_size, task_of
+from edugym.training.evaluated import actor
 
 FILE = "<ipython-page>"
 """Like a cell of a notebook: messages name its lines without it."""

@@ -25,7 +25,7 @@ import kernels
 import numpy as np
 from offers import Agent, Race, View
 from places import MAPS
-from races import RACES
+from races import BOULDER, RACES
 from scenery import scenery, table
 from scipy import stats
 from vectors import informed
@@ -87,9 +87,25 @@ def build(folder: Path, races: Sequence[Race] = RACES, jobs: int = 2) -> None:
     whole = {"seeds": random_streams(), "several": intervals(), "races": list(map(menu, races)), "editor": sizes}
     _write(data / "playground.json", whole)
     _write(data / "sources.json", sources(races))
+    page = (PAGE / "index.html").read_text(encoding="utf-8").replace("<!-- preloads -->", preloads())
+    page = page.replace("<!-- first -->", f"{BOULDER.environment}-{BOULDER.strength.first}")
+    (folder / "index.html").write_text(page, encoding="utf-8")
     for race in races:
         for k in range(len(race.strength.values)):
             _write(data / f"{race.environment}-{k}.json", task(race, k, made))
+
+
+def preloads(folder: str = "") -> str:
+    """Links by which a browser asks at once for all scripts of the page, which import one another.
+
+    Args:
+        folder: of the playground, seen from the page that gets the links, such as "playground/".
+    """
+    names = ["page.js"]
+    for name in names:  # which grows meanwhile
+        imported = re.findall(r"^import .* from '\./(.*)'$", (PAGE / name).read_text(encoding="utf-8"), re.MULTILINE)
+        names += [other for other in dict.fromkeys(imported) if other not in names]
+    return "\n".join(f'<link rel="modulepreload" href="{folder}{name}">' for name in names)
 
 
 def _write(file: Path, data: Any) -> None:

@@ -71,6 +71,7 @@ def sources(with_lite: bool = False) -> dict[str, bytes]:
         link = f"| [{name}](/{agent_pages.place(kind)}.md) |"
         texts["agents/index"] = texts["agents/index"].replace(f"\n| {name} |", f"\n{link}")
     texts["index"] = texts["index"].replace("<!-- gallery -->", _gallery())
+    texts["index"] = texts["index"].replace("<!-- preloads -->", playground.preloads("playground/"))
     texts["students"] = texts["students"].replace("<!-- lite -->", LITE if with_lite else NO_LITE)
     texts["survey"] = texts["survey"].replace("<!-- form -->", form(lessons))
     for folder, pages in _children(texts, lessons).items():

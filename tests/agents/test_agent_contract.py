@@ -29,6 +29,7 @@ from edugym.agents.settings import settings_of
 from edugym.agents.traces import Replacing
 from edugym.checks.contract import is_on_policy, learner
 from edugym.mdp.protocol import Random
+from edugym.training.evaluated import actor
 from tests.agents.cases import AGENTS, CASES, STRATEGIES, Case, lasting, package_classes, same
 
 KINDS = {case.kind: case for case in reversed(AGENTS.values())}
@@ -240,6 +241,7 @@ def test_greedy_takes_the_best_and_never_explores(case: Case) -> None:
     agent, rng = case.create((2, 3)), np.random.default_rng(0)
     if "exploration" in agent._fields:
         agent = agent._replace(exploration=EpsilonGreedy(1.0))
+    evaluated = actor(agent)
     for table in tables(agent):
         if case.vectors and table.ndim > 1 and table.dtype == np.float64:
             table[...] = rng.normal(size=table.shape)
@@ -247,7 +249,7 @@ def test_greedy_takes_the_best_and_never_explores(case: Case) -> None:
             table[...] = [[1.0, 3.0, 2.0], [6.0, 4.0, 5.0]]
     for state, best in enumerate((1, 0)):
         seen = np.eye(2)[state] if case.vectors else state
-        chosen = {agent.greedy(seen, rng) for _ in range(40)}
+        chosen = {policy(seen, rng) for policy in (agent.greedy, evaluated.act) for _ in range(40)}
         assert chosen == {int(agent.Q[0].argmax()) if case.vectors else best}
 
 

@@ -10,10 +10,11 @@ from gymnasium import spaces
 from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import Entry, make_mdp
 from edugym.agents.q_learning import QLearning
-from edugym.checks.contract import GreedyActor, learner
+from edugym.checks.contract import learner
 from edugym.checks.interfaces import step_limit
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
+from edugym.training.evaluated import GreedyActor
 from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
 from edugym.training.trainers import new_log
 from tests.contract.parameters import Keywords

@@ -269,5 +269,14 @@ def test_the_first_race_is_small(address: str) -> None:
     first = next(race for race in menu["races"] if race["name"] == BOULDER.environment)
     kernels = [f"kernels/{agent['kernel']}.wasm" for agent in first["agents"][:3]]
     scripts = [file.name for file in playground.PAGE.iterdir()]
-    needed = [*scripts, "data/playground.json", f"data/Boulder-{first['strength']['first']}.json", *kernels]
-    assert sum(map(size, needed)) < 100_000
+    data = ["data/playground.json", f"data/Boulder-{first['strength']['first']}.json"]
+    assert sum(map(size, [*scripts, *data, *kernels])) < 100_000
+    page = urllib.request.urlopen(f"{address}index.html").read().decode()
+    asked = re.findall(r'href[=:] ?"([\w/-]+\.js(?:on)?)"', page)  # before any script runs
+    assert {*asked} >= {
+        "page.js",
+        "lane.js",
+        "power.js",
+        *data,
+    }  # power.js is imported by kernel.js, and that by play.js
+    assert all(map(size, asked))

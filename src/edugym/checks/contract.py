@@ -12,7 +12,6 @@ import numpy as np
 
 from edugym.checks.interfaces import a_class, require_method
 from edugym.checks.parameters import coerced, in_short
-from edugym.checks.values import deep_copy
 from edugym.system.generated import generated_class
 from edugym.system.packages import is_own
 
@@ -187,20 +186,6 @@ def _require_tables(agent: Any, own: bool) -> None:
             raise ValueError(f"{name} of {kind} must hold numbers, but {name}{list(where)} is nan")
 
 
-class GreedyActor(NamedTuple):
-    """The policy of an agent in evaluation: always its greedy action."""
-
-    agent: Any
-
-    def act(self, state: Any, rng: Any) -> Any:
-        """The agent's greedy action."""
-        return self.agent.greedy(state, rng)
-
-    def act_into(self, state: Any, rng: Any, action: Any) -> None:
-        """Write the agent's greedy action into the array `action` (for agents whose actions are vectors)."""
-        self.agent.greedy_into(state, rng, action)
-
-
 def learner(agent: Any, passed: tuple[str, ...] = LEARN_PARAMETERS) -> Any:
     """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
 
@@ -242,14 +227,3 @@ def forget_episode(agent: Any) -> None:
     """Tell an agent that a run begins, so that it drops what it remembers of an unfinished episode (see `Agent`)."""
     if hasattr(agent, "forget_episode"):
         agent.forget_episode()
-
-
-def actor(agent: Any) -> Any:
-    """The policy of an agent in evaluation: `greedy` if the agent has it, else `act` of a copy.
-
-    (`act` may change the agent, for example count a step of a schedule. Evaluation must not change it.)
-    """
-    contract = contract_of(agent)
-    if contract.has_greedy:
-        return GreedyActor(contract.agent)
-    return deep_copy(contract.agent, "evaluation acts by a copy: give it a method greedy(self, state, rng)")

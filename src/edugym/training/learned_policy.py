@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from edugym.checks.agents import checked_agent
-from edugym.checks.contract import Contract, actor
+from edugym.checks.contract import Contract
 from edugym.checks.parameters import whole_number
 from edugym.compiled.execution import executable
 from edugym.mdp.against import against
@@ -13,6 +13,7 @@ from edugym.mdp.markov_game import table_shape
 from edugym.mdp.player_policies import checked_policy, uniform_policy
 from edugym.mdp.protocol import Reals
 from edugym.system.interrupts import deferring_signals
+from edugym.training.evaluated import actor
 from edugym.training.game_loops import count_actions
 from edugym.training.player_contract import player_contract
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from edugym.adapters.fitting import tabular
 from edugym.checks.agents import checked_agent
-from edugym.checks.contract import FOR_OBJECTIVES, Contract, actor, contract_of, forget_episode, learner, tables_of
+from edugym.checks.contract import FOR_OBJECTIVES, Contract, contract_of, forget_episode, learner, tables_of
 from edugym.checks.interfaces import NAMED, class_name
 from edugym.checks.mdps import checked_mdp
 from edugym.checks.parameters import number_of_steps, whole_number
@@ -21,6 +21,7 @@ from edugym.mdp.task import table_size
 from edugym.system.interrupts import Interrupted
 from edugym.system.memory import require_memory
 from edugym.system.packages import is_own
+from edugym.training.evaluated import actor
 from edugym.training.steps import take_steps
 from edugym.training.trainers import EVALUATION_LIMIT, NO_LIMIT, Chunk, streams
 from edugym.training.vector_loops import Episodes, off_policy, play_episodes, start

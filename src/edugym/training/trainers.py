@@ -16,7 +16,7 @@ from edugym.adapters.double_buffer import DoubleBuffer
 from edugym.adapters.fitting import fitted
 from edugym.checks.afterwards import before_training, warnings_after
 from edugym.checks.agents import checked_agent
-from edugym.checks.contract import Contract, actor, contract_of, forget_episode, learner
+from edugym.checks.contract import Contract, contract_of, forget_episode, learner
 from edugym.checks.envs import checked_env
 from edugym.checks.mdps import CHECKED_STEPS, checked_mdp
 from edugym.checks.values import deep_copy
@@ -25,6 +25,7 @@ from edugym.mdp.guards import GUARDS, guarded
 from edugym.mdp.task import Task, task_of
 from edugym.system.interrupts import deferring_signals
 from edugym.training import gymnasium_loops, loops
+from edugym.training.evaluated import actor
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 from edugym.training.run import Run

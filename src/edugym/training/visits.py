@@ -4,11 +4,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks.contract import FOR_OBJECTIVES, LEARN_PARAMETERS, actor, contract_of, forget_episode, learner
+from edugym.checks.contract import FOR_OBJECTIVES, LEARN_PARAMETERS, contract_of, forget_episode, learner
 from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.task import table_size
 from edugym.system.memory import require_memory
+from edugym.training.evaluated import actor
 
 MOST_INTERVALS = 1_000_000
 
