@@ -16,7 +16,7 @@ TRAINED = {
     "goals": 6, "objectives": 0,
 }  # fmt: skip
 """By lesson, the number of different pairs of a task and an agent that is trained on it."""
-COMPILE_LONG = {"dimensionality", "memory", "signal", "continuous_actions", "model_based", "goals"}
+COMPILE_LONG = {"dimensionality", "memory", "signal", "continuous_actions", "model_based", "goals", "objectives"}
 
 
 def kind(value: Any) -> str:
