@@ -2,6 +2,7 @@
 """Students' programs as JavaScript, in Node.js: the same bits as in Python, or interpreted with a sentence."""
 
 import ast
+import linecache
 import traceback
 import warnings
 from collections.abc import Iterator
@@ -16,6 +17,7 @@ from edugym.compiled import execution
 from edugym.compiled.javascript import operations
 from edugym.compiled.javascript import program as javascript
 from edugym.compiled.javascript.kinds import Untranslatable
+from edugym.compiled.javascript.sources import source_of
 from tests.compiled.cells import LEARNER, WALK, cell
 from tests.compiled.javascript_engine import NODE, Node
 from tests.compiled.late_programs import bits, method_program, outcome, task_program
@@ -101,9 +103,37 @@ TRAPS = {
     "sums beyond 32 bits": program(
         "n = 700_000_000\nself.N[0] += n\nself.N[1] -= n\nself.N[2] += 3_000_000_000\n"
         "return s + 1 + self.N[0] * 1e-9 + self.N[1] * 1e-9 + self.N[2] * 1e-10", **AB),
+    "private names": program(
+        "__y = 0.5 * s\nreturn __y + __g + self.__K + self.__h(s)", before="__g, _T__g = 0.5, 1.5", more="__K = 0.25\ndef __h(self, s): return s * 0.125"),
+    "roots and squares of an array": program(
+        "self.Q[:] = (self.Q + rng.random()) ** 0.5\nself.Q[:] = (self.Q ** 2.0 + self.Q ** 1.0) % 1.0\nreturn 0.5 * s + self.Q[3, 1]", **Q),
     "two rows at once": program("self.Q[0], self.Q[1] = self.Q[1] + 1, self.Q[0] * 0.5\nreturn (s + self.Q[0, 1]) % 50", **Q),
 }  # fmt: skip
 """Programs in which JavaScript, left to itself, would do something else."""
+
+LEFT = {
+    "abs(s, 2)": "it uses abs like this",
+    "bool(s, 2)": "it uses bool like this",
+    "divmod(s)[0]": "it uses divmod like this",
+    "float(s, 2)": "it uses float like this",
+    "int('12', 8)": "it uses int like this",
+    "sorted([s], key=abs)[0]": "it uses sorted like this",
+    "math.floor(s, 2)": "it gives math.floor 2 numbers",
+    "math.sqrt()": "it gives math.sqrt 0 numbers",
+    "math.log(s, 2)": "it gives math.log 2 numbers",
+    "math.hypot(s, 3.0, 4.0)": "it gives math.hypot 3 numbers",
+    "np.exp(s, 2.0)": "it uses np.exp like this",
+    "rng.random(3)[1]": "rng.random is translated only for one draw",
+    "(f := s)": "it has a :=",
+    "(s, 1.0, 2.0)[1:][0]": "it takes several parts of a tuple at once",
+    "(np.eye(2) @ np.ones(2))[0]": "it uses np.eye like this",
+    "(self.Q @ np.ones(2))[0]": "it multiplies matrices",
+    "(self.Q ** -1)[0, 0]": "a power for which NumPy may know a shorter way",
+    "half(s)": "it calls a lambda: write the function with def",
+    "(s == I.A)": "it compares a real number with I.A, a member of an enum",
+}
+"""What is reached late, if at all, and is left to Python, and what is said of it."""
+BEFORE_LEFT = "half = lambda x: 0.5 * x\nclass I(enum.IntEnum):\n    A = 3"
 
 
 @pytest.fixture(scope="module")
@@ -151,6 +181,39 @@ def test_traps(node: Node) -> None:
     """Nothing is silently different. What is in doubt at every step, or refused, has a sentence."""
     in_doubt = {"products modulo beyond", "part of a tuple", "the largest zero", "nan in tuples", "four dimensions"}
     assert check(TRAPS, node).keys() == in_doubt
+
+
+def test_what_is_left_to_python(node: Node) -> None:
+    """Late calls with other arguments than Python takes are errors there; the sentence names what JavaScript lacks."""
+    sources = {late: program(f"return s + 1 if s < 700 else s + {late}", before=BEFORE_LEFT, **Q) for late in LEFT}
+    for name, said in check(sources, node).items():
+        assert LEFT[name] in said, (name, said)
+        assert "line" in said
+
+
+ONLY_READ = np.zeros(2)
+ONLY_READ.flags.writeable = False
+
+
+@pytest.mark.parametrize(
+    ("values", "word"),
+    [(np.zeros(()), "without dimensions"), (ONLY_READ, "may only be read"), (np.zeros(2, ">f8"), "memory")],
+    ids=["no axis", "read only", "other bytes"],
+)
+def test_other_memory(values: Any, word: str, node: Node) -> None:
+    """JavaScript would read other numbers there, or write where nothing may be written."""
+    with pytest.raises(Untranslatable, match=word):
+        javascript.translated(added_up, (values,), node)
+
+
+def test_another_text() -> None:
+    """A text that has changed since, be it in a constant only, is not that of the code that runs."""
+    function = type(cell(COMPILED["plain"])["thing"]).f
+    name = function.__code__.co_filename
+    lines = [line.replace("0.5 * s", "0.7 * s") for line in linecache.getlines(name)]
+    linecache.cache[name] = 0, None, lines, name
+    with pytest.raises(Untranslatable, match="the text of f is not there"):
+        source_of(function)
 
 
 def test_what_ends_or_surprises(node: Node) -> None:

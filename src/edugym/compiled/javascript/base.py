@@ -6,6 +6,7 @@ from types import FunctionType
 from typing import Any
 
 from edugym.compiled.byte_code import place
+from edugym.compiled.code import is_foreign
 from edugym.compiled.javascript.kinds import (
     BOOL,
     INT,
@@ -45,6 +46,8 @@ class Base:
         """Returns the error that says what was found, and in which line of the student's code."""
         code = self.function.__code__
         line = getattr(node, "lineno", None) or code.co_firstlineno
+        if not is_foreign(self.function):  # a student does not know the package's lines
+            return Untranslatable(found)
         return Untranslatable(f"{found} ({place(code.co_filename, line)})")
 
     def joined(self, node: ast.AST, one: Kind, other: Kind) -> Kind:
@@ -129,5 +132,6 @@ def _named(node: ast.AST) -> str:
         "Set": "a set",
         "JoinedStr": "text",
         "GeneratorExp": "a for in a call",
+        "NamedExpr": "a :=",
     }
     return names.get(type(node).__name__, f"a {type(node).__name__}")

@@ -39,6 +39,10 @@ NUMPY_FUNCTIONS: frozenset[Any] = frozenset(value for value in vars(np).values()
 """The functions of NumPy that are written in Python."""
 
 
+OF_ALL = (list, tuple, sum, max, min, any, all, sorted, len)
+"""Functions of one list, tuple, array or range."""
+
+
 def call(writer: Iterations, node: ast.Call) -> Code:
     """Writes a call.
 
@@ -61,11 +65,7 @@ def call(writer: Iterations, node: ast.Call) -> Code:
     first = node.args[0].value if node.args and isinstance(node.args[0], ast.Constant) else None
     if called.value is float and isinstance(first, str):
         return writer.constant(node, float(first), "float")
-    if (
-        called.value in (list, tuple, sum, max, min, any, all, sorted, len)
-        and len(node.args) == 1
-        and not node.keywords
-    ):
+    if called.value in OF_ALL and len(node.args) == 1 and not node.keywords:
         return _of_all(writer, node, called.value)
     given, named = [writer.visit(one) for one in node.args], _named(writer, node)
     return _function(writer, node, called.value, given, named)
@@ -82,7 +82,7 @@ def _function(writer: Operations, node: ast.Call, called: Any, given: Given, nam
         return _new(writer, node, called, given, named)
     name = ast.unparse(node.func)
     table = BUILTINS.get(called) if _hashable(called) else None
-    if table is not None and not named:
+    if table is not None and not named and len(given) in GIVEN.get(called, (len(given),)):
         made = table(writer, node, given)
         if made is not None:
             return made
@@ -94,7 +94,8 @@ def _function(writer: Operations, node: ast.Call, called: Any, given: Given, nam
         made = of_numpy(writer, node, AS_NUMPY.get(in_numpy, in_numpy), given, named)
         if made is not None:
             return made
-    raise writer.refused(node, f"it uses {name}{' like this' if table or in_math or in_numpy else ''}")
+    elsewhere = table or in_math or in_numpy or called in (*OF_ALL, range, enumerate, zip)
+    raise writer.refused(node, f"it uses {name}{' like this' if elsewhere else ''}")
 
 
 def _hashable(value: Any) -> bool:
@@ -259,6 +260,14 @@ BUILTINS: dict[Any, Callable[[Operations, ast.AST, Given], Code | None]] = {
     wholeness: _wholeness,
 }
 """What writes calls of functions whose arguments are single values; it gives None if there is no translation."""
+
+
+GIVEN: dict[Any, tuple[int, ...]] = {
+    **dict.fromkeys((int, np.int64, float, np.float64, bool), (0, 1)),
+    **dict.fromkeys((abs, np.abs, wholeness), (1,)),
+    divmod: (2,),
+}
+"""How many arguments some of them take; the others see for themselves."""
 
 
 def _of_all(writer: Iterations, node: ast.Call, called: Any) -> Code:

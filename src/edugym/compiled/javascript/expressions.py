@@ -201,6 +201,8 @@ class Expressions(Iterations):
         raise self.refused(node, f"it takes a part of {described(kind)}")
 
     def _part_of_tuple(self, node: ast.AST, owner: Code, kind: Tuple, index: ast.expr) -> Code:
+        if isinstance(index, ast.Slice):
+            raise self.refused(node, "it takes several parts of a tuple at once")
         known = _literal(index)
         if known is not None and -len(kind.parts) <= known < len(kind.parts):
             return self.field(owner, known % len(kind.parts))

@@ -125,11 +125,15 @@ def kind_of(value: Any, name: str) -> Kind:
         parts = zip(tuple.__iter__(value), fields, strict=True)
         return Tuple(
             type(value) if hasattr(value, "_fields") else None,
-            tuple(kind_of(part, f"{name}.{field}") for part, field in parts),
+            tuple(kind_of(part, _part_name(value, name, field)) for part, field in parts),
         )
     if isinstance(value, np.ndarray) and value.dtype.name in DTYPES:
-        if value.ndim == 0 or not value.flags.aligned or not value.flags.writeable:
-            raise Untranslatable(f"{name} is an array without dimensions, or one that is only to be read")
+        if value.ndim == 0:
+            raise Untranslatable(f"{name} is an array without dimensions: give it one, as in np.zeros(1)")
+        if not value.flags.writeable:
+            raise Untranslatable(f"{name} is an array that may only be read: use a copy of it")
+        if not value.flags.aligned or not value.dtype.isnative:
+            raise Untranslatable(f"{name} is an array whose memory is not as NumPy makes it: use a copy of it")
         return Array(DTYPES[value.dtype.name], value.ndim)
     if isinstance(value, np.random.Generator):
         if not isinstance(value.bit_generator, np.random.PCG64):
@@ -141,6 +145,11 @@ def kind_of(value: Any, name: str) -> Kind:
         return Static(value)
     what = f"an array of {value.dtype.name}" if isinstance(value, np.ndarray) else f"a {type(value).__name__}"
     raise Untranslatable(f"{name} is {what}")
+
+
+def _part_name(value: Any, name: str, field: Any) -> str:
+    """Returns what a message calls a part of a tuple."""
+    return f"the field {field} of {type(value).__name__}" if hasattr(value, "_fields") else f"{name}[{field}]"
 
 
 def frozen(kind: Kind) -> Kind:
@@ -186,6 +195,8 @@ def described(kind: Kind) -> str:
     if isinstance(kind, List):
         return "a list"
     if isinstance(kind, Static):
+        if isinstance(kind.value, Enum):
+            return f"{type(kind.value).__name__}.{kind.value.name}, a member of an enum"
         return "a text" if isinstance(kind.value, str) else f"{getattr(kind.value, '__name__', kind.value)}"
     return {
         INT: "a whole number",

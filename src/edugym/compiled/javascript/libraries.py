@@ -55,6 +55,8 @@ LIBM = frozenset(
     ]
 )
 """The functions of the library of mathematics."""
+OF_TWO = frozenset(["atan2", "copysign", "hypot", "pow"])
+"""Those of two numbers; `math.log` with a base, and `math.hypot` of three, are left to Python."""
 OF_NUMPY = {"arccos": "acos", "arcsin": "asin", "arctan": "atan", "arctan2": "atan2", "power": "pow"}
 """NumPy's own names for some of them."""
 AS_NUMPY = {"absolute": "abs", "amax": "max", "amin": "min", "bool_": "bool"}
@@ -66,6 +68,8 @@ AS_NUMPY = {"absolute": "abs", "amax": "max", "amin": "min", "bool_": "bool"}
 
 def of_math(writer: Operations, node: ast.AST, name: str, given: Given) -> Code:
     """Writes a call of a function of `math`."""
+    if len(given) != (2 if name in OF_TWO else 1):
+        raise writer.refused(node, f"it gives math.{name} {len(given)} numbers")
     if not all(one.kind in NUMBERS or one.kind in (BOOL, NEVER) for one in given):
         raise writer.refused(node, f"it calls math.{name} with {described(given[0].kind)}")
     texts = [f"(+{one.text})" for one in given]
@@ -188,9 +192,9 @@ def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: 
 
 
 def _elementwise_libm(writer: Operations, node: ast.AST, name: str, given: Given) -> Code | None:
-    if all(one.kind in NUMBERS for one in given):
+    if len(given) == (2 if name in OF_TWO else 1) and all(one.kind in NUMBERS for one in given):
         return Code(writer.libm(node, name, *(one.text for one in given)), FLOAT)
-    if len(given) == 1 and isinstance(given[0].kind, Array):
+    if len(given) == 1 and name not in OF_TWO and isinstance(given[0].kind, Array):
         return Code(f"mapped(Real,x=>{writer.libm(node, name, 'x')},{given[0].text})", Array(FLOAT, given[0].kind.ndim))
     return None
 
@@ -243,12 +247,12 @@ def draw(writer: Operations, node: ast.AST, rng: str, name: str, given: Given, n
     """Writes a draw; in JavaScript, `rng` is the place of the generator's state."""
     if name == "random" and not given and not named:
         return Code(f"draw.next_double({rng})", FLOAT)
-    if name not in PARAMETERS:
+    if name not in PARAMETERS and name != "random":
         known = ", ".join(f"rng.{one}" for one in ("random", *PARAMETERS))
         raise writer.refused(node, f"it draws with rng.{name}; JavaScript knows {known}")
-    names = PARAMETERS[name]
+    names = PARAMETERS.get(name, {})
     made = None
-    if len(given) <= len(names) and list(named) == [one for one in names if one in named]:
+    if names and len(given) <= len(names) and list(named) == [one for one in names if one in named]:
         told = dict(zip(names, given, strict=False)) | named
         if name in ("integers", "choice"):
             made = (_integers if name == "integers" else _choice)(writer, node, rng, told)

@@ -45,6 +45,8 @@ REAL: dict[type, str] = {
     ast.Mod: "modulo({},{})",
 }
 """Operations on whole and on real numbers."""
+POWERS = {"1": "x=>x", "1.0": "x=>x", "2": "x=>x*x", "2.0": "x=>x*x", "0.5": "root"}
+"""What NumPy does for an array to one of these powers, which is more exact than a power."""
 FLAGS: dict[type, str] = {ast.BitAnd: "&&", ast.BitOr: "||", ast.BitXor: "!=="}
 SIGNS: dict[type, str] = {
     ast.Lt: "<",
@@ -152,6 +154,8 @@ class Operations(Base):
 
     def of_arrays(self, node: ast.AST, operation: type, left: Code, right: Code) -> Code:
         """Writes an operation on the elements of arrays."""
+        if operation is ast.MatMult:
+            raise self.refused(node, "it multiplies matrices")
         ndim = max((kind.ndim for kind in (left.kind, right.kind) if isinstance(kind, Array)), default=0)
         elements = [kind.of if isinstance(kind, Array) else kind for kind in (left.kind, right.kind)]
         if isinstance(left.kind, List | Tuple) or isinstance(right.kind, List | Tuple):
@@ -161,8 +165,11 @@ class Operations(Base):
             raise self.refused(
                 node, "it computes with an array and a number that is whole in one place and real in another"
             )
-        if operation is ast.Pow and elements[0] == FLOAT and right.text == "2":
-            return Code(f"mapped(Real,x=>x*x,{left.text})", Array(FLOAT, ndim))
+        if operation is ast.Pow and FLOAT in elements and not isinstance(right.kind, Array):
+            if elements[0] == FLOAT and right.text in POWERS:
+                return Code(f"mapped(Real,{POWERS[right.text]},{left.text})", Array(FLOAT, ndim))
+            if elements[0] != FLOAT or not right.text.replace(".", "").isdigit():
+                raise self.refused(node, "it raises an array to a power for which NumPy may know a shorter way")
         held = len(self.temporary)
         one = self.operation(node, operation, Code("x", elements[0]), Code("y", elements[1]))
         if str(one.kind) not in ARRAYS:

@@ -184,7 +184,7 @@ class Program(Known):
         else:
             raise Untranslatable("the types of its variables are not to be found out")
         self.given, self.carries, self._result = given, carries, result
-        _require_plain(result, "what the loop carries from step to step")
+        _require_plain(result, "what goes from step to step (state, observation, action)")
         self.text = self._whole(main)
 
     def begin_pass(self) -> None:

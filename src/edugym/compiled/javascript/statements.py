@@ -58,7 +58,7 @@ class Writer(Expressions):
             try:
                 self.known.note((self.key, target.id), value.kind)
             except Untranslatable as error:
-                raise self.refused(node, str(error)) from error
+                raise self.refused(node, str(error).replace("one name", target.id)) from error
             self.assigned.add(target.id)
             return f"${target.id}={value.text};"
         if isinstance(target, ast.Tuple | ast.List):
@@ -79,6 +79,8 @@ class Writer(Expressions):
     def put(self, node: ast.AST, owner: Code, index: ast.expr, value: Code) -> str:
         """Writes the statement that assigns to a part of an array or a list, which a variable holds."""
         if isinstance(owner.kind, List):
+            if isinstance(index, ast.Slice):
+                raise self.refused(node, "it assigns to several places of a list at once")
             self.widen(node, owner.kind, value.kind)
             return f"putItem({owner.text},{self.index(index)},{value.text});"
         if owner.kind == NEVER:
