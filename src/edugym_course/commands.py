@@ -15,7 +15,8 @@ from edugym.experiments.checkpoints import CHECKPOINTS
 from edugym.experiments.repeat import MOST_JOBS
 from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
-from edugym.system.interrupts import INTERRUPTED, SignalGuard, call_interruptibly
+from edugym.system.interrupts import INTERRUPTED, SignalGuard
+from edugym.system.other_threads import call_interruptibly
 from edugym_course import arguments
 from edugym_course.arguments import path_of
 from edugym_course.lessons import lesson_names, load_experiments

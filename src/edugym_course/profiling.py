@@ -16,7 +16,8 @@ from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import pooled
 from edugym.experiments.profiles.tuning import tuned_profile, with_untuned
 from edugym.system.files import check_writable
-from edugym.system.interrupts import SignalGuard, call_interruptibly
+from edugym.system.interrupts import SignalGuard
+from edugym.system.other_threads import call_interruptibly
 from edugym_course import agent_profiles, arguments, one_table_rules
 from edugym_course import one_table as class_challenge
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from edugym.system import interrupts
+from edugym.system import interrupts, other_threads
 from edugym.system.interrupts import PATIENCE, Interrupted, SignalGuard, Stopped, asked_to_stop, deferring_signals
 
 
@@ -174,19 +174,19 @@ def test_an_order_first_and_then_an_interrupt() -> None:
 @pytest.mark.usefixtures("interrupting")
 def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
     """Results and errors come through, and Ctrl-C or an order to stop ends the waiting."""
-    assert interrupts.call_interruptibly(divmod, 7, 2) == (3, 1)
+    assert other_threads.call_interruptibly(divmod, 7, 2) == (3, 1)
     assert (
-        interrupts.call_interruptibly(threading.current_thread).name == "edugym-current_thread"
+        other_threads.call_interruptibly(threading.current_thread).name == "edugym-current_thread"
     )  # as a debugger shows it
     with pytest.raises(ZeroDivisionError):
-        interrupts.call_interruptibly(divmod, 7, 0)
+        other_threads.call_interruptibly(divmod, 7, 0)
     with SignalGuard():
-        assert not interrupts.call_interruptibly(threading.Event().wait, 0.05)
+        assert not other_threads.call_interruptibly(threading.Event().wait, 0.05)
     go_on, stop = threading.Event(), threading.Event()
 
     def work() -> None:
         with SignalGuard(stop):
-            interrupts.call_interruptibly(go_on.wait)
+            other_threads.call_interruptibly(go_on.wait)
 
     timer = threading.Timer(0.05, ctrl_c)
     timer.start()
@@ -213,12 +213,36 @@ def test_a_limit_counts_the_time_of_its_own_thread() -> None:
     worker = threading.Thread(target=work, args=(over,))
     worker.start()
     try:
-        assert not interrupts.call_within(0.1, idle.wait, 0.5)
+        assert not other_threads.call_within(0.1, idle.wait, 0.5)
         with pytest.raises(TimeoutError):
-            interrupts.call_within(0.1, work, idle)
+            other_threads.call_within(0.1, work, idle)
     finally:
         over.set()
         worker.join()
+
+
+class Deaf:
+    """Python ignores errors where an object is deleted."""
+
+    def __del__(self) -> None:
+        """Takes half a second."""
+        end = time.monotonic() + 0.5
+        while time.monotonic() < end:
+            pass
+
+
+@pytest.mark.filterwarnings("error::pytest.PytestUnraisableExceptionWarning")
+def test_a_limit_that_is_over_where_errors_are_ignored() -> None:
+    """The function ends all the same, and nothing is printed."""
+
+    def deaf_at_first() -> None:
+        Deaf()
+        while True:
+            pass
+
+    with pytest.raises(TimeoutError):
+        other_threads.call_within(0.1, deaf_at_first)
+    assert "edugym-deaf_at_first" not in {thread.name for thread in threading.enumerate()}
 
 
 def test_a_notebook_shows_one_line() -> None:

@@ -25,7 +25,7 @@ from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.error_messages import reason
 from edugym.compiled.numba_setup import CompilationError, numba_ready, processor, refused_error, replacements
-from edugym.system.interrupts import call_within
+from edugym.system.other_threads import call_within
 
 Function = Callable[..., Any]
 

@@ -11,7 +11,7 @@ from types import FunctionType
 from typing import Any
 
 from edugym.compiled.namedtuples import skip_check_of_scipy, teach
-from edugym.system.interrupts import call_interruptibly
+from edugym.system.other_threads import call_interruptibly
 
 _loading = threading.RLock()
 _setup_error: list[str] = []  # empty until Numba is set up; then what is wrong with this version of it, or ""

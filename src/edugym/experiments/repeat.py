@@ -24,7 +24,8 @@ from edugym.experiments.results.rows import MEASURED, Rows
 from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
 from edugym.system.files import check_writable
-from edugym.system.interrupts import Interrupted, SignalGuard, StopFlag, call_interruptibly, stop_flag
+from edugym.system.interrupts import Interrupted, SignalGuard, StopFlag, stop_flag
+from edugym.system.other_threads import call_interruptibly
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
 from edugym.training.steps import check_stop

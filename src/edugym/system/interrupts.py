@@ -11,12 +11,11 @@ Long work runs inside `with SignalGuard() as guard`, which guards it: a signal i
   return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, the wait ends. Threads still in Python get
   `Stopped` raised in them; threads in machine code poll and stop themselves.
 
-What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`call_interruptibly`).
+What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread: see `other_threads`.
 """
 
 import _thread
 import ctypes
-import math
 import os
 import signal
 import sys
@@ -32,8 +31,6 @@ from typing import Any, ParamSpec, TypeVar
 P = ParamSpec("P")
 T = TypeVar("T")
 
-HAS_THREADS = sys.platform != "emscripten"
-"""A browser's Python has none."""
 INTERRUPTED = 130
 """The exit status of a command that Ctrl-C ended, as shells expect it."""
 PATIENCE = 0.15
@@ -109,7 +106,7 @@ class SignalGuard:
         self.stop_ordered = False
         self.loop = 0
         self._stop = stop
-        self._around: SignalGuard | None = getattr(_current, "guard", None)
+        self._around = current_guard()
         self._deferring = False
         self._machine_code = False
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
@@ -202,7 +199,7 @@ class SignalGuard:
         if number == signal.SIGINT and self._tell_runs_to_stop is not None and not self.stop_ordered:
             self.stop_ordered = True
             self._tell_runs_to_stop()
-            _later(PATIENCE, self._insist)
+            later(PATIENCE, self._insist)
             return
         try:
             self._handlers[number](number, frame)
@@ -218,12 +215,12 @@ class SignalGuard:
         with _ending:
             for guard in list(_in_threads):  # others may begin meanwhile
                 if guard._stop.is_set() and not guard._machine_code:
-                    _raise_stopped(_in_threads.pop(guard))
+                    raise_in_thread(_in_threads.pop(guard))
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
         if issubclass(unraisable.exc_type, KeyboardInterrupt):
-            _later(AGAIN, self._raise_again)
+            later(AGAIN, self._raise_again)
         else:
             self._hook(unraisable)
 
@@ -233,14 +230,19 @@ class SignalGuard:
 
 
 _SIGNALS = tuple(signal.valid_signals())  # to ask for them takes as long as the rest of a guard
-_current = threading.local()  # its `guard` is the innermost guard of a thread
+_current = threading.local()
 _in_threads: dict[SignalGuard, int] = {}  # the guards of other threads than the main one, and the numbers of these
 _ending = threading.Lock()
 
 
-def _raise_stopped(ident: int) -> None:
-    """Raise `Stopped` in a thread as soon as it is in Python."""
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(Stopped))
+def current_guard() -> SignalGuard | None:
+    """The innermost guard of this thread."""
+    return getattr(_current, "guard", None)
+
+
+def raise_in_thread(ident: int, kind: type[BaseException] = Stopped) -> None:
+    """Raise an error in a thread as soon as it is in Python."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
 
 
 def _receive_stopped() -> None:
@@ -249,7 +251,9 @@ def _receive_stopped() -> None:
     Python can withdraw the error, but would then look for it for ever: all code would be slower, and traced code hangs.
     """
     with suppress(Stopped):
-        _raise_stopped(threading.get_ident())  # replaces a pending one, or adds one, so that the loop below always ends
+        raise_in_thread(
+            threading.get_ident()
+        )  # replaces a pending one, or adds one, so that the loop below always ends
         while True:
             time.sleep(0)
 
@@ -263,7 +267,7 @@ def _press_ctrl_c() -> None:
         _thread.interrupt_main()
 
 
-def _later(seconds: float, call: Callable[[], None]) -> None:
+def later(seconds: float, call: Callable[[], None]) -> None:
     """Call a function in a thread after some seconds. `Thread.start` would wait for locks, which no handler may do."""
 
     def wait() -> None:
@@ -282,7 +286,7 @@ def deferring_signals(machine_code: bool = True) -> Iterator[None]:
     Args:
         machine_code: whether the block runs machine code. If not, its signals are answered at once, as in plain Python.
     """
-    guard: SignalGuard | None = getattr(_current, "guard", None)
+    guard = current_guard()
     if guard is None:
         yield
         return
@@ -302,7 +306,7 @@ def asked_to_stop(line: int) -> bool:
     Args:
         line: of the student's loop that calls it; 0 for a loop of the package.
     """
-    guard: SignalGuard | None = getattr(_current, "guard", None)
+    guard = current_guard()
     if guard is None:
         return False
     try:
@@ -312,78 +316,6 @@ def asked_to_stop(line: int) -> bool:
     if stops:
         guard.loop = line
     return stops
-
-
-def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-    """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
-
-    The function itself goes on in its thread to its end, which the process waits for before it ends.
-
-    Raises:
-        Stopped: this thread is to stop.
-    """
-    return call_within(math.inf, function, *args, **kwargs)
-
-
-def _clock_of_this_thread() -> Callable[[], float]:
-    """The processor time of this thread from now on, for others to read; else that of the process."""
-    if hasattr(time, "pthread_getcpuclockid"):
-        clock = time.pthread_getcpuclockid(threading.get_ident())
-        began = time.clock_gettime(clock)
-        return lambda: time.clock_gettime(clock) - began
-    began = time.process_time()
-    return lambda: time.process_time() - began
-
-
-MOST_SECONDS_TO_END = 10.0
-"""How long a function that is ended is waited for."""
-
-
-def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-    """The same with a limit, in seconds of processor time: then the function is ended, once it runs Python again.
-
-    Only the time of its own thread counts, where the system can tell it: other threads may run or compile meanwhile.
-    Without threads the function is called here, and neither ends the wait.
-
-    Raises:
-        Stopped: this thread is to stop.
-        TimeoutError: it has taken longer.
-    """
-    if not HAS_THREADS:
-        return function(*args, **kwargs)
-    done = threading.Event()
-    returned: list[T] = []
-    raised: list[BaseException] = []
-    clocks: list[Callable[[], float]] = []
-    taken = 0.0
-
-    def call() -> None:
-        try:
-            clocks.append(_clock_of_this_thread())
-            returned.append(function(*args, **kwargs))
-        except BaseException as error:
-            raised.append(error)
-        finally:
-            done.set()
-
-    name = f"edugym-{getattr(function, '__name__', 'work')}"
-    thread = threading.Thread(target=call, name=name)
-    thread.start()
-    current: SignalGuard | None = getattr(_current, "guard", None)
-    while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
-        if current is not None and current.should_stop():
-            raise Stopped
-        with suppress(OSError):  # it has just ended
-            taken = clocks[0]() if clocks else taken
-        if taken > seconds:
-            ctypes.pythonapi.PyThreadState_SetAsyncExc(
-                ctypes.c_ulong(thread.ident or 0), ctypes.py_object(TimeoutError)
-            )
-            done.wait(MOST_SECONDS_TO_END)  # it may have silenced the warnings of all threads, as Numba does
-            raise TimeoutError
-    if raised:
-        raise raised.pop()
-    return returned.pop()
 
 
 @contextmanager

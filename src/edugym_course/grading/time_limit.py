@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from edugym.system.interrupts import HAS_THREADS
+from edugym.system.other_threads import HAS_THREADS
 from edugym_course.grading.errors import TooSlow
 
 LIMIT = 30.0

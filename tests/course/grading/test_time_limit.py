@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from edugym.system import interrupts
+from edugym.system import other_threads
 from edugym_course.grading import time_limit as limits
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.student_code import student_code
@@ -58,10 +58,10 @@ def test_a_browser_has_no_threads(monkeypatch: pytest.MonkeyPatch) -> None:
         raise RuntimeError("can't start new thread")
 
     monkeypatch.setattr(threading.Thread, "start", no_thread)
-    monkeypatch.setattr(interrupts, "HAS_THREADS", False)
+    monkeypatch.setattr(other_threads, "HAS_THREADS", False)
     monkeypatch.setattr(limits, "HAS_THREADS", False)
     with time_limit("act(3)"):
-        assert interrupts.call_within(1, max, 2, 3) == interrupts.call_interruptibly(max, 2, 3) == 3
+        assert other_threads.call_within(1, max, 2, 3) == other_threads.call_interruptibly(max, 2, 3) == 3
 
 
 def test_the_limit_of_all_goes_on_where_the_limit_of_a_part_is_over() -> None:

@@ -1,0 +1,103 @@
+"""Waits for a function in another thread, so that Ctrl-C or a limit of time ends the wait."""
+
+import math
+import sys
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any, ParamSpec, TypeVar
+
+from edugym.system.interrupts import AGAIN, Stopped, current_guard, later, raise_in_thread
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+HAS_THREADS = sys.platform != "emscripten"
+"""A browser's Python has none."""
+MOST_SECONDS_TO_END = 10.0
+"""How long a function that is ended is waited for."""
+
+
+def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+    """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
+
+    The function itself goes on in its thread to its end, which the process waits for before it ends.
+
+    Raises:
+        Stopped: this thread is to stop.
+    """
+    return call_within(math.inf, function, *args, **kwargs)
+
+
+def _clock_of_this_thread() -> Callable[[], float]:
+    """The processor time of this thread from now on, for others to read; else that of the process."""
+    if hasattr(time, "pthread_getcpuclockid"):
+        clock = time.pthread_getcpuclockid(threading.get_ident())
+        began = time.clock_gettime(clock)
+        return lambda: time.clock_gettime(clock) - began
+    began = time.process_time()
+    return lambda: time.process_time() - began
+
+
+def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+    """The same with a limit, in seconds of processor time: then the function is ended, once it runs Python again.
+
+    Only the time of its own thread counts, where the system can tell it: other threads may run or compile meanwhile.
+    Without threads the function is called here, and neither ends the wait.
+
+    Raises:
+        Stopped: this thread is to stop.
+        TimeoutError: it has taken longer.
+    """
+    if not HAS_THREADS:
+        return function(*args, **kwargs)
+    done = threading.Event()
+    returned: list[T] = []
+    raised: list[BaseException] = []
+    clocks: list[Callable[[], float]] = []
+    taken = 0.0
+
+    def call() -> None:
+        try:
+            clocks.append(_clock_of_this_thread())
+            returned.append(function(*args, **kwargs))
+        except BaseException as error:
+            raised.append(error)
+        finally:
+            done.set()
+
+    name = f"edugym-{getattr(function, '__name__', 'work')}"
+    thread = threading.Thread(target=call, name=name)
+    thread.start()
+    guard = current_guard()
+    while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
+        if guard is not None and guard.should_stop():
+            raise Stopped
+        with suppress(OSError):  # it has just ended
+            taken = clocks[0]() if clocks else taken
+        if taken > seconds:
+            _end(thread, done)
+            raise TimeoutError
+    if raised:
+        raise raised.pop()
+    return returned.pop()
+
+
+def _end(thread: threading.Thread, done: threading.Event) -> None:
+    """Raise `TimeoutError` in a thread, and once more if Python ignores it, as it does in a callback of LLVM."""
+
+    def send() -> None:
+        if not done.is_set():
+            raise_in_thread(thread.ident or 0, TimeoutError)
+
+    def swallowed(unraisable: Any) -> None:
+        if issubclass(unraisable.exc_type, TimeoutError):
+            later(AGAIN, send)
+        else:
+            before(unraisable)
+
+    before, sys.unraisablehook = sys.unraisablehook, swallowed
+    send()
+    done.wait(MOST_SECONDS_TO_END)  # it may have silenced the warnings of all threads, as Numba does
+    sys.unraisablehook = before
