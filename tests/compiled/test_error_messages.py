@@ -33,7 +33,9 @@ METHODS = [
     ("return range(3)[int(s)]", "Numba has no getitem(range, int)"),
     ("a = None\n        if s > 3: a = 0\n        return 1 if a else 2", "Numba has no bool(int or None)"),
     ("return s + 1 if s < 3 else (1, 2)", "values of two types, "),
-    ("a, *b = (s, 1, 2)\n        return a", "it has a statement that Numba does not know, UNPACK_EX"),
+    ("a, *b = (s, 1, 2)\n        return a", "it takes something apart with *"),
+    ("return s + A.f(self, s, rng)", "it calls f of the class A: write it as a function outside of the class"),
+    ("return s + len({1, int(s)})", "it makes a set"),
     ("return s + A.T", "it takes T from the class A: take it from a value, as in self.T"),
     ("t = (1.5, s > 3)\n        for i in range(2): s += t[i]\n        return s", "can be indexed only by a constant"),
     ("return s + rng.normal(np.zeros(2), np.ones(2))[0]", f"rng.normal {ONE_BY_ONE}"),
@@ -127,7 +129,7 @@ MESSAGES = {
         "one name stands for values of two types, int and float or None"
     ),
     "Unsupported array index type unicode_type in [unicode_type]": "an index of an array is of type str",
-    "Argument rng is not one of the expected type(s)": "rng is of a type that Numba does not take",
+    "Argument rng is not one of the expected type(s)": "a call is given something of a type that Numba does not take",
     "Cannot bind to (a, b)": OTHER_ARGUMENTS,
     "missing a required argument: 'b'": OTHER_ARGUMENTS,
     "got an unexpected keyword argument 'b'": OTHER_ARGUMENTS,
@@ -138,6 +140,24 @@ MESSAGES = {
         "Numba has no sorted(tuple, bool)"
     ),
     ">>> f(IntEnum class<int64>(Colour), Pair(int x 2), Mixed(int, float))": "Numba has no f(Colour, Pair, Mixed)",
+    "Invalid use of getiter with parameters (int64)": "it loops over a single number",
+    "Invalid use of getiter with parameters (Tuple())": "it loops over an empty tuple",
+    "Invalid use of float64 with parameters (int64)": "it calls a number as if it were a function",
+    "Invalid use of NumPyRandomGeneratorType with parameters ()": "it calls rng as if it were a function",
+    "Invalid use of BoundFunction(array.item for array(float64, 1d, C)) with parameters (int64)": (
+        "it uses an array's item like this"
+    ),
+    "Use of unsupported opcode (MATCH_SEQUENCE) found": "it has a match that takes something apart",
+    "compiler re-entrant to the same function signature": "it calls itself",
+    "Unknown attribute 'at' of type Function(<ufunc 'add'>)": "it uses at of a value of type np.add",
+    "Unknown attribute 'q' of type T(array(float64, 2d, C), int64)": "it uses q of a value of type T",
+    ">>> f(list(list(float64)<iv=None>)<iv=None>, Function(<built-in function abs>))": "Numba has no f(list, abs)",
+    "Cannot unify array(int64, 1d, C) and array(float64, 1d, A) for 'y.2', defined at a (3)": (
+        "one name stands for arrays of two types, or of other numbers of dimensions"
+    ),
+    "Cannot unify Tuple(int64) and UniTuple(int64 x 2) for 'y.2', defined at a (3)": (
+        "one name stands for values of two types of tuples, as those of other lengths are"
+    ),
     "Int value is too large: 9": "it has a whole number of more than 64 bits",
     "Illegal IR, del found at: del x": "it deletes a variable",
     "Failed in nopython mode\n- of which:\nSomething else": "Something else",

@@ -11,6 +11,9 @@ from tests.compiled.programs import program
 FIELDS = "Q: np.ndarray\n    N: np.ndarray\n    n: np.ndarray"
 VALUES = "np.zeros((9, 2)), np.arange(4), np.zeros(1, np.int64)"
 BEFORE = """G = np.zeros(2)
+class C(enum.Enum):
+    R = 1
+    G = 2
 class P(NamedTuple):
     a: np.ndarray
 p, pair, large, long = P(np.zeros(2)), (np.zeros(2), 1), np.zeros(50_000), tuple(range(500))
@@ -26,6 +29,7 @@ class W(NamedTuple):
     def minus(self): return -self.w
 """
 MORE = """M = (np.zeros(2), 1)
+A, m, kind = np.arange(4.0), np.int64(3), C.G
 def bump(self, memory=(0.5, 1)): self.M[0][0] += memory[0]
 def remember(self, memory=(np.zeros(1),)): memory[0][0] += 1"""
 
@@ -48,6 +52,7 @@ KEPT = {
     "power": late("x = pow(2, 3 + k % 3) + 3 ** (k % 5) + pow(0.5, k)"),
     "squares of whole numbers": late("x = float((self.N ** 2).sum())"),
     "what is only read": late("x = G[0] + p.a[1] + pair[0][k % 2] + self.M[0][1]"),
+    "what a class has": late("x = self.A[k % 4] + self.m + (1 if self.kind == C.G else 2)"),
     "division of whole numbers": late("x = (-7 * k) // 3 + (-7 * k) % 3 + divmod(k, 4)[0] + abs(3 - k) + -k"),
 }
 """Programs that are to compile, and to come to the same."""
@@ -75,6 +80,17 @@ REFUSED = {
         "to a function",
     ),
     "array in a class": (late("self.M[0][1] += 1"), "writes to an array"),
+    "array alone in a class": (late("self.A[1] += 1"), "writes to an array"),
+    "largest of one number": (late("x = max(x)"), "it calls max of one number"),
+    "flag as a bound of a slice": (late("x = self.Q[self.N[0] < 1:, 0][0]"), "a whole one belongs: use int()"),
+    "flag as a bound of a range": (
+        late("for j in range(0, 3, self.N[1] > 0): x += j"),
+        "a whole one belongs: use int()",
+    ),
+    "flag rounded": (late("x = round(self.N[1] > 0) + 0.5"), "True and False as if they were numbers"),
+    "keyword that exp does not take": (late("x = math.exp(x=1.0)"), "it calls exp with other arguments than it takes"),
+    "nothing for len": (late("x = len() + 0.5"), "it calls len with other arguments than it takes"),
+    "name that stands for nothing": (late("x = alpa"), "there is no alpa"),
     "array in a class, by a method": (late("self.bump()"), "writes to an array"),
     "array of a class, by another name": (late("part = self.M[0]\npart[0] += 1"), "writes to an array"),
     "array in a default": (late("self.remember()"), "a default of remember is an array"),
@@ -140,7 +156,7 @@ class Task(NamedTuple):
         self.n[0] += 1
         return NEXT
     def reward(self, s, action, next_state, rng): return REWARD
-    def terminal(self, s): return False
+    def terminal(self, s): return ENDS
     def observation(self, s, rng): return SEEN
 """
 
@@ -150,6 +166,7 @@ def task(**parts: str) -> str:
     usual = {
         "SPACE": "Discrete(6)", "ACTIONS": "Discrete(2)", "FIRST": "0", "NEXT": "(s + 1) % 6", "REWARD": "float(s)",
         "SEEN": "s", "ACT": "rng.integers(2)", "INDEX": "state", "MORE": "", "MDP": "Task(np.zeros(1, int))",
+        "ENDS": "False",
     }  # fmt: skip
     source = TASK + AGENT
     for name, text in (usual | parts).items():
@@ -163,6 +180,7 @@ BOX = {"ACTIONS": "Box(-1.0, 1.0, (1,), np.float64)", "MORE": "tabular = False"}
 AS_IT_IS = {"MORE": "tabular = False"}
 PICTURE = {"SPACE": "Box(0.0, 9.0, (2, 2))", "INDEX": "state[0, 0]"}
 PARTS = {"SPACE": "Tuple((spaces.Discrete(6), spaces.Discrete(2)))"}
+SURPRISES = "(s + 1 + (int(0 * 10 ** -int(self.n[0] % 9)) if self.n[0] > 1_000 else 0)) % 6"
 CLAMPED = {"FIRST": "0.0", "NEXT": "max(0, min(4, s + action - 0.4))"}
 TASKS = {
     "state that becomes real": (task(NEXT="s + 0.3 * action", SEEN="int(s) % 6"), "the state is made of whole numbers"),
@@ -176,6 +194,14 @@ TASKS = {
     "flag for a part of an observation": (task(**PARTS, **AS_IT_IS, SEEN="(s, s > 3)", INDEX="state[0]"), ""),
     "fraction for an action": (task(ACT="1 if not self.late() else 0.5"), "act returns a number that is whole"),
     "rewards of both types": (task(REWARD="1 if action else -0.5"), ""),
+    "no answer to whether it ends": (task(ENDS="None if LATE else False"), ""),
+    "number for whether it ends": (task(ENDS="0.5 if LATE else False"), "True or False and for numbers"),
+    "nothing for a state": (task(NEXT="None if LATE else (s + 1) % 6", SEEN="0 if s is None else s"), ""),
+    "array of one number for an action": (task(ACT="np.array(1)"), "an action is not in the action space"),
+    "reward of NaN, interpreted by then": (
+        task(NEXT=SURPRISES, REWARD="math.nan if LATE else 1.0"), "stops where Python goes on"),
+    "action beyond, interpreted by then": (
+        task(NEXT=SURPRISES, ACT="2 if self.late() else 1"), "stops where Python goes on"),
     "row beyond": (task(**PAIR, NEXT="((s[0] + 1) % 5, 1) if not LATE else (5, 0)", REWARD="1.0"), ""),
     "row that is another's": (task(**PAIR, NEXT="((s[0] + 1) % 5, 1) if not LATE else (0, 4)", REWARD="1.0"), ""),
     "row beyond, as it is": (
@@ -190,6 +216,9 @@ TASKS = {
 }  # fmt: skip
 """An MDP and an agent, and a word of the sentence that says why they are not compiled, if they are not."""
 QUICK = [
+    "no answer to whether it ends",
+    "array of one number for an action",
+    "reward of NaN, interpreted by then",
     "state that becomes real",
     "rewards of both types",
     "two actions",

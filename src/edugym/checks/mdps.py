@@ -109,7 +109,7 @@ class CheckedMDP:
     Args:
         mdp: the task.
         steps: for how many transitions everything is checked, also that no method changes a state or draws from global
-            streams. Later only rewards and observations are checked, which takes less time.
+            streams. Later only what the methods return is checked, which takes less time.
     """
 
     def __init__(self, mdp: Any, steps: float = CHECKED_STEPS) -> None:
@@ -135,8 +135,8 @@ class CheckedMDP:
             ValueError: it is None, or the state was changed.
         """
         self._left -= 1
-        if self._left < 0:  # from here on without a detour: these two would only cost time
-            vars(self).update(transition=self._mdp.transition, terminal=self._mdp.terminal)
+        if self._left < 0:  # from here on without a detour; `reward` sees whether it is None
+            vars(self).update(transition=self._mdp.transition)
             return self._mdp.transition(state, action, rng)
         next_state = self._unchanging("transition", (state,), action, rng)
         if next_state is None:
@@ -149,6 +149,8 @@ class CheckedMDP:
         Raises:
             ValueError: it is no finite number, or a state was changed.
         """
+        if next_state is None:
+            refuse_nothing(self._mdp, state, action, next_state)
         if self._left < 0:
             reward = self._mdp.reward(state, action, next_state, rng)
         else:
@@ -163,8 +165,8 @@ class CheckedMDP:
         Raises:
             ValueError: the answer is neither True nor False, or the state was changed.
         """
-        terminated = self._unchanging("terminal", (state,))
-        if not isinstance(terminated, bool | np.bool_ | int | np.integer):
+        terminated = self._mdp.terminal(state) if self._left < 0 else self._unchanging("terminal", (state,))
+        if type(terminated) is not bool and not isinstance(terminated, np.bool_ | int | np.integer):
             raise ValueError(_sentence(self._mdp, "terminal", terminated, "True or False", state))
         return terminated
 

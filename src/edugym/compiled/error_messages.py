@@ -3,6 +3,7 @@
 import inspect
 import re
 from pathlib import Path
+from types import FunctionType
 
 from edugym.compiled.byte_code import place
 from edugym.compiled.code import Code
@@ -12,7 +13,7 @@ MAX_LENGTH = 150
 MESSAGES = (
     (
         r"Cannot modify readonly array of type.*",
-        "it writes to an array that is no field, of which machine code has a copy: pass it as a field",
+        "it writes to an array that is no field, or that may only be read: pass it, or a copy of it, as a field",
     ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (
@@ -43,19 +44,27 @@ MESSAGES = (
         r">>> rng.choice\(.*",
         "rng.choice is compiled only for one draw, as rng.choice(n) or rng.choice(values), with p or without",
     ),
-    (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
+    (r"Argument \w+ is not one of the expected type.*", "a call is given something of a type that Numba does not take"),
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
     (
         r"Type of variable .* cannot be determined.*",
         "Numba cannot tell the type of a value (as after := and case)",
     ),
     (r"Cannot cast (.+) to (\S+): .*", r"it computes with \1 as if it were \2: write .value"),
+    (r"Invalid use of getiter with parameters \((Literal\[)?(int|float|bool)\S*\)", "it loops over a single number"),
+    (r"Invalid use of getiter with parameters \(Tuple\(\)\)", "it loops over an empty tuple"),
     (r"Invalid use of getiter with parameters \((.+)\)", r"it loops over values of several types, \1"),
+    (r"Invalid use of (int|float|bool)\w* with parameters .*", "it calls a number as if it were a function"),
+    (r"Invalid use of NumPyRandomGeneratorType with parameters .*", "it calls rng as if it were a function"),
+    (r"Invalid use of BoundFunction\(array\.(\w+) for .*", r"it uses an array's \1 like this"),
     (r"Invalid use of (.+) with parameters \((.*)\)", r"Numba cannot call \1 with \2"),
     (
         r">>> setitem\(array\(.*\), .*, Tuple\(.*\)\)",
         "it puts values of several types in an array at once: put them there one by one",
     ),
+    (r"Use of unsupported opcode \(UNPACK_EX\).*", "it takes something apart with *"),
+    (r"Use of unsupported opcode \(MATCH_\w+\).*", "it has a match that takes something apart"),
+    (r"compiler re-entrant to the same function signature.*", "it calls itself"),
     (r"Use of unsupported opcode \((\w+)\).*", r"it has a statement that Numba does not know, \1"),
     (
         r">>> getitem\(Tuple\(.*\), u?int64\)",
@@ -79,16 +88,21 @@ TYPES = (
     (r"Literal\[(\w+)\]\([^)]*\)", r"\1"),
     (r"OptionalType\((\w+)\)", r"\1 or None"),
     (r"Function\(<class '(\w+)'>\)", r"\1"),
+    (r"Function\(<ufunc '(\w+)'>\)", r"np.\1"),
+    (r"Function\(<built-in function (\w+)>\)", r"\1"),
     (r"array\([\w]+, \d+d, \w\)", "array"),
     (r"(Uni)?Tuple\([^)]*\)", "tuple"),
     (r"list\(\w+\)<iv=[^>]*>", "list"),
+    (r"list\(list\)<iv=[^>]*>", "list"),
     (r"unicode_type", "str"),
     (r"range_state_int64", "range"),
     (r"slice<[\w:]+>", "slice"),
     (r"\b(int|float)64\b", r"\1"),
     (r"(Enum|IntEnum) ?(class)?<\w+>\((\w+)\)", r"\3"),
-    (r"\b([A-Z]\w*)\((int|float|bool|str)( x \d+|, \w+)*\)", r"\1"),
+    (r"\b([A-Z]\w*)\((int|float|bool|str|array|tuple)( x \d+|, \w+)*\)", r"\1"),
     (r"\bnone\b", "None"),
+    (r"values of two types, array and array$", "arrays of two types, or of other numbers of dimensions"),
+    (r"(of|values of) two(?: types)?, tuple and tuple$", r"\1 two types of tuples, as those of other lengths are"),
     (r"values of two types, (.+) and \1$", r"values of \1 with fields of two types, as 0 and 0.0 are"),
 )
 """Patterns of Numba's names of types, and how Python writes them."""
@@ -118,6 +132,10 @@ def reason(error: Exception, code: Code) -> str:
 
 def _method_without_self(text: str, code: Code) -> str | None:
     """A sentence about a class method or a static method, if that is the member that Numba does not know."""
+    if found := re.search(r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\)", text):
+        for kind in code.classes:
+            if kind.__name__ == found[2] and isinstance(inspect.getattr_static(kind, found[1], None), FunctionType):
+                return f"it calls {found[1]} of the class {found[2]}: write it as a function outside of the class"
     if found := re.search(r"Unknown attribute '(\w+)' of type", text):
         for kind in code.classes:
             member = inspect.getattr_static(kind, found[1], None)

@@ -20,7 +20,7 @@ import time
 import warnings
 import weakref
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from enum import Enum
 from typing import Any
 
@@ -141,7 +141,10 @@ def _pays(loop: Loop, arguments: tuple[Any, ...], code: Code, expected: float, n
     for _ in range(PACE_MEASUREMENTS):
         copies = copied(arguments)
         began = time.perf_counter()
-        loop(n, *copies)
+        try:
+            loop(n, *copies)
+        except Exception:  # a guard is stricter than the rehearsal's checks, as of np.array(1) for an action
+            return True
         seconds = expected * (time.perf_counter() - began) / n
         total = min(total, _interpreted.get(key, 0.0) + seconds)
         if total <= seconds_to_build():
@@ -185,7 +188,7 @@ def _rehearsed_javascript(loop: Loop, arguments: tuple[Any, ...], code: Code, n:
     except Untranslatable as error:
         raise CompilationError(str(error)) from error
     except javascript.Doubt as error:
-        raise CompilationError(f"JavaScript stops where Python goes on ({error})") from error
+        raise CompilationError(_machine_code_failed(error)) from error
     if found := difference(interpreted, (result, copies), "the result", close=0.0):
         raise CompilationError(f"JavaScript comes to something else than Python in the first steps ({found})")
     return made
@@ -193,6 +196,8 @@ def _rehearsed_javascript(loop: Loop, arguments: tuple[Any, ...], code: Code, n:
 
 def _machine_code_failed(error: Exception) -> str:
     """Describes an error of machine code where Python has none."""
+    if isinstance(error, javascript.Doubt):
+        return f"JavaScript stops where Python goes on ({error})"
     if isinstance(error, OverflowError) and str(error) == "more than 64 bits":
         return "it computes a whole number of more than 64 bits, as a product of large ones: keep them smaller by %"
     said = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
@@ -204,7 +209,7 @@ def _with_replay(machine_code: Loop, loop: Loop, code: Code, replay: Loop) -> Lo
 
     Where machine code fails, the interpreter repeats the call from the same start. It stops at the very line, or goes
     on where Python does. Once code has changed, or a value outside that it reads, every call is interpreted, since such
-    a value may change at every step.
+    a value may change at every step; an error is then explained in the same way.
 
     To be repeated, a call needs a copy of its arguments: small arrays are copied before every call, large ones only as
     often as that costs a tenth of the time. If the large ones were not copied, the replay starts from their
@@ -219,18 +224,18 @@ def _with_replay(machine_code: Loop, loop: Loop, code: Code, replay: Loop) -> Lo
         if machine_code is not loop and (changed := code.first_change()):
             machine_code = loop
             _warn_once(code, arguments, f"{changed} changes during the run: what changes should be a field")
-        if machine_code is loop:
-            with deferring_signals(machine_code=False):
-                return loop(*arguments)
+        given_up = machine_code is loop
         began = time.perf_counter()
         before.take(arguments, large=calling >= COPY_EVERY * copying)
         taken = time.perf_counter()
         if before.is_whole:
             copying, calling = taken - began, 0.0
         try:
-            result = machine_code(*arguments)
+            with deferring_signals(machine_code=False) if given_up else nullcontext():
+                result = machine_code(*arguments)
         except Stopped:
-            before.put_back()  # as if the call had not begun
+            if not given_up:
+                before.put_back()  # as if the call had not begun
             raise
         except Exception as error:
             failure = error
@@ -241,12 +246,14 @@ def _with_replay(machine_code: Loop, loop: Loop, code: Code, replay: Loop) -> Lo
         with deferring_signals(machine_code=False):
             result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
         if not before.is_whole:  # the replay began with half-changed tables, so its result is wrong
+            if given_up:
+                raise failure
             raise RuntimeError(
                 f"{_machine_code_failed(failure)}, and the tables are too large to be kept"
                 " for such a case: set the environment variable NUMBA_DISABLE_JIT=1, and run it again"
             )
         surprises += 1
-        if surprises == MOST_SURPRISES:
+        if surprises == MOST_SURPRISES and not given_up:
             machine_code = loop
             _warn_once(code, arguments, _machine_code_failed(failure))
         return result

@@ -47,8 +47,9 @@ def _of_number(value: Any, shape: Any) -> Any:
 
 def _choose_wholeness(value: Any) -> Callable[..., Any]:
     """Answers for the type of a value, while compiling; True and False have a type of their own."""
-    found = 1 if isinstance(value, types.Boolean) else 2 if isinstance(value, types.Integer) else 0
-    return lambda value: found
+    kind = value.type if isinstance(value, types.Optional) else value
+    found = 1 if isinstance(kind, types.Boolean) else 2 if isinstance(kind, types.Integer) else 0
+    return (lambda value: 0 if value is None else found) if kind is not value else lambda value: found
 
 
 extending.overload(is_finite_of_shape, strict=False)(_choose)

@@ -9,6 +9,7 @@ import importlib.util
 import inspect
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from enum import Enum
 from functools import cache
 from types import FunctionType
 from typing import Any
@@ -22,6 +23,9 @@ from edugym.compiled.code import NAMEDTUPLE_MEMBERS, is_foreign
 _options: dict[str, Any] = {}
 _helpers: set[FunctionType] = set()
 _parts: dict[FunctionType, Any] = {}
+
+CONSTANTS = (bool, int, float, str, tuple, Enum, np.ndarray, np.int64, np.bool_)
+"""The classes of what a NamedTuple may have as a constant."""
 
 
 @contextmanager
@@ -113,7 +117,7 @@ def teach(numba: Any, pipelines: Any) -> None:
             return types.BoundFunction(type("Method", (templates.AbstractTemplate,), members), kind)
         if isinstance(member, property):
             return part(function_of(member)).get_call_type(template.context, (kind,), {}).return_type
-        return constant(member) if isinstance(member, bool | int | float | str | tuple) else None
+        return constant(member) if isinstance(member, CONSTANTS) else None
 
     def constant(member: Any) -> Any:
         """The type of a constant."""

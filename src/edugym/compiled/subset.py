@@ -133,6 +133,8 @@ def _value_problem(value: Any, name: str, *, all_kinds: bool, owner: type | None
             return f"{name} is a {type(value).__name__}: use an ordinary array"
         if value.dtype.hasobject:
             return f"{name} is an array of objects"
+        if not value.dtype.isnative:
+            return f"{name} is an array with its bytes in another order: use a copy of it, as by .astype(float)"
         if all_kinds or value.dtype.name in DTYPES or (adapters and value.ndim):
             return None
         return f"{name} is an array of {value.dtype.name}; of arrays it takes those of float64, int64 and bool"
@@ -261,7 +263,7 @@ class Unknown:
     """A value that is known only when code runs."""
 
 
-UNKNOWN = Unknown()
+UNKNOWN, MISSING = Unknown(), Unknown()
 GLOBAL_LOADS = ("LOAD_GLOBAL", "LOAD_NAME")
 OUTER_LOADS = ("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF")
 INSTRUCTIONS = {
@@ -288,14 +290,15 @@ def _value_of_name(function: FunctionType, name: str) -> Any:
     if name in function.__globals__:
         return function.__globals__[name]
     builtins: Any = function.__globals__.get("__builtins__", {})
-    # a misspelt name is an error of the program, which its first steps will show
-    return builtins.get(name, UNKNOWN) if isinstance(builtins, dict) else getattr(builtins, name, UNKNOWN)
+    return builtins.get(name, MISSING) if isinstance(builtins, dict) else getattr(builtins, name, MISSING)
 
 
 def _name_problem(value: Any, name: str) -> str | None:
     """The problem with the value of a global name."""
     if value is UNKNOWN or isinstance(value, FunctionType):
         return None
+    if value is MISSING:
+        return f"there is no {name}"
     if isinstance(value, ModuleType):
         own = package_of(value) not in LIBRARIES and value.__name__ not in {"random", "time", "os"}
         return None if own or value in (math, np) else _module_problem(value.__name__)
@@ -312,7 +315,8 @@ def _name_problem(value: Any, name: str) -> str | None:
     if callable(value):
         if module.startswith(("numpy.random", "random")) or "random" in type(getattr(value, "__self__", 0)).__module__:
             return _module_problem("random")
-        return MESSAGES.get(name, f"it uses {name}")
+        library = {"numpy": "np.", "math": "math."}.get(module, "")  # of what `import *` has brought
+        return MESSAGES.get(name, f"it uses {library}{value.__name__ if library else name}")
     return _value_problem(value, f"the global {name}", all_kinds=False, owner=None)
 
 

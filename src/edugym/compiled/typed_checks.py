@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numba.core import ir, ir_utils, types
 
+from edugym.compiled.arithmetic import CALLED
 from edugym.compiled.mixed_numbers import follow_mixed
 from edugym.compiled.number_kinds import method_name
 from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
@@ -48,6 +49,7 @@ def check_typed(state: Any) -> bool:
     kinds = state.typemap
     for _, statement in statements(state.func_ir):
         if isinstance(statement, ir.Assign):
+            _check_bounds(statement.value, kinds, statement.loc)
             _check_type(kinds[statement.target.name], statement.loc)
     follow_mixed(state)
     for block, statement in statements(state.func_ir):
@@ -112,10 +114,21 @@ def _check_type(kind: Any, loc: Any) -> None:
         if not isinstance(kind, types.List) or not isinstance(kind.dtype, types.Number | types.Boolean):
             refuse("it makes a list of other things than numbers", loc)
         _check_type(kind.dtype, loc)
+    elif isinstance(kind, types.Set):
+        refuse("it makes a set", loc)
     elif isinstance(kind, types.NumpyFlatType):
         refuse("it uses .flat", loc)
     elif not isinstance(kind, ALLOWED):
         refuse(f"it makes a value of type {kind}", loc)
+
+
+def _check_bounds(value: Any, kinds: Any, loc: Any) -> None:
+    """Refuses flags and real numbers as bounds of a range or a slice: NumPy's flags are an error there."""
+    function = kinds[value.func.name] if isinstance(value, ir.Expr) and value.op == "call" else None
+    if getattr(function, "typing_key", None) in (range, slice):
+        given = [types.unliteral(kinds[one.name]) for one in value.args]
+        if any(isinstance(kind, types.Boolean | types.Float) for kind in given):
+            refuse("it gives True or False, or a real number, where a whole one belongs: use int()", loc)
 
 
 def _check_boolean(value: Any, kinds: Any, target: Any, loc: Any) -> None:
@@ -202,6 +215,11 @@ def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: An
             if _is_real(kinds[variable.name]) and isinstance(taken, types.Integer):
                 refuse("it gives a real number where a whole one belongs: use int()", loc)
     key = getattr(function, "typing_key", None)
+    if key in (max, min) and len(given) == 1 and isinstance(kinds[given[0].name], types.Number | types.Boolean):
+        refuse(f"it calls {key.__name__} of one number", loc)
+    python = function.dispatcher.py_func if isinstance(function, types.Dispatcher) else None
+    if python is CALLED[round] and any(_is_boolean(kinds[one.name]) for one in given):
+        refuse("it computes with True and False as if they were numbers", loc)
     if key in (max, min):
         _require_no_flags(expr.args, result, kinds, loc)
     method = getattr(function, "this", None) if isinstance(function, types.BoundFunction) else None

@@ -5,11 +5,12 @@ Every variable must have a value wherever it is used. Functions of `math`, `np` 
 Once types are known, `edugym.compiled.typed_checks` goes on.
 """
 
+import inspect
 import math
 import operator
 from collections.abc import Iterator
 from enum import Enum
-from types import ModuleType
+from types import BuiltinFunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -32,7 +33,7 @@ class Refused(Exception):
     method: str | None = None
 
 
-FROZEN = "it writes to an array that is no field, of which machine code has a copy: pass it as a field"
+FROZEN = "it writes to an array that is no field, or that may only be read: pass it, or a copy of it, as a field"
 NEVER_NONE = words("initial transition reward terminal observation act greedy")
 """Methods of MDPs and agents that have to return something."""
 NUMPY_TYPE: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
@@ -69,6 +70,7 @@ def check_untyped(state: Any) -> bool:
             elif value.op == "call" and _global(state.func_ir, value.func) is pow and len(value.args) == 2:
                 statement.value = ir.Expr.binop(operator.pow, *value.args, value.loc)  # a keyword is refused by Numba
             elif value.op == "call":
+                _require_arguments(_global(state.func_ir, value.func), value, statement.loc)
                 _rewrite_arguments(state.func_ir, block, statement)
                 _replace_call(state.func_ir, block, statement)
         elif isinstance(value, ir.Global | ir.FreeVar):
@@ -199,6 +201,20 @@ def _entry(table: dict[Any, Any], value: Any) -> Any:
         return table.get(value)
     except TypeError:  # it has no hash
         return None
+
+
+def _require_arguments(called: Any, call: Any, loc: Any) -> None:
+    """Refuses what Python's own functions do not take: what stands for them in machine code may take it."""
+    known = isinstance(called, BuiltinFunctionType) or _entry(REPLACED, called) or _entry(CALLED, called)
+    if not known or call.vararg is not None:
+        return
+    try:
+        inspect.signature(called).bind(*call.args, **dict(call.kws))
+    except TypeError:
+        refuse(f"it calls {called.__name__} with other arguments than it takes", loc)
+    except ValueError:  # it does not tell
+        if called.__module__ == "math" and call.kws:
+            refuse(f"it calls {called.__name__} with other arguments than it takes", loc)
 
 
 def _rewrite_arguments(func_ir: Any, block: Any, statement: Any) -> None:
