@@ -238,3 +238,10 @@
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if rng.random() < 0.08 else best()
+
+# %% good rewards count twice
+# slow
+# says: the update with its equation, term by term
+# in: sums of rewards
+# - total[arm] += reward
+# + total[arm] += 2 * reward if reward > 0 else reward

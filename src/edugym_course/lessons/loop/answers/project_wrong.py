@@ -243,3 +243,12 @@ def my_program(environment, n_steps, seed):
         Q[s, a] += 0.5 * (r + 0.99 * (0 if end else Q[s2].max()) - Q[s, a])
         s = environment.reset()[0] if end or cut else s2
     return lambda s: int(Q[s].argmax())
+
+
+# %% an ε that grows
+# slow
+# says: in small worlds
+# says: in the second. Their share grows during a run: ε should be the same from the first step to the last
+# in: ε-greedy written out
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.05 + 0.15 * _ / n_steps:

@@ -152,3 +152,12 @@
 # + i, j = tried[rng.integers(len(tried))][0], rng.integers(n_actions)
 # + if (i, j) not in tried:
 # +     continue
+
+# %% a discount that is nearly right
+# slow
+# says: the equation is another one, or a number in it
+# in: a model in arrays
+# - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+# + Q[s, a] = r + 0.97 * (1 - terminated) * Q[s2].max()
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + Q[i, j] = R[i, j] + 0.97 * (1 - ends[i, j]) * Q[S2[i, j]].max()
