@@ -37,6 +37,11 @@ MOST_STEPS = 100
 """Of a game that is shown: who has learned nothing may never come to its end."""
 Show = Callable[[Any, Any, list[Any]], Any]
 MAY_LEARN_FROM = (*LEARN_PARAMETERS, "rewards")
+FORGOTTEN = (
+    "learn of {} does not look at terminated, so it adds the value of a next state also where a game has ended. Where "
+    "that value stays 0, as in Boulder, this changes nothing. Where an end looks like another place it can cost "
+    "points, as in Golf with a learning rate of 0.1."
+)
 NAMES = {"edugym": edugym, "np": np, "NamedTuple": NamedTuple, "__name__": "__main__"}
 
 
@@ -218,7 +223,19 @@ def run(
     values = eval(measured, {"run": done}) if measured else done.returns
     points = zip(done.steps.tolist(), values.tolist(), strict=True)
     said = [str(one.message) for one in caught if issubclass(one.category, UserWarning)]
+    if forgets_the_end(source, type(space["agent"]).__name__):
+        said.append(FORGOTTEN.format(type(space["agent"]).__name__))
     return {"curve": [list(point) for point in points], "seconds": done.seconds, "said": said}
+
+
+def forgets_the_end(source: str, name: str) -> bool:
+    """Whether the class of this name learns from the next state, and never looks at whether the episode terminated."""
+    for part in ast.walk(ast.parse(source)):
+        for method in part.body if isinstance(part, ast.ClassDef) and part.name == name else []:
+            if isinstance(method, ast.FunctionDef) and method.name == "learn" and method.args.kwarg is None:
+                used = [one.id for one in ast.walk(method) if isinstance(one, ast.Name)]
+                return "next_state" in used and "terminated" not in used
+    return False
 
 
 def with_64_bits(value: Any) -> Any:
@@ -249,6 +266,8 @@ def _hint(text: str) -> str:
     """What may be behind a message of Python's, or of numbers that grow without end."""
     if re.search(r"'(float|int|numpy\.\w+)' object is not callable", text):
         return ". Is a * missing before a bracket?"
+    if re.search(r"has no attribute '(n|num|number)_?\w*(states|actions|observations)'", text):
+        return ". edugym.table_size(mdp) gives the numbers of states and actions"
     return ". Is the learning rate too large, or a value divided by 0?" if re.search(r"\bis nan\b", text) else ""
 
 

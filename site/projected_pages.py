@@ -28,8 +28,8 @@ def pages(lessons: list[Lesson]) -> dict[str, str]:
     return {
         "project/index": "# To project in class\n\nOne page a lesson. Show the task and the equations, let the class "
         "bet, count the hands, and only then open what was measured. The keys → and ←, or Page Down and Page Up as a "
-        "clicker sends them, turn to the next part and back; the button at the top fills the screen.\n\n"
-        + "".join(listed),
+        "clicker sends them, turn to the next part and back; the button at the top fills the screen. A click on a "
+        "figure makes it as wide as the page, so that its numbers are larger.\n\n" + "".join(listed),
         **{_place(lesson): page(lesson) for lesson in lessons},
     }
 

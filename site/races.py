@@ -99,7 +99,8 @@ BOULDER = Race(
     ("position",),
     ("ArrowLeft", "ArrowRight"),
     answer="Before the first reward all values are equal, so greedy play is random too, and a larger ε changes "
-    "nothing: exploration must be directed. A low wall is climbed by chance: at height 10 Q-learning gets up, too.",
+    "nothing: exploration must be directed. Novelty takes random grips on its way back up, too, and may fall; "
+    "Go-Explore takes none there. A low wall is climbed by chance: at height 10 Q-learning gets up, too.",
 )
 RUNNING = learning(on_off_policy)
 ROADRUNNER = Race(

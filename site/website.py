@@ -7,6 +7,7 @@ Pages that stand nowhere else are in `pages`. All others are made from docs, not
 """
 
 import argparse
+import re
 import shutil
 import sys
 from functools import partial
@@ -35,6 +36,11 @@ from edugym.adapters.registration import in_course_order
 HERE = ROOT / "site"
 BUILT = HERE / "build"
 RACE = '\n*{1}* <a href="../playground/index.html#task={0}">Bet on an agent, or play yourself</a>.\n\n```python'
+TIME = re.compile(
+    r"\*\*Time\.\*\* About (\d+)\s.*?(\d+)\s+more\s+for\s+the\s+exercises"
+    r".*?\*\*Before you start\.\*\* (.*?)\s+All\s+symbols",
+    re.DOTALL,
+)
 FARING = "\n## Agents\n[Which agent works with which environment](../agents/index.md), and how far it gets.\n"
 
 LITE = """<a href="lite/lab/index.html">JupyterLab with all lessons</a> runs here in your browser: nothing is
@@ -104,9 +110,11 @@ def _copied() -> dict[str, str]:
 
 
 def _introduced(lesson: lesson_pages.Lesson) -> str:
-    """Return a lesson's entry in the list of lessons, with its challenge."""
+    """Return a lesson's entry in the list of lessons, with its challenge, its time, and what to know before."""
     challenge = projected_pages.CHALLENGE.findall(lesson.text)[0].replace("\n", " ")
-    return f"- [{lesson.numbered}](/lessons/{lesson.name}.md)\\\n  {challenge}\n"
+    path, exercises, before = TIME.findall(lesson.text)[0]
+    time = f"About {path} minutes for the text, and {exercises} for the exercises. {before}".replace("\n", " ")
+    return f"- [{lesson.numbered}](/lessons/{lesson.name}.md)\\\n  {challenge}\\\n  <small>{time}</small>\n"
 
 
 def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict[str, list[str]]:

@@ -78,8 +78,8 @@ WORDS = {
         "To find the one place that pays, among very many that do not.",
         "Below the top nothing tells a climber that it is on the right way. Somebody who only tries at random must "
         "guess every grip of a climb right. On a wall of fifteen, with two grips at each height, that happens in one "
-        "of 32 768 climbs. The others look on purpose where they have rarely been, or try what they have not tried, "
-        "and need far fewer climbs.",
+        "of 32 768 climbs. To try what may not be best, in order to find out more, is called exploration. The others "
+        "explore on purpose, where they have rarely been or what they have not tried, and need far fewer climbs.",
         "height of the wall",
         buttons=lambda mdp: [["left grip", "right grip"]] if mdp.n_grips == 2 else by_name(mdp),
     ),

@@ -134,6 +134,7 @@ export class Editor {
     this.ours = []
     this.theirs = []
     this.looks = {}
+    this.find('ours').classList.remove('unknown')
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
     this.walk = new Walk(look => this.pictures.ours.happen(look), this.task.look.length)
     this.print([])
@@ -150,7 +151,7 @@ export class Editor {
     const settings = Object.entries(this.code.own(lane)).map(([name, value]) => `${SIGNS[name]} = ${value}`).join(', ')
     const vectors = race.measure ? ' Its learn may also take rewards, the vector of rewards.' : ''
     return `Both learn in ${race.name} with ${task}, for ${short(state.steps)} steps, ${seeds}. ${lane.label} has `
-      + `${settings ? `${settings}, as in the settings of the race` : 'settings of its own'}. Your code finds the task as mdp.${vectors}`
+      + `${settings ? `${settings}, as in the settings of the race` : 'settings of its own'}. Your code finds the task as mdp, and edugym.table_size(mdp) are its numbers of states and actions.${vectors}`
   }
 
   get student() {
@@ -254,6 +255,7 @@ export class Editor {
     this.end()
     if (data.error) {
       this.field.mark(data.line)
+      this.find('ours').classList.toggle('unknown', !this.looks.ours) // it has not played
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
     this.ours = data.curves

@@ -29,16 +29,31 @@ export async function load(bytes, fingerprint) {
   return { module, manifest }
 }
 
+// Memory for so many kernels of one kind, which are called one after the other: they share the kernel's own data and the
+// stack, which is empty between two calls. A browser has room for some hundred memories only, however small they are.
+export class Room {
+  constructor({ manifest }, plan, nStreams, n = 1) {
+    const size = 8 * manifest.slots.length + 64 * nStreams + plan.arrays.reduce((sum, [, length]) => sum + 8 * length + 16, 0)
+    this.memory = new WebAssembly.Memory({ initial: Math.ceil((STACK + n * (size + 16)) / PAGE) + 1 })
+    this.free = STACK
+  }
+
+  take(bytes) {
+    const place = this.free
+    this.free += (bytes + 15) & ~15
+    return place
+  }
+}
+
 export class Kernel {
-  // `plan` says what the slots hold at first, `streams` the states of the random generators of one seed, and
-  // `settings` has numbers by the ends of the names of slots: { '.discount': 0.9 }.
-  constructor({ module, manifest }, plan, streams, settings = {}) {
+  // `plan` says what the slots hold at first, `streams` the states of the random generators of one seed, `settings` has
+  // numbers by the ends of the names of slots: { '.discount': 0.9 }, and `room` is where it lies, by itself if none is given.
+  constructor(loaded, plan, streams, settings = {}, room = new Room(loaded, plan, streams.length)) {
+    const { module, manifest } = loaded
     this.slots = manifest.slots
     this.results = manifest.results
-    this.free = STACK
-    const size = (8 * this.slots.length + 64 * streams.length
-      + plan.arrays.reduce((sum, [, length]) => sum + 8 * length + 16, 0) + STACK)
-    this.memory = new WebAssembly.Memory({ initial: Math.ceil(size / PAGE) + 1 })
+    this.room = room
+    this.memory = room.memory
     this.block = this.take(8 * this.slots.length)
     this.arrays = plan.arrays.map(([type, length, fill]) => this.array(type, length, fill))
     this.names = {}
@@ -71,9 +86,7 @@ export class Kernel {
   }
 
   take(bytes) {
-    const place = this.free
-    this.free += (bytes + 15) & ~15
-    return place
+    return this.room.take(bytes)
   }
 
   array(type, length, fill) {

@@ -6,9 +6,10 @@ import { knowledge } from './knowledge.js'
 const BEGIN = -1, SHOW = -2
 
 export class Learner {
-  // `every` is how many steps lie between two points of the curve, and `steps` how many there are in all.
-  constructor(loaded, plan, streams, settings, { steps, every }) {
-    this.kernel = new Kernel(loaded, plan, streams, settings)
+  // `every` is how many steps lie between two points of the curve, and `steps` how many there are in all; `room` is that
+  // of its kernel.
+  constructor(loaded, plan, streams, settings, { steps, every }, room) {
+    this.kernel = new Kernel(loaded, plan, streams, settings, room)
     this.total = steps
     this.every = every
     this.steps = 0

@@ -7,7 +7,7 @@ import { read, write } from './link.js'
 import { Lane } from './lane.js'
 import { Play } from './play.js'
 import { soon } from './soon.js'
-import { verdict } from './verdict.js'
+import { LUCK, verdict } from './verdict.js'
 
 const find = id => document.getElementById(id)
 const data = await (await fetch('data/playground.json')).json()
@@ -177,7 +177,7 @@ function onLook(lane, fresh) {
   const over = lanes.every(({ over }) => over)
   if (running && over) finish()
   else if (fresh && state.at.some(Boolean) && lanes.every(({ look }) => look)) {
-    tell(over ? `${SENT}: ${judged()} Other luck begins a race of your own.` : `${SENT} so far. Press Run to go on.`)
+    tell(over ? `${SENT}: ${judged().replace(LUCK, '')} “Other luck” begins a race of your own.` : `${SENT} so far. Press Run to go on.`)
   }
 }
 

@@ -3,6 +3,7 @@
 import { estimate, short, summary, within } from './chart.js'
 
 const LATE = 10 // points of a curve: the last tenth of a race, so far
+export const LUCK = 'Was it luck? “Other luck” repeats the race.'
 const NOTHING = 0.1 // whoever has won less than this share of what the best one has, has learned nothing that shows
 
 // The return in the last tenth of a race: `greedy` without exploring, and `exploring` in the games of training, over the
@@ -56,23 +57,28 @@ export function verdict(agents, t, steps, bet, optimum) {
   }
   const soonest = Math.min(...good.map(({ reached }) => reached))
   const winners = good.filter(({ reached }) => reached <= soonest + steps / 50)
-  const named = (some, of = ({ greedy }) => greedy) => some.map(one => `${one.label} (${within(of(one))})`)
-  const how = winners.length === results.length ? 'did equally well' : 'did best'
-  const said = (some, one, several = one) => some.length ? [`${begun(listed(named(some)))} ${some.length > 1 ? several : one}.`] : []
-  const sentences = [`${begun(listed(named(winners)))} ${how} in the last tenth of training${good.length > winners.length ? ', and got there first' : ''}.`]
-  const rest = results.filter(one => !winners.includes(one)), later = rest.filter(one => good.includes(one))
-  const failed = rest.filter(({ greedy, start }) => greedy[0] - start < NOTHING * (top[0] - start))
-  const behind = rest.filter(one => !failed.includes(one) && !later.includes(one))
-  sentences.push(...said(later, 'did as well, but got there later'))
-  sentences.push(...said(behind, 'is behind', 'are behind'))
-  const rose = failed.some(({ start, highest }) => highest - start > 0.03 * (top[0] - start)) ? ': where a line rose, it did not stay' : ''
-  sentences.push(...said(failed, `has learned nothing that shows${rose}`, `have learned nothing that shows${rose}`))
+  const named = (some, of = ({ greedy }) => greedy) => [...some].sort((a, b) => of(b)[0] - of(a)[0]).map(one => `${one.label} (${within(of(one))})`)
+  const how = good.length === results.length ? 'did equally well' : 'did best'
+  const said = (some, one, several) => some.length ? [`${begun(listed(named(some)))} ${some.length > 1 ? several : one}.`] : []
+  const first = good.length > winners.length ? `, and ${listed(winners.map(({ label }) => label))} got there first` : ''
+  const sentences = [`${begun(listed(named(good)))} ${how} in the last tenth of training${first}.`]
+  const rest = results.filter(one => !good.includes(one))
+  const fell = rest.filter(({ greedy: [mean, half], start, span }) => start - mean > Math.max(half, NOTHING * span))
+  const failed = rest.filter(one => !fell.includes(one) && one.greedy[0] - one.start < NOTHING * (top[0] - one.start))
+  const rose = failed.filter(({ start, highest }) => highest - start > 0.03 * (top[0] - start))
+  sentences.push(...said(rest.filter(one => !failed.includes(one) && !fell.includes(one)), 'is behind', 'are behind'))
+  sentences.push(...said(rose, 'rose, but ended where it began', 'rose, but ended where they began'))
+  sentences.push(...said(failed.filter(one => !rose.includes(one)), 'has learned nothing that shows', 'have learned nothing that shows'))
+  sentences.push(...said(fell, 'ended lower than it began', 'ended lower than they began'))
   if (results.every(({ exploring }) => exploring)) {
     const earning = best(results, ({ exploring }) => exploring, optimum)
     if (winners.some(one => !earning.includes(one))) sentences.push(`While still exploring, ${listed(named(earning, ({ exploring }) => exploring))} earned most.`)
   }
-  if (bet !== null) sentences.unshift(winners.includes(results[bet]) ? 'Your bet was right.' : `Your bet on “${results[bet].label}” was wrong.`)
-  if (agents[0].curves.length === 1) sentences.push('Was it luck? “Other luck” repeats the race.')
+  if (bet !== null) {
+    const { label } = results[bet], slower = good.includes(results[bet]) ? 'did as well, but was slower' : 'was wrong'
+    sentences.unshift(winners.includes(results[bet]) ? 'Your bet was right.' : `Your bet on “${label}” ${slower}.`)
+  }
+  if (agents[0].curves.length === 1) sentences.push(LUCK)
   return sentences.join(' ')
 }
 
@@ -83,6 +89,8 @@ export function duel(own, rival, t, optimum) {
   const [first, last] = [...results].sort((a, b) => a.reached - b.reached), who = one => one === results[0] ? 'your agent' : rival.label
   const sooner = last.reached - first.reached > own.curves[0].at(-1)[0] / 50
     ? `, but ${who(first)} got there after ${short(first.reached)} steps, ${who(last)} after ${short(last.reached)}` : ''
-  const said = good.length > 1 ? `no difference that shows${sooner}` : `${who(good[0])} ${wins}`
+  const still = results.every(({ greedy, start, span }) => greedy[0] - start <= NOTHING * span && (optimum === null || optimum - greedy[0] > 0.03 * Math.abs(optimum)))
+  const alike = still ? 'neither has learned anything that shows. Try an easier task, or more steps' : `no difference that shows${sooner}`
+  const said = good.length > 1 ? alike : `${who(good[0])} ${wins}`
   return `In the last tenth of training your agent has ${within(results[0].greedy)}, ${rival.label} ${within(results[1].greedy)}: ${said}.`
 }

@@ -1,6 +1,6 @@
 // A worker for one agent: it trains while the page stays free. With several seeds it trains several of its kind.
 
-import { fetched } from './kernel.js'
+import { Room, fetched } from './kernel.js'
 import { Learner } from './learner.js'
 
 const FRAME = 33 // milliseconds between two pictures
@@ -27,7 +27,8 @@ async function begin(asked) {
   learners = []
   const loaded = await (loading[asked.kernel] ??= fetched(asked.kernel))
   if (task !== asked) return // another task came meanwhile
-  const begun = asked.seeds.map(streams => new Learner(loaded, asked.plan, streams, asked.settings, asked))
+  const room = new Room(loaded, asked.plan, asked.seeds[0].length, asked.seeds.length)
+  const begun = asked.seeds.map(streams => new Learner(loaded, asked.plan, streams, asked.settings, asked, room))
   for (const learner of begun) while (learner.steps < Math.min(asked.at, asked.steps)) learner.advance(asked.at - learner.steps)
   learners = begun
   show()

@@ -83,6 +83,8 @@ MISTAKES = {
     SHORT.replace("edugym.QLearning.create(mdp).Q", "[[0, 0]] * 10"): (20, "Q must be an array, but is a list"),
     SHORT.replace("+= 0.1 *", "+= np.nan *"): (15, "terminated False. Is the learning rate too large"),
     SHORT.replace("+= 0.1 *", "+= 0.1 "): (17, "Is a * missing"),
+    SHORT.replace("self.Q[state, action] +=", "self.Q[action, state] +="): (17, "states from 0 to 4, and actions from"),
+    SHORT.replace("edugym.QLearning.create(mdp).Q", "np.zeros((mdp.n_states, 2))"): (20, "edugym.table_size(mdp)"),
 }
 
 
@@ -93,6 +95,24 @@ def test_mistakes_are_told_with_their_line(source: str) -> None:
     found = run(source)
     assert word in found["error"]
     assert found["line"] == line
+
+
+ENDS = "reward if terminated else reward"
+NEXT = " + 0.99 * self.Q[next_state].max()"
+
+
+@pytest.mark.parametrize(
+    ("learns", "forgets"),
+    [
+        (SHORT, False),
+        (SHORT.replace(ENDS, "reward"), True),
+        (SHORT.replace(ENDS, "reward").replace(", terminated", ""), True),
+        (SHORT.replace(ENDS, "reward").replace(NEXT, ""), False),
+    ],
+)
+def test_an_end_that_is_forgotten(learns: str, forgets: bool) -> None:
+    """It is said, also where it changes nothing; an agent that looks at no next state need not look at the end."""
+    assert ["not look at terminated" in one for one in run(learns)["said"]] == [True] * forgets
 
 
 class Parts(NamedTuple):

@@ -34,14 +34,15 @@ def first_call(race: Race, agent: Agent) -> kernels.Call:
 
 
 def check_same(race: Race, agent: Agent) -> None:
-    """Tables, random streams and learning curve are the same.
+    """Tables, random streams and learning curve are the same, also between two others in the same memory.
 
     Where a kernel takes a sine from Node, so that a position may differ in its last digit, what the task itself keeps
     is left out: that are the first arrays.
     """
     call = first_call(race, agent)
     steps = FEWER.get(agent.kind, STEPS)
-    theirs, ours = in_node(call, SEED, steps, steps // 4), in_python(call, SEED, steps, steps // 4)
+    others = {"before": [playground.random_streams()[0]], "behind": [playground.random_streams()[1]]}
+    theirs, ours = in_node(call, SEED, steps, steps // 4, **others), in_python(call, SEED, steps, steps // 4)
     own = len(arrays_of(call.arguments[2].mdp)) if set(theirs.borrowed) - EXACT else 0
     assert theirs.curve == ours.curve
     assert theirs.generators == ours.generators

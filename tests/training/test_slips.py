@@ -334,4 +334,6 @@ def test_an_index_that_is_too_large(wrong: str, says: str) -> None:
     error = answered("index", lambda: train(walk(), agent, 99), "[", IndexError)
     assert says in str(error)
     assert ("shape" in str(error)) == ("shape" in says)
+    fits = learner(changed(source, VALUE, f"self.Q[state + 6, 0]; {VALUE}"))
+    answered("states 0 to 5 actions 0 to 1", lambda: train(walk(), fits, 99), "[", IndexError)
     answered("index 1 Learner (1, 2) 6 2", lambda: train(walk(), learner(table=np.zeros((1, 2))), 99), "", IndexError)

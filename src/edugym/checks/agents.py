@@ -146,8 +146,17 @@ class CheckedAgent:
         except IndexError as error:
             found = re.search(r"out of bounds for axis (\d) with size (\d+)", str(error))  # no list, tuple or text
             if found:
-                error.args = (f"{error}{self._sizes(int(found[1]), int(found[2]))}",)
+                axis, size = int(found[1]), int(found[2])
+                error.args = (f"{error}{self._sizes(axis, size) or self._counted(axis, size)}",)
             raise
+
+    def _counted(self, axis: int, size: int) -> str:
+        """Return what the indices of a table are that has this size along an axis; nothing if there is none."""
+        for name, table in tables_of(self._agent).items():
+            if table.ndim == 2 and table.shape[axis : axis + 1] == (size,):
+                rows, columns = table.shape
+                return f": {name}[state, action] has states from 0 to {rows - 1}, and actions from 0 to {columns - 1}"
+        return ""
 
     def _sizes(self, axis: int = 0, size: int | None = None) -> str:
         """Return what is wrong with the size of a table, or of one with this size along an axis; nothing if all fit."""

@@ -2,7 +2,8 @@
 # # Exploration: Boulder
 #
 # **The challenge.** An agent can only learn from rewards that it finds. When the only reward is at the end of a long
-# sequence of right choices, random actions do not find it, and something else must drive the agent on.
+# sequence of right choices, random actions do not find it, and something else must drive the agent on. *Exploration* is
+# to try what may not be best, in order to find out more.
 #
 # **You will be able to** explain why random exploration fails on sparse rewards, and by how much; turn a novelty
 # reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
