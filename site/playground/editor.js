@@ -151,7 +151,7 @@ export class Editor {
     const settings = Object.entries(this.code.own(lane)).map(([name, value]) => `${SIGNS[name]} = ${value}`).join(', ')
     const vectors = race.measure ? ' Its learn may also take rewards, the vector of rewards.' : ''
     return `Both learn in ${race.name} with ${task}, for ${short(state.steps)} steps, ${seeds}. ${lane.label} has `
-      + `${settings ? `${settings}, as in the settings of the race` : 'settings of its own'}. Your code finds the task as mdp, and edugym.table_size(mdp) are its numbers of states and actions.${vectors}`
+      + `${settings ? `${settings}, as in the settings of the race` : 'settings of its own'}. Your code finds the task as mdp; edugym.table_size(mdp) are its numbers of states and actions.${vectors}`
   }
 
   get student() {
