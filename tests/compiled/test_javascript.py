@@ -105,6 +105,8 @@ TRAPS = {
         "return s + 1 + self.N[0] * 1e-9 + self.N[1] * 1e-9 + self.N[2] * 1e-10", **AB),
     "private names": program(
         "__y = 0.5 * s\nreturn __y + __g + self.__K + self.__h(s)", before="__g, _T__g = 0.5, 1.5", more="__K = 0.25\ndef __h(self, s): return s * 0.125"),
+    "keywords of clip in order": program("return np.clip(0.5 * s, a_min=rng.random(), a_max=1 + rng.random()) + np.clip(s, 0.2, a_max=1.5)"),
+    "name that is no name": program("return half(s) + 1", before="def half(a): return 0.5 * a\nhalf.__name__ = 'a-half'"),
     "roots and squares of an array": program(
         "self.Q[:] = (self.Q + rng.random()) ** 0.5\nself.Q[:] = (self.Q ** 2.0 + self.Q ** 1.0) % 1.0\nreturn 0.5 * s + self.Q[3, 1]", **Q),
     "two rows at once": program("self.Q[0], self.Q[1] = self.Q[1] + 1, self.Q[0] * 0.5\nreturn (s + self.Q[0, 1]) % 50", **Q),
@@ -123,6 +125,7 @@ LEFT = {
     "math.log(s, 2)": "it gives math.log 2 numbers",
     "math.hypot(s, 3.0, 4.0)": "it gives math.hypot 3 numbers",
     "np.exp(s, 2.0)": "it uses np.exp like this",
+    "np.clip(0.5, a_max=rng.random(), a_min=rng.random())": "it uses np.clip like this",
     "rng.random(3)[1]": "rng.random is translated only for one draw",
     "(f := s)": "it has a :=",
     "(s, 1.0, 2.0)[1:][0]": "it takes several parts of a tuple at once",

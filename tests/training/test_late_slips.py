@@ -25,6 +25,8 @@ COUNTING = WALK.replace(
     "size: int\n", f"{FIELDS}    def late(self, k): return self.wrong == k and self.count[0] > 3_000\n"
 ).replace(MOVE, COUNTED)
 LATE_WALK = COUNTING.replace(PAY, late(_1="np.nan", _2="np.inf") + PAY).replace(SEE, late(_3="-1", _4="6") + SEE)
+ENDS = "return state == self.size"
+LATE_WALK = changed(LATE_WALK, ENDS, late(_10="None") + ENDS)
 """The walk with a slip, number `wrong`, that shows after 3 000 steps."""
 
 
@@ -42,6 +44,7 @@ BOXES = boxes(
 LATE = {
     "NaN for a reward": (NUMBERS, 1, "reward Walk nan"),
     "an infinite reward": (NUMBERS, 2, "reward Walk inf"),
+    "nothing for whether it ends": (NUMBERS, 10, "terminal Walk None"),
     "below the space": (NUMBERS, 3, "observation Walk Discrete(6) -1"),
     "beyond the space": (NUMBERS, 4, "observation Walk Discrete(6) 6"),
     "above the box": (BOXES, 5, "observation Walk Box( 9.1"),
@@ -168,8 +171,13 @@ def test_a_board_that_is_written_in_place(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_a_late_reward_of_a_gymnasium_environment() -> None:
-    """It is checked at every step, and so is how much comes."""
-    for late, names in (("self.place, np.nan, False, False, {}", "reward nan"), ("(0, 0.0)", "(observation, (0, 0.0)")):
+    """It is checked at every step, and so is how much comes, and whether it ends."""
+    for late, names in (
+        ("self.place, np.nan, False, False, {}", "reward nan"),
+        ("self.place, 0.0, None, False, {}", "terminated None"),
+        ("self.place, 0.0, False, 'no', {}", "truncated no"),
+        ("(0, 0.0)", "(observation, (0, 0.0)"),
+    ):
         wrong = (
             f"self.steps = vars(self).get('steps', 0) + 1\n        if self.steps > 3_000:\n            return {late}\n"
         )

@@ -14,6 +14,9 @@ from edugym.checks.parameters import in_short
 from edugym.checks.values import fits, is_finite_number, without_flag
 from edugym.system.packages import is_own, package_of
 
+ANSWERS = (bool, np.bool_, int, np.integer)
+"""The types of what may say whether an episode ends."""
+
 
 @contextmanager
 def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> Iterator[gymnasium.Env[Any, Any]]:
@@ -49,7 +52,7 @@ def _layers(env: gymnasium.Env[Any, Any]) -> list[gymnasium.Env[Any, Any]]:
 
 
 class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
-    """A student's Gymnasium environment that checks its rewards, and in its first steps everything else.
+    """A student's Gymnasium environment that checks rewards and ends, and in its first steps everything else.
 
     Args:
         env: the environment.
@@ -88,9 +91,11 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         """
         returned: Any = self.env.step(action)
         self._left -= 1
-        if self._left < 0 and isinstance(returned, tuple) and len(returned) == 5 and is_finite_number(returned[1]):
+        is_whole = isinstance(returned, tuple) and len(returned) == 5
+        answers = is_whole and isinstance(returned[2], ANSWERS) and isinstance(returned[3], ANSWERS)
+        if self._left < 0 and answers and is_finite_number(returned[1]):
             return returned
-        if not (isinstance(returned, tuple) and len(returned) == 5):
+        if not is_whole:
             raise ValueError(
                 f"step of {self._of} must return (observation, reward, terminated, truncated, info), but returned"
                 f" {in_short(returned)} for action {in_short(action)}"
@@ -103,7 +108,7 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
                 f" {in_short(action)}"
             )
         for name, end in zip(("terminated", "truncated"), ends, strict=True):
-            if not isinstance(end, bool | np.bool_ | int | np.integer):
+            if not isinstance(end, ANSWERS):
                 raise ValueError(
                     f"step of {self._of} must return True or False as {name}, but returned {in_short(end)}"
                 )

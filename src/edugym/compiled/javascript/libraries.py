@@ -142,8 +142,9 @@ def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: 
     if name in ("zeros", "ones", "full", "empty"):
         return _new_array(writer, node, name, given, named)
     if name in ("clip",):
-        values = [*given, *(named[one] for one in ("a_min", "a_max") if one in named)]
-        if len(values) != 3 or not all(one.kind in NUMBERS for one in values):
+        values = [*given, *named.values()]
+        in_order = [*named] == ["a", "a_min", "a_max"][len(given) :]  # in which they are drawn, too
+        if len(values) != 3 or not in_order or not all(one.kind in NUMBERS for one in values):
             return None
         kinds = {one.kind for one in values}
         if MIXED in kinds:

@@ -200,7 +200,8 @@ class Program(Known):
         if key in self._open or len(self._open) > MOST_DEEP:
             return None
         if key not in self._functions:
-            self._functions[key] = name = f"f{len(self._functions)}_{called.__name__.strip('<>')}"
+            known_as = called.__name__ if called.__name__.isidentifier() else ""
+            self._functions[key] = name = f"f{len(self._functions)}_{known_as}"
             self._texts.append(f"function {name}{self._write(called, key, kinds)}")
         return Code(self._functions[key], self.results[key])
 
