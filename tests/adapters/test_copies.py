@@ -240,6 +240,20 @@ def test_states_of_any_kind(name: str) -> None:
     assert name != "texts" or re.match("Task cannot be compiled and runs .* tuples of num", str(told[0].message))
 
 
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+def test_what_an_mdp_counts() -> None:
+    """In an array of its own: the call at which machine code gives up is repeated, and counts once."""
+    count = (
+        "    def counted(self):\n        self.n[0] += 1\n        return 0\n    n: np.ndarray = np.zeros(1, np.int64)"
+    )
+    walk = task("0", "self.counted() + (state + 1 if state < 150 else state + 0.5)", more=count)
+    vector = MDPVectorEnv(walk, 2)
+    vector.reset(seed=0)
+    for _ in range(160):
+        vector.step([0, 0])
+    assert walk.n[0] == 320
+
+
 LATE = {
     "an error": ("state + 1", "float(np.zeros(150)[state])", IndexError, "index 150 is out of bounds"),
     "no next state": ("None if state == 150 else state + 1", "1.0", ValueError, "next state, .* None for state .*150"),

@@ -17,6 +17,7 @@ from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.checks.mdps import checked_mdp
 from edugym.compiled.code import Code
 from edugym.compiled.execution import executable
+from edugym.compiled.snapshot import Snapshot
 from edugym.system.interrupts import SignalGuard
 
 Loop = Callable[..., int]
@@ -47,6 +48,7 @@ class Runner:
         self._mdp, self._n, self._sample = mdp, n, sample
         self._code: dict[Loop, Loop] = {}
         self._watched: list[Code] = []
+        self._tables = Snapshot()
         self._is_students, self._changes = False, 0
         self._interpreted = _is_loose(states)
         if self._interpreted and find_spec("numba"):
@@ -95,7 +97,7 @@ class Runner:
         if not self._is_students:
             return self._run_loop(machine_code, self._mdp, rng, batch, arguments)
         saved = self._saved(rng, batch)
-        succeeded = False
+        succeeded, reason = False, "its states have changed their type"
         with SignalGuard() as guard:
             guard.defer(machine_code=True)
             try:
@@ -103,14 +105,14 @@ class Runner:
                 succeeded = done != STATE_LOST and bool(np.isfinite(batch.rewards).all())
                 if succeeded:
                     return done
-            except Exception:  # the interpreter shows it, at the student's line
-                pass
+            except Exception as error:  # the interpreter shows it, at the student's line
+                reason = f"machine code stops where Python goes on ({error or type(error).__name__})"
             finally:
                 if not succeeded:  # also after Ctrl-C
                     self._put_back(saved, rng, batch)
         self._interpret()
         done = self._run_interpreted_and_explain(loop, rng, batch, arguments)
-        self._say_why("its states have changed their type")
+        self._say_why(reason)
         return done
 
     def _say_why(self, reason: str) -> None:
@@ -144,12 +146,14 @@ class Runner:
         return done
 
     def _saved(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
-        """A copy of what a loop changes and goes on from."""
+        """A copy of what a loop changes and goes on from; of the MDP's own arrays those that are not large."""
+        self._tables.take((self._mdp,), large=False)
         return copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
 
     def _put_back(self, saved: tuple[Any, ...], rng: np.random.Generator, batch: Batch) -> None:
         """Go back to where a loop began."""
         self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = saved
+        self._tables.put_back()
 
     def _prepare(
         self, loop: Loop, rng: np.random.Generator, make_batch: Callable[[int], Batch], arguments: tuple[Any, ...]
