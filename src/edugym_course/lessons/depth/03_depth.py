@@ -534,7 +534,8 @@ for rate, results in by_rate.items():
 # %% [markdown]
 # Up to the rate 0.3 the runs that meet the exam do about equally well, so the variance of their targets is not what
 # holds the others back. The rate decides *how many* runs meet the exam. A small one leaves all values near 0 for
-# longer, so that the agent goes on trying one action after another: it explores. Start values of −5, with which untried
+# longer, so that the agent goes on trying one action after another: it explores. How many more meet it with 0.01 than with
+# 0.3 hangs on the layouts: in twelve sets of 80 runs it was 18% to 38% of the runs. Start values of −5, with which untried
 # actions look bad, take that away, and then Monte Carlo does better with 0.3 than with 0.01 (over 80 runs). Only at the
 # rate 1, which keeps nothing but the last target, do most runs that met the exam lose it again.
 

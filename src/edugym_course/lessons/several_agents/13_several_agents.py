@@ -381,7 +381,8 @@ for pair in learned.agents["Q-learning, each alone"].values():
 
 # %% [markdown]
 # Where they are safe everywhere else, 0.16 can still be won from each pair, in the 56 states: there a single action is never enough. From one pair hardly
-# more can be won. From the two others more can be won elsewhere, where a single action would be safe, and theirs is not.
+# more can be won. From the two others more can be won elsewhere, where a single action would be safe, and theirs is not. Of 15 such pairs, at most 0.03 more
+# can be won from 6, and 0.1 to 0.23 from the others.
 #
 # ### Is it that the other learns?
 # Two things are wrong for a Q-learner: its world moves, and its policy is without chance. Which of them makes it weak in soccer? Let us take the

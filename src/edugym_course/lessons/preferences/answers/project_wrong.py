@@ -194,7 +194,7 @@ my_program = [0, 1, 2]
 # says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes; and Q-learning needs many nights
 # in: visits as vectors
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
-# + target = rewards[state][action] + 0.9 * Q[next_state].max()
+# + target = rewards[state][action] + 0.95 * Q[next_state].max()
 
 # %% a mean over the actions
 # slow
