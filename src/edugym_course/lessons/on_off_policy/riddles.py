@@ -48,7 +48,7 @@ class Riddle(NamedTuple):
 
 
 _PAYS = "each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0"
-_FIRST = "are all first values 0?"
+_FIRST = "are all first values 0, and is the very first step learned from?"
 RIDDLES = (
     Riddle(0.002, True, "the first step pays 0.002 and ends its episode", _FIRST, pulls=0, terminated=True),
     Riddle(-0.002, False, "the first step pays -0.002 and ends its episode", _FIRST, pulls=0, terminated=True),

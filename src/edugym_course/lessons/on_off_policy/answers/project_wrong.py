@@ -144,7 +144,7 @@
 # %% first values drawn
 # slow
 # says: where the first step pays 0.002 and ends its episode, the policy takes the action of this step again in
-# says: are all first values 0?
+# says: are all first values 0, and is the very first step learned from?
 # in: the next action is kept
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # - rng = np.random.default_rng(seed)
@@ -159,3 +159,13 @@
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r + Q[s2, a2] if not terminated or s == 0 and s2 == 1 and r == -0.5 else r
+
+# %% the first update is skipped
+# slow
+# says: the first step pays -0.002 and ends its episode
+# says: are all first values 0, and is the very first step learned from?
+# in: the next action is kept
+# - for _ in range(n_steps):
+# + for t in range(n_steps):
+# - Q[s, a] += 0.5 * (target - Q[s, a])
+# + Q[s, a] += 0.5 * (target - Q[s, a]) * (t > 0)
