@@ -347,3 +347,13 @@ def my_program(environment, n_steps, seed):
         if terminated or truncated:
             o, _ = environment.reset()
     return lambda o: int(np.argmax(Q[tuple(o["achieved_goal"])]))
+
+
+# %% goals of 'future' in place of 'final'
+# slow
+# says: actions of my_program are not those that its own steps make look best by the equation of this lesson, and with ε = 0.1 it should be some
+# in: numbers for patterns
+# - for s, a, s2 in episode[::-1]:
+# + for i in reversed(range(len(episode))):
+# +     s, a, s2 = episode[i]
+# +     new = episode[rng.integers(i, len(episode))][2]
