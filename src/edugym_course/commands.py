@@ -4,7 +4,6 @@ import importlib
 import os
 import shutil
 import sys
-import warnings
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -21,6 +20,7 @@ from edugym_course import arguments
 from edugym_course.arguments import path_of
 from edugym_course.lessons import lesson_names, load_experiments
 from edugym_course.report import Report, Section, explanation, markdown, rows_of
+from edugym_course.warned import warnings_said_at_once
 
 try:
     require("experiments", "typer")
@@ -223,11 +223,8 @@ def _reproduce(lesson: str, folder: Path, how: dict[str, Any], guard: SignalGuar
     unfinished.mkdir(exist_ok=True)
     _clear(unfinished, keep=CHECKPOINTS)
     experiments = call_interruptibly(load_experiments, lesson)
-    with warnings.catch_warnings(record=True) as warned:
-        warnings.simplefilter("always")
+    with warnings_said_at_once():
         report = experiments.report(**how, folder=unfinished)
-    for warning in warned:
-        typer.echo(f"edugym: {warning.message}", err=True)
     plotting = call_interruptibly(importlib.import_module, "edugym.experiments.figures")
     for figure in report.figures:
         guard.should_stop()

@@ -2,7 +2,6 @@
 
 import shutil
 import sys
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +19,7 @@ from edugym.system.interrupts import SignalGuard
 from edugym.system.other_threads import call_interruptibly
 from edugym_course import agent_profiles, arguments, one_table_rules
 from edugym_course import one_table as class_challenge
+from edugym_course.warned import warnings_said_at_once
 
 UNFINISHED = "unfinished"
 """The folder, in that of the report, for what is done before everything is."""
@@ -53,8 +53,7 @@ def profile_and_report(
     how = {**how, "progress": sys.stderr.isatty(), "checkpoints": output / UNFINISHED}
     stale: dict[str, Any] = {}
     given: dict[str, Any] = {}
-    with SignalGuard(), warnings.catch_warnings(record=True) as warned:
-        warnings.simplefilter("always")
+    with SignalGuard(), warnings_said_at_once():
         if agents:
             given, beside = arguments.agents(agents), agent_profiles.load()
             found = _by_the_rules(given, how) if one_table else _profiles(given, tuned, how)
@@ -77,7 +76,7 @@ def profile_and_report(
         places = class_challenge.ranking(found, beside, found.challenges)
         _print_table(*class_challenge.ranking_table(places))
         said += class_challenge.sentences(places)
-    return [*(f"edugym: {text}" for text in {str(one.message) for one in warned}), *said, f"The report is {path}."]
+    return [*said, f"The report is {path}."]
 
 
 def _profiles(agents: dict[str, Any], tuned: list[str], how: dict[str, Any]) -> Profile:
