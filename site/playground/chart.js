@@ -29,7 +29,7 @@ export function summary(curves, t) {
   return Array.from({ length }, (_, k) => [curves[0][k][0], ...estimate(curves.map(curve => curve[k][1]), t)])
 }
 
-// `agents` has for each agent the curves of its seeds. `names` are theirs.
+// `agents` has for each agent the curves of its seeds. `names` are theirs, '' for one that the key leaves out.
 export function chart(place, agents, t, { steps, optimum, names }) {
   if (!place.clientWidth) return // it is hidden
   const lines = agents.map(curves => summary(curves, t)), known = lines.flat()
@@ -43,7 +43,7 @@ export function chart(place, agents, t, { steps, optimum, names }) {
   if (low > 0 && low < 0.3 * high) low = 0
   if (low === high) [low, high] = [low - 1, high + 1]
   const margin = 0.06 * (high - low)
-  const key = names.map((name, k) => `<span><svg viewBox="0 0 30 8" aria-hidden="true"><path d="M0 4H30" stroke="var(--lane-${k})" stroke-width="3" stroke-dasharray="${DASHES[k]}"/></svg>${name}</span>`)
+  const key = names.map((name, k) => name && `<span><svg viewBox="0 0 30 8" aria-hidden="true"><path d="M0 4H30" stroke="var(--lane-${k})" stroke-width="3" stroke-dasharray="${DASHES[k]}"/></svg>${name}</span>`)
   if (low - margin > 0) key.push('<i>The scale does not begin at 0.</i>')
   if (ends[0] < low - margin) key.push('<i>Lines go on below the lower edge.</i>')
   place.innerHTML = `<p class="key">${key.join('')}</p><div></div>`

@@ -130,11 +130,11 @@ export class Editor {
   clear() {
     if (this.running) this.stop('')
     this.walk?.stop()
-    this.done = this.ran = undefined
+    this.done = this.ran = this.failed = undefined
     this.ours = []
     this.theirs = []
     this.looks = {}
-    this.find('ours').classList.remove('unknown')
+    this.unknown(false)
     this.pictures = Object.fromEntries(['ours', 'theirs'].map(id => [id, this.picture(id)]))
     this.walk = new Walk(look => this.pictures.ours.happen(look), this.task.look.length)
     this.print([])
@@ -255,7 +255,9 @@ export class Editor {
     this.end()
     if (data.error) {
       this.field.mark(data.line)
-      this.find('ours').classList.toggle('unknown', !this.looks.ours) // it has not played
+      this.failed = true
+      this.unknown(!this.looks.ours?.visits.some(Boolean))
+      soon(this.curves)
       return this.tell(`${data.line ? `Line ${data.line}. ` : ''}${data.error}`)
     }
     this.ours = data.curves
@@ -263,6 +265,11 @@ export class Editor {
     soon(this.curves)
     this.judge()
     if (data.said.length) this.find('code-said').textContent = data.said.join(' ')
+  }
+
+  // It has not played: nothing is said of what it does.
+  unknown(is) {
+    for (const id of ['ours', 'walks']) this.find(id).classList.toggle('unknown', is)
   }
 
   print(lines) {
@@ -301,7 +308,7 @@ export class Editor {
 
   curves() {
     const { task, state, race, lane } = this
-    chart(this.find('code-chart'), [this.ours, this.theirs], this.student, { steps: state.steps, optimum: task.optimum, names: ['Your agent', lane.label] })
+    chart(this.find('code-chart'), [this.ours, this.theirs], this.student, { steps: state.steps, optimum: task.optimum, names: [this.failed ? '' : 'Your agent', lane.label] }) // who has failed has no line
     const says = race.measure?.says ?? `Points in a game (the mean of ${race.episodes} games without random moves)`
     const { several, seed } = state
     this.find('code-caption').textContent = several > 1 ? `${says}, mean of ${several} seeds with its 95 % interval. The pictures show seed ${seed}` : says

@@ -120,7 +120,7 @@ function legend() {
     return `${named.length ? signed : ''}${colours} ${race.fields}`
   }
   find('legend').textContent = `${seeds}${says(lanes.map(({ picture }) => picture))}`
-  if (state.code) find('code-legend').textContent = `${says(Object.values(editor.pictures ?? {}))} Your agent walks as it would play now, without exploring.`
+  if (state.code) find('code-legend').textContent = says(Object.values(editor.pictures ?? {}))
 }
 
 function controls() {

@@ -59,6 +59,8 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     change(reader, "target - self", "target - sef")
     assert ran(reader).startswith("Line 17. NameError")
     assert reader.text(".cm-gutterElement.wrong") == "17"
+    until(lambda: reader.text("#code-chart .key") == "Q-learning", "a key without who has no line")
+    assert reader("getComputedStyle(document.querySelector('#walks')).visibility") == "hidden"
     change(reader, "target - sef", "target - self")
     assert reader.text("#code-status") == "The code has changed. Press Run."
     change(reader, "        target =", "        notes = {}\n        target =")
