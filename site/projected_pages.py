@@ -6,9 +6,11 @@ and hides what stands around it, and `site.js` turns to the next part of it when
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from itertools import pairwise
 
 from lesson_pages import EXPLANATION, FOLD, FOLD_ENDS, Lesson
+from panels import panels, size
 
 CHALLENGE = re.compile(r"\*\*The challenge\.\*\* (.*?)\n\n", re.DOTALL)
 PICTURE = re.compile(r"^!\[.*\)(?:\{\.wide\})?$", re.MULTILINE)
@@ -18,6 +20,11 @@ MEASURED = re.compile(r'<details class="measured">.*?</details>', re.DOTALL)
 EXPLAINED = re.compile(rf"{re.escape(EXPLANATION)}.*</details>", re.DOTALL)
 ASIDE = re.compile(rf"^### [^\n]*\n\n{re.escape(FOLD)}.*?{re.escape(FOLD_ENDS)}$\n*", re.MULTILINE | re.DOTALL)
 RACE = re.compile(r'<details class="live"><summary>.*?: agents race in (\w+)')
+FIGURE = re.compile(r"!\[([^\]]*)\]\((?:\.\./lessons/)?figures/(\S+)\.png\)\{\.wide\}")
+TALL = 1.3
+"""A figure whose height goes into its width fewer times is as wide as the page, though one has to scroll."""
+LOW = 5
+"""A legend is wider than so many times its height."""
 MARK = '<div class="projected"></div>'
 PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
@@ -28,8 +35,8 @@ def pages(lessons: list[Lesson]) -> dict[str, str]:
     return {
         "project/index": "# To project in class\n\nOne page a lesson. Show the task and the equations, let the class "
         "bet, count the hands, and only then open what was measured. The keys → and ←, or Page Down and Page Up as a "
-        "clicker sends them, turn to the next part and back; the button at the top fills the screen. A click on a "
-        "figure makes it as wide as the page, so that its numbers are larger.\n\n" + "".join(listed),
+        "clicker sends them, turn to the next part and back; the button at the top fills the screen.\n\n"
+        + "".join(listed),
         **{_place(lesson): page(lesson) for lesson in lessons},
     }
 
@@ -39,10 +46,7 @@ def page(lesson: Lesson) -> str:
     path = ASIDE.sub("", lesson.text)
     sections = {part.partition(":")[0]: part for part in re.split(r"^## ", path, flags=re.MULTILINE)}
     task, idea = sections["Meet the environment"], sections["The idea"]
-    bet = next(part for part in sections.values() if QUESTION.search(part) and MEASURED.search(part))
-    question = _first(QUESTION, bet).replace("Your prediction. ", "", 1)
-    measured = PROGRAM.sub("", EXPLAINED.sub("</details>", _first(MEASURED, bet)))
-    measured = measured.replace("what this cell measured", "what was measured")
+    question = _first(QUESTION, _bet(lesson)).replace("Your prediction. ", "", 1)
     return "\n\n".join([
         f"# {lesson.title}, to project",
         MARK,
@@ -53,10 +57,58 @@ def page(lesson: Lesson) -> str:
         *_equations(idea),
         "## Place your bets",
         question,
-        measured.replace("](figures/", "](../lessons/figures/"),
+        FIGURE.sub(partial(_readable, lesson), _measured(lesson).replace("](figures/", "](../lessons/figures/")),
         " · ".join(_links(lesson)),
         "",
     ])  # fmt: skip
+
+
+def figures(lessons: list[Lesson]) -> dict[str, bytes]:
+    """Return the panels that pages show in place of whole figures, by their place."""
+    found = dict[str, bytes]()
+    for lesson in lessons:
+        for _, name in FIGURE.findall(_measured(lesson)):
+            several = panels(lesson.figures[f"lessons/figures/{name}.png"])
+            if len(several) > 1:
+                found |= {f"project/figures/{name}-{k}.png": panel for k, panel in enumerate(several, start=1)}
+    return found
+
+
+def _measured(lesson: Lesson) -> str:
+    """What was measured of the first bet of a lesson, without what is said of it and without programs."""
+    text = PROGRAM.sub("", EXPLAINED.sub("</details>", _first(MEASURED, _bet(lesson))))
+    return text.replace("what this cell measured", "what was measured")
+
+
+def _bet(lesson: Lesson) -> str:
+    """The first section with a bet that is measured."""
+    path = ASIDE.sub("", lesson.text)
+    return next(
+        part for part in re.split(r"^## ", path, flags=re.MULTILINE) if QUESTION.search(part) and MEASURED.search(part)
+    )
+
+
+def _readable(lesson: Lesson, found: re.Match[str]) -> str:
+    """A figure so large that the numbers at its axes can be read from the last row."""
+    says, name = found.groups()
+    figure = lesson.figures[f"lessons/figures/{name}.png"]
+    several = panels(figure)
+    if len(several) == 1:
+        return f"![{says}](../lessons/figures/{name}.png){{{_kind(figure)}}}"
+    kinds = (_kind(part, ".panel") for part in several)
+    return " ".join(f"![{says}, part {k}](figures/{name}-{k}.png){{{kind}}}" for k, kind in enumerate(kinds, start=1))
+
+
+def _kind(figure: bytes, usual: str = "") -> str:
+    """How large `site.css` makes it: a tall one and a legend are as wide as the page, panels stand in twos."""
+    width, height = size(figure)
+    return (
+        ".wide .tall"
+        if width < TALL * height and not usual
+        else f".wide {usual}".rstrip()
+        if width < LOW * height
+        else ".wide"
+    )
 
 
 def _links(lesson: Lesson) -> Iterator[str]:

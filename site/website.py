@@ -83,6 +83,7 @@ def sources(with_lite: bool = False) -> dict[str, bytes]:
     for folder, pages in _children(texts, lessons).items():
         texts[f"{folder}/index"] += "\n".join(["\n```{toctree}", ":hidden:", "", *pages, "```", ""])
     figures = {path: content for lesson in lessons for path, content in lesson.figures.items()}
+    figures |= projected_pages.figures(lessons)
     pictures = [path for path in (ROOT / "docs").rglob("*") if path.suffix in PICTURES]
     return {
         **{f"{page}.md": text.encode() for page, text in texts.items()},

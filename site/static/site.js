@@ -89,12 +89,11 @@ if (projected) {
     event.preventDefault()
     turn(ways[event.key])
   })
-  // Printed tables are as large as their longest line lets them be, and a click makes a figure as wide as the page.
+  // Printed tables are as large as their longest line lets them be.
   for (const pre of document.querySelectorAll('article pre')) {
     const longest = Math.max(...pre.textContent.split('\n').map(({ length }) => length))
     pre.style.fontSize = `clamp(.6em, ${140 / longest}vw, .9em)`
   }
-  for (const figure of document.querySelectorAll('.measured img')) figure.addEventListener('click', () => figure.classList.toggle('large'))
   const fill = document.createElement('button')
   fill.type = 'button'
   fill.className = 'fill'

@@ -307,23 +307,6 @@ def test_an_agents_page_has_equation_code_lessons_and_profile(lessons: list[less
         assert {line["class"] for line in others} == {"other"}
 
 
-def test_a_page_to_project_shows_what_was_measured_only_on_demand(lessons: list[lesson_pages.Lesson]) -> None:
-    """It has a picture, equations, a bet and its race; the rest of the lesson is not there, and programs neither."""
-    pages = projected_pages.pages(lessons)
-    for lesson in lessons:
-        before, fold, after = pages.pop(f"project/{lesson.name}").partition('<details class="measured">')
-        assert all(part in before for part in ("![", "$$", "<fieldset")), lesson.name
-        assert "Measured: " not in before, lesson.name
-        assert "Measured: " in after, lesson.name
-        for path in re.findall(r"\(\.\./(lessons/figures/[^)]*)\)", before + fold + after):
-            assert path in lesson.figures
-        assert "```python" not in after
-        assert re.findall(r"#task=(\w+)", after) == re.findall(r"\?first#task=(\w+)", lesson.text), lesson.name
-        assert len(before.split()) < 400, lesson.name  # a lesson has thousands
-    assert list(pages) == ["project/index"]
-    assert pages["project/index"].count("](/project/") == len(lessons)
-
-
 @pytest.mark.parametrize(("place", "pictures"), [("", 0), ("https://example.org/course", 1)])
 def test_a_preview_has_a_picture_where_the_address_is_known(
     place: str, pictures: int, monkeypatch: pytest.MonkeyPatch
