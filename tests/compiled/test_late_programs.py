@@ -91,6 +91,8 @@ REFUSED = {
     "keyword that exp does not take": (late("x = math.exp(x=1.0)"), "it calls exp with other arguments than it takes"),
     "nothing for len": (late("x = len() + 0.5"), "it calls len with other arguments than it takes"),
     "name that stands for nothing": (late("x = alpa"), "there is no alpa"),
+    "array alone in a class, all of it": (late("w = self.A\nw[:] *= 0.5"), "changes an array in place"),
+    "two values for append": (late("row = [0.5]\nrow.append(1, 2)"), "cannot compile this line"),
     "array in a class, by a method": (late("self.bump()"), "writes to an array"),
     "array of a class, by another name": (late("part = self.M[0]\npart[0] += 1"), "writes to an array"),
     "array in a default": (late("self.remember()"), "a default of remember is an array"),

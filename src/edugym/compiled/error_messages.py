@@ -2,6 +2,7 @@
 
 import inspect
 import re
+import traceback
 from pathlib import Path
 from types import FunctionType
 
@@ -115,19 +116,32 @@ def reason(error: Exception, code: Code) -> str:
         error: what compiling has raised.
         code: what was compiled.
     """
+    own = {Path(file).name: file for file in code.foreign_files}
     if not type(error).__module__.startswith("numba"):  # an internal error of Numba
+        line = _line_at_work(error, own)
+        said = "Numba cannot compile this line" if line else f"Numba cannot compile it ({type(error).__name__})"
         if "no attribute 'args'" in str(error):  # of the signature that it has not found
-            return "it changes an array in place that is no field: pass it as a field"
-        return f"Numba cannot compile it ({type(error).__name__})"
+            said = "it changes an array in place that is no field: pass it as a field"
+        return f"{said} ({line})" if line else said
     text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
     lines = re.split(r"^(?:During: |File )", text, maxsplit=1, flags=re.MULTILINE)[0].splitlines()
-    own = {Path(file).name: file for file in code.foreign_files}
     places = re.findall(r'(?:File "| at |Raised from )([^"\n]+?)"?(?:, line | \()(\d+)', text)
     own_lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
     if not own_lines and re.search(r">>> isfinite\(array", text):  # in a guard around the student's MDP
         return "the reward is an array, but should be a number: for np.where write `... if ... else ...`"
     said = _method_without_self(text, code) or _translated(lines)
     return f"{said} ({own_lines[0]})" if own_lines else said
+
+
+def _line_at_work(error: Exception, own: dict[str, str]) -> str | None:
+    """The student's line that Numba was compiling when it failed, as its own functions know it."""
+    for frame, _ in reversed([*traceback.walk_tb(error.__traceback__)]):
+        for value in frame.f_locals.values():
+            if type(value).__module__ == "numba.core.ir":
+                loc = getattr(value, "loc", value)
+                if file := own.get(Path(getattr(loc, "filename", "")).name):
+                    return place(file, loc.line)
+    return None
 
 
 def _method_without_self(text: str, code: Code) -> str | None:
