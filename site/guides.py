@@ -20,6 +20,7 @@ GROUPS = {
         "own-numbers",
         "course-plans",
         "assessment",
+        "claims",
         "statements",
         "license",
         "writing-lessons",

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.results.claims import Claim
-from edugym.experiments.results.statistics import Interval
+from edugym.experiments.results.statistics import Interval, in_short
 
 
 class Report(NamedTuple):
@@ -65,12 +65,12 @@ def markdown(sections: Sequence[Section], folder: Path) -> str:
         [f"[{one.name}](#{one.name})", f"{one.n_hold} of {len(one.claims)}", f"{one.n_tested} of {one.n_reasons}"]
         for one in sections
     )
-    parts = ["# What the experiments show", *_table(("lesson", "claims that hold", "tested reasons"), overview)]
+    parts = ["# What the experiments show", *table(("lesson", "claims that hold", "tested reasons"), overview)]
     for section in sections:
         title, _, rest = inspect.cleandoc(section.about).partition("\n")
         parts += [f'<a id="{section.name}"></a>', f"## {title}", rest.strip()]
         head = ("", "claim", "measured, with 95 % interval", "expected", "holds")
-        parts += _table(head, ([str(i), *_cells(row)] for i, row in enumerate(section.claims, start=1)))
+        parts += table(head, ([str(i), *cells_of(row)] for i, row in enumerate(section.claims, start=1)))
         parts += [f"![{path.stem}]({path.relative_to(folder).as_posix()})" for path in section.figures]
     return "\n\n".join(part for part in parts if part) + "\n"
 
@@ -110,12 +110,17 @@ def _text(cell: Any) -> str:
     return "" if cell is None else str(cell)
 
 
-def _cells(row: dict[str, Any]) -> list[str]:
+def cells_of(row: dict[str, Any]) -> list[str]:
+    """A claim as cells of a table: what it says, what was measured, what was expected, and whether it holds."""
     measured = Interval(row["estimate"], row["low"], row["high"], int(row["n"]))
+    shown = f"{measured}, n = {measured.n}" if measured.n else f"{measured}"
+    if measured.n == 1 and measured.low == measured.high:
+        shown = f"{in_short(measured.estimate)}, exact"
     statement = " — ".join([row["statement"], *explanation(row)])
-    return [statement, f"{measured}: {row['quantity']}", row["expected"], "yes" if row["holds"] else "**NO**"]
+    return [statement, f"{shown}: {row['quantity']}", row["expected"], "yes" if row["holds"] else "**NO**"]
 
 
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    """A table in Markdown, as the only part of a list of them."""
     lines = [head, ["---"] * len(head), *rows]
     return ["\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)]

@@ -72,7 +72,8 @@ def test_a_report() -> None:
     one, two = lines[4:-3], lines[-3:]
     assert one[:4] == ['<a id="one"></a>', "## One.", "Rest of", "it."]
     assert one[5:] == [
-        r"| 1 | A \| B — because why (tested by 2) — as the paper says | 0.75 [0.625, 0.875]: share | > 0.5 | yes |",
+        r"| 1 | A \| B — because why (tested by 2) — as the paper says | "
+        "0.75 [0.625, 0.875], n = 12: share | > 0.5 | yes |",
         "| 2 | C — our guess: why | not measured: share | > 0.5 | **NO** |",
         "![b](one/b.svg)",
         "![a](one/a.svg)",
