@@ -90,6 +90,22 @@ class Strength(NamedTuple):
     first: int
 
 
+class Trial(NamedTuple):
+    """Where a reader changes the code: a task in which a change soon shows.
+
+    The unchanged agent learns it within the race, neither at once nor hardly at all.
+
+    Attributes:
+        strength: the index of the strength.
+        steps: the training steps.
+        several: how many seeds race.
+    """
+
+    strength: int
+    steps: int
+    several: int
+
+
 class Measure(NamedTuple):
     """How agents are compared where that is not by the reward from which they learn.
 
@@ -116,6 +132,7 @@ class Race(NamedTuple):
         agents: the first three race when the page opens.
         n_steps: the training steps of a race.
         strength: how hard it is.
+        trial: what is shown first where a reader changes the code.
         numbers: what the numbers of an observation are; empty where they need no names.
         keys: the keys for the actions, besides 1, 2, ...
         parameters: the other parameters of the environment.
@@ -133,6 +150,7 @@ class Race(NamedTuple):
     agents: tuple[Agent, ...]
     n_steps: int
     strength: Strength
+    trial: Trial
     numbers: tuple[str, ...]
     keys: tuple[str, ...] = ()
     parameters: Mapping[str, Any] = NONE

@@ -153,6 +153,7 @@ def menu(race: Race) -> dict[str, Any]:
         **lesson(entry.lesson),
         "steps": race.n_steps,
         "seeds": race.seeds,
+        "code": race.trial._asdict(),
         "episodes": race.episodes,
         "measure": race.measure and {"says": race.measure.says, "code": race.measure.code},
         "numbers": race.numbers,

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from offers import NONE, Agent, Measure, Race, Strength
+from offers import NONE, Agent, Measure, Race, Strength, Trial
 from views import ASKED, CHANGING, LISTED, PIXELS, STEADY, bins, priced, window, within_the_air
 
 import edugym
@@ -72,6 +72,7 @@ BANDIT = Race(
     ),
     2_000,
     Strength("gap", (0.05, 0.1, 0.2, 0.5, 1.0), 2),
+    Trial(3, 500, 10),
     (),
     parameters={"max_steps": 100},
     seeds=20,
@@ -96,6 +97,7 @@ BOULDER = Race(
     ),
     exploration.N_STEPS,
     Strength("height", (4, 6, 8, 10, 12, 15, 20, 25, 30), 5),
+    Trial(3, 20_000, 5),
     ("position",),
     ("ArrowLeft", "ArrowRight"),
     answer="Before the first reward all values are equal, so greedy play is random too, and a larger ε changes "
@@ -111,6 +113,7 @@ ROADRUNNER = Race(
     usual(RUNNING, edugym.QLearning, edugym.SARSA, edugym.ExpectedSARSA, edugym.DoubleQLearning, edugym.NStepSARSA),
     on_off_policy.N_STEPS,
     Strength("size", (6, 8, 10, 12, 15, 20), 2),
+    Trial(2, 5_000, 5),
     ("position", "speed"),
     ("ArrowLeft", "ArrowUp", "ArrowRight"),
     seeds=5,
@@ -128,6 +131,7 @@ STUDY = Race(
     ),
     depth.N_STEPS,
     Strength("total_days", (6, 8, 10, 15, 20, 30), 2),
+    Trial(1, 5_000, 5),
     ("knowledge", "energy", "day"),
     seeds=20,
 )
@@ -151,6 +155,7 @@ CATCH = Race(
     ),
     dimensionality.N_STEPS,
     Strength("columns", (3, 5, 7, 9, 11), 1),
+    Trial(1, 2_000, 10),
     ("ball's column", "ball's row", "paddle's column"),
     ("ArrowLeft", "ArrowDown", "ArrowRight"),
     {"observation_type": "vectorised"},
@@ -172,6 +177,7 @@ MEMORY_CORRIDOR = Race(
     ),
     memory.N_STEPS,
     Strength("num_doors", (2, 3, 4, 5), 1),
+    Trial(1, 5_000, 10),
     ("mark",),
     is_finite=False,
 )
@@ -187,6 +193,7 @@ TAMAGOTCHI = Race(
     ),
     signal.N_STEPS,
     Strength("tau", (0.0, 0.02, 0.05, 0.1, math.inf), 1),
+    Trial(0, 20_000, 5),
     ("hit points", "word"),
     is_finite=False,
     seeds=20,
@@ -204,6 +211,7 @@ TRASHBOT = Race(
     ),
     1_000_000,
     Strength("container_width", (0.3, 0.35, 0.4, 0.45, 0.6), 3),
+    Trial(3, 100_000, 5),
     ("elbow x", "elbow y", "wrist x", "wrist y", "magnet x", "magnet y", "holding"),
     is_finite=False,
     seeds=5,
@@ -222,6 +230,7 @@ GOLF = Race(
     ),
     stochasticity.N_STEPS,
     Strength("stochasticity_level", (0.0, 0.005, 0.01, 0.015, 0.03, 0.06), 3),
+    Trial(5, 500, 10),
     ("column", "row"),
     is_finite=False,
     seeds=20,
@@ -236,6 +245,7 @@ SUPERMARKET = Race(
     + usual(SHOPPING, edugym.QLambda, edugym.SARSA),
     2_000,  # a fifth of the lesson's: later Q-learning has caught up
     Strength("max_steps", (100, 200, 500, 1000), 2),
+    Trial(0, 5_000, 5),
     ("place and items",),
     ("ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"),
     seeds=20,
@@ -267,6 +277,7 @@ SWITCHES = Race(
     ),
     goals.N_STEPS,
     Strength("n_switches", (2, 3, 4, 5), 3),
+    Trial(2, 5_000, 5),
     (),
     episodes=20,
     seeds=20,
@@ -311,6 +322,7 @@ DIVER = Race(
     ),
     objectives.N_STEPS,
     Strength("concavity", (0.0, 0.25, 0.5, 0.75, 1.0), 2),
+    Trial(2, 500, 10),
     ("cell",),
     ("ArrowDown", "ArrowRight"),
     measure=Measure(
@@ -340,6 +352,7 @@ CASINO = Race(
     ),
     100,  # some 60 episodes: later the machines have been found out, by Q-learning too
     Strength("n_machines", (1, 2, 5, 10, 15), 3),
+    Trial(3, 100, 20),
     ("place",),
     episodes=50,
     seeds=20,

@@ -6,6 +6,7 @@ import { chart, short } from './chart.js'
 import { read, write } from './link.js'
 import { Lane } from './lane.js'
 import { Play } from './play.js'
+import { create, given, made, program, settled } from './program.js'
 import { soon } from './soon.js'
 import { LUCK, verdict } from './verdict.js'
 
@@ -18,7 +19,7 @@ const OWN = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' } // settings t
 // On the page of the playground the address is that of the page around this one.
 const whole = window.frameElement?.hasAttribute('data-address') ? parent : window
 const SENT = 'The sender of this link has run this race'
-let state, written, race, task, bet = null, running = false, charted = 0
+let state, aside, raced, written, race, task, bet = null, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
 const editor = data.editor && new Editor(find, data, onCode) // where npm does not answer, the page is built without
@@ -45,15 +46,17 @@ find('seed').innerHTML = data.seeds.map((_, k) => `<option>${k}</option>`).join(
 
 async function open() {
   state = read(whole.location.hash)
-  written = null
-  bet = null
+  written = aside = bet = null
+  raced = false
   race = data.races.find(({ name }) => name === state.task) ?? data.races.find(({ name }) => name === 'Boulder')
   state.task = race.name
-  state.strength = within(state.strength ?? race.strength.first, race.strength.values.length)
+  state.code &&= Boolean(editor)
+  state.play &&= !state.code
+  for (const name in usual()) state[name] ??= usual()[name]
+  state.strength = within(state.strength, race.strength.values.length)
   state.agents = state.agents.map(k => within(k, race.agents.length))
   state.seed = within(state.seed, data.seeds.length)
-  if (!data.several.some(([n]) => n === state.several)) state.several = race.seeds
-  state.steps ??= race.steps
+  if (!data.several.some(([n]) => n === state.several)) state.several = usual().several
   state.source ||= editor?.packed ?? '' // what the reader has written goes along
   for (const link of find('tasks').children) {
     if (link.textContent !== race.name) link.removeAttribute('aria-current')
@@ -72,34 +75,40 @@ async function open() {
   find('strength').max = race.strength.values.length - 1
   find('code-strength-name').textContent = find('strength-name').textContent
   find('code-strength').innerHTML = race.strength.values.map((value, k) => `<option value="${k}">${value}</option>`).join('')
-  find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, state.steps])].sort((a, b) => a - b)
+  find('steps').innerHTML = find('code-steps').innerHTML = [...new Set([...STEPS, race.steps, race.code.steps, state.steps])].sort((a, b) => a - b)
     .map(n => `<option value="${n}">${short(n)}</option>`).join('')
   find('tab-code').hidden = !editor
-  state.code &&= Boolean(editor)
-  state.play &&= !state.code
   uncover()
   await begin()
   await refresh()
 }
 
-// A new race: everybody at the start, or as far as the link says.
-async function begin() {
+// What a tab begins with. Where the code is changed, a change soon shows: at the settings of a race it may not.
+const usual = () => state.code ? race.code : { strength: race.strength.first, steps: race.steps, several: race.seeds }
+
+// A new race: everybody at the start, or as far as the link says. With `keep` it stays as it was when its tab was left.
+async function begin(keep = false) {
   stop()
   const wanted = `data/${race.name}-${state.strength}.json`
   const answer = await (await fetch(wanted)).json()
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   task = answer
   for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > (box.id === 'lanes' ? 1.2 : 0.8) * task.scene.height)
+  if (!state.code && !(keep && raced)) ready()
+  controls()
+  legend()
+  find('code').textContent = program(race, state)
+}
+
+function ready() {
+  raced = true
   charted = 0
   const seeds = Array.from({ length: state.several }, (_, k) => data.seeds[(state.seed + k) % data.seeds.length])
   const { steps, show, policy, at } = state
   const how = { seeds, student: student(), steps, every: Math.max(1, Math.floor(steps / 100)), show, policy, at }
   lanes.forEach((lane, k) => lane.begin(race, task, state.agents[k], { ...how, settings: slots(race.agents[state.agents[k]]) }))
-  controls()
   find('run').disabled = find('again').disabled = false
   invite()
-  legend()
-  program()
 }
 
 function invite() {
@@ -162,9 +171,7 @@ function controls() {
   find('whole').href = `../playground.html${write({ ...state, at: ended ? lanes.map(({ steps }) => steps) : state.at })}`
 }
 
-// The settings of the sliders that an agent takes, where the reader has moved them.
-const given = ({ own }) => Object.keys(own).filter(name => state[name] !== null)
-const slots = agent => Object.fromEntries(given(agent).map(name => [`.${name}`, state[name]]))
+const slots = agent => Object.fromEntries(given(agent, state).map(name => [`.${name}`, state[name]]))
 const student = () => data.several.find(([n]) => n === state.several)[1]
 const within = (k, n) => Number.isInteger(k) && k >= 0 && k < n ? k : 0
 const rate = () => state.speed === null ? state.steps / LASTS : state.speed >= Number(find('speed').max) ? Infinity : 10 ** state.speed
@@ -275,7 +282,7 @@ function redraw() {
   controls()
   legend()
   for (const lane of lanes) {
-    Object.assign(lane.how, { show: state.show, policy: state.policy })
+    if (lane.how) Object.assign(lane.how, { show: state.show, policy: state.policy })
     soon(lane.draw)
   }
   if (state.code) editor.draw()
@@ -288,10 +295,16 @@ const chosen = () => state.code ? 'code' : state.play ? 'play' : 'race'
 
 async function choose(name) {
   if (name !== 'race' && running) find('run').onclick()
+  const turned = state.code !== (name === 'code'), { strength, steps, several } = state
   state.play = name === 'play'
   state.code = name === 'code'
+  if (turned) {
+    Object.assign(state, aside ?? usual())
+    aside = { strength, steps, several }
+  }
   uncover()
-  controls()
+  if (turned) await begin(true)
+  else controls()
   if (name !== 'race') return refresh()
   remeasure()
 }
@@ -309,9 +322,9 @@ function uncover() {
 async function refresh() {
   if (state.play) await play.open(race, task, data.seeds[state.seed])
   if (state.code) await settle(editor.open(race, task, state, {
-    task: made,
-    settings: settled,
-    agent: agent => `agent = ${create({ kind: agent.kind.split('.').at(-1) }, settled(agent))}\n`,
+    task: lane => made(lane, race, state),
+    settings: agent => settled(agent, state),
+    agent: agent => `agent = ${create({ kind: agent.kind.split('.').at(-1) }, settled(agent, state))}\n`,
     own: ({ own }) => Object.fromEntries(Object.entries(own).map(([name, value]) => [name, state[name] ?? value])),
     slots,
   }).then(legend))
@@ -333,39 +346,6 @@ document.querySelector('.tabs').onkeydown = event => {
   const names = Object.keys(TABS).filter(name => !find(`tab-${name}`).hidden), step = event.key === 'ArrowRight' ? 1 : -1
   const name = names.at((names.indexOf(chosen()) + step) % names.length)
   choose(name).then(() => find(`tab-${name}`).focus())
-}
-
-// The same numbers in Python
-
-// The lines that make the task, as an agent sees it.
-function made({ seen }) {
-  const { parameter, values, others } = race.strength, value = values[state.strength].replace('inf', 'float("inf")')
-  const given = [`"${race.name}"`, `${parameter}=${value}`, ...others].join(', ')
-  return `mdp = edugym.make_mdp(${given})\n${seen ? `mdp = ${seen}\n` : ''}`
-}
-
-function create({ kind }, settings) {
-  return `${kind}.create(${['mdp', ...settings.map(([name, value]) => `${name}=${value}`)].join(', ')})`
-}
-
-// An agent's settings as code, with those of the sliders that the reader has moved.
-function settled(agent) {
-  const known = Object.fromEntries(agent.settings)
-  for (const name of given(agent)) {
-    if (name === 'epsilon') known.exploration = `edugym.EpsilonGreedy(${state.epsilon})`
-    else known[name] = state[name]
-  }
-  return Object.entries(known)
-}
-
-function program() {
-  const blocks = state.agents.map(k => race.agents[k]).map(agent => {
-    return `# ${agent.label}\n${made(agent)}agent = edugym.${create(agent, settled(agent))}\n`
-      + `run = edugym.${race.measure ? 'objectives.train_vectors' : 'train'}(mdp, agent, ${state.steps}, seed=${state.seed}, evaluation_episodes=${race.episodes})\n`
-      + `print(${race.measure?.code ?? 'run.returns'})\n`
-  })
-  find('same').textContent = 'EduGym gives the numbers of this page. (Where a task needs exponentials, sines or logarithms, the last digit can differ from machine to machine.)'
-  find('code').textContent = `import edugym${race.measure ? '.objectives' : ''}\n\n${blocks.join('\n')}`
 }
 
 // The reader has written something: `packed` is the program as letters, '' where it is the page's own, or too long.

@@ -49,6 +49,15 @@ def first_state(mdp: Any) -> Any:
 
 
 @each_race
+def test_where_the_code_is_changed_the_page_has_what_it_begins_with(race: Race) -> None:
+    """A strength and a number of seeds from which the reader chooses, and some hundred thousand steps at most."""
+    trial = playground.menu(race)["code"]
+    assert trial["strength"] in range(len(race.strength.values))
+    assert trial["several"] in playground.SEVERAL
+    assert trial["steps"] * trial["several"] <= 500_000
+
+
+@each_race
 def test_the_words_for_everybody_fit_the_task(race: Race) -> None:
     """No mathematics; for every action a name and a sign, with the number that the picture has; letters for codes.
 

@@ -13,7 +13,7 @@ import playground
 import pytest
 from offers import Race
 from places import MAPS
-from races import DIVER, RACES
+from races import BOULDER, DIVER, RACES, ROADRUNNER, STUDY
 from scenery import scenery, table
 
 import edugym
@@ -23,9 +23,9 @@ SHORT = re.findall(r"SHORT = `(.*?)`", (playground.PAGE / "editor.js").read_text
 BOULDER_OF_4 = 'mdp = edugym.make_mdp("Boulder", height=4)'
 
 
-def made(race: Race, seen: str) -> str:
-    """The lines that make a task, as an agent sees it."""
-    value = race.strength.values[race.strength.first]
+def made(race: Race, seen: str, k: int | None = None) -> str:
+    """The lines that make a task, as an agent sees it; by default at the strength of the race."""
+    value = race.strength.values[race.strength.first if k is None else k]
     given = {race.strength.parameter: value, **race.parameters}
     text = ", ".join([repr(race.environment), *(f"{name}={value!r}" for name, value in given.items())])
     return f"mdp = edugym.make_mdp({text})\n" + (f"mdp = {seen}\n" if seen else "")
@@ -236,6 +236,27 @@ def test_of_vectors_the_page_shows_its_own_number() -> None:
     assert [value for _, value in found["curve"]] == expected.tolist()
     assert shown[-1].sum() >= 500
     assert "train_vectors" in run(agent, task)["error"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("race", [BOULDER, ROADRUNNER, STUDY], ids=lambda race: race.environment)
+def test_a_change_of_the_code_shows(race: Race) -> None:
+    """Where the page begins: with a discount of 0, or with a wrong sign, every run ends lower than those without it."""
+    own, trial = playground.own_settings(race.agents[0]), race.trial
+    short = SHORT.replace("0.1 * (target", f"{own['learning_rate']} * (target").replace("< 0.1", f"< {own['epsilon']}")
+    sources = [
+        short.replace("0.99 *", f"{own['discount']} *"),
+        short.replace("0.99 *", "0.0 *"),
+        short.replace("+= ", "-= "),
+    ]
+    task, ends = made(race, "", trial.strength), list[list[float]]()
+    for source in sources:
+        runs = (
+            edugym_page.run(source, task, trial.steps, seed, race.episodes, lambda *_: None, [""], 10)
+            for seed in (0, 1)
+        )
+        ends.append([float(np.mean([value for _, value in run["curve"][-10:]])) for run in runs])
+    assert min(ends[0]) > max(ends[1] + ends[2])
 
 
 def test_what_is_interpreted_says_why() -> None:

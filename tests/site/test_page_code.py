@@ -4,7 +4,7 @@ import random
 from typing import Any
 
 import pytest
-from races import RACES
+from races import BOULDER, RACES
 
 from tests.course.lab.browser import until
 from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader
@@ -76,6 +76,37 @@ def test_a_reader_changes_the_code(size: tuple[int, int], address: str, browser:
     assert reader.text("#printed").endswith("not shown)")
     change(reader, "        print(state)\n", "")
     assert "your agent has 1," in ran(reader)
+    reader.check()
+
+
+def test_the_code_has_settings_of_its_own(address: str, browser: Any) -> None:
+    """With them a change shows; the race stays as it was, and a link has those of the tab that it opens."""
+    reader = Reader(browser, f"{address}#task=Boulder&steps=10000")
+    if reader("document.querySelector('#tab-code').hidden"):
+        pytest.skip("npm does not answer, so there is no editor")
+
+    def settings(prefix: str) -> list[str]:
+        ids = [f"{prefix}{name}" for name in ("strength", "steps", "several")]
+        return [str(reader("document.getElementById(arguments[0]).value", name)) for name in ids]
+
+    trial = [str(value) for value in BOULDER.trial]
+    reader.move("speed", 7.2)
+    reader.click("#run")
+    until(lambda: "Pause" not in reader.text("#run"), "the end of the race")
+    said = reader.text("#verdict")
+    reader.click("#tab-code")
+    until(lambda: settings("code-") == trial, "its own settings")
+    assert "steps=20000" in reader("location.hash")
+    until(lambda: "height=10" in reader.text("#code-said"), "the task")
+    link = reader("location.href")
+    reader.click("#tab-race")
+    until(lambda: settings("") == [str(BOULDER.strength.first), "10000", str(BOULDER.seeds)], "those of the race")
+    assert reader.text("#verdict") == said
+    reader = Reader(browser, link)
+    assert settings("code-") == trial
+    reader.click("#tab-race")
+    until(lambda: settings("") == [str(BOULDER.strength.first), str(BOULDER.n_steps), str(BOULDER.seeds)], "a race")
+    assert reader.text("#verdict").startswith("Bet first")
     reader.check()
 
 
