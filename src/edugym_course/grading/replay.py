@@ -35,7 +35,7 @@ from edugym_course.grading.programs import (
     shape_of,
 )
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
-from edugym_course.grading.surprises import BOTH, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
+from edugym_course.grading.surprises import BOTH, NATS, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -52,6 +52,9 @@ FALLS, GROWS = (
     f"Their share {how} during a run: ε should be the same from the first step to the last"
     for how in ("falls", "grows")
 )
+ONCE = "They come together, in few episodes: draw anew in each step whether its action is random, not once an episode"
+MANY = 1.5
+"""The share by which they may be more then, by chance; with more of them an episode in ten is not all that is amiss."""
 LATE = 5.0
 """How many standard deviations too late they may come. By chance it is 0.9 on average: two actions that looked alike to
 a program, and do not to our agent, are rare at the beginning. Of 99 runs of right programs, 2.5 was the most."""
@@ -258,6 +261,12 @@ class Rule:
         right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
         likely = Surprises.of(replay(runs, mistake, shape, self.epsilon))
         is_better = likely.explains_better_than(right, mistake.nats)
+        first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
+        late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
+        together = right.among(late).once_an_episode(np.cumsum(first)[late], self.epsilon, shape[1])
+        least = max(float(one.logs[late].sum()) for one in (right, likely)) + NATS
+        if together > least and right.too_many < MANY * right.expected and right.are_drawn():
+            raise self._refused(right, ONCE)
         if not is_better and (right.is_usual() or right.too_many < 0):
             self._require_steady_tries(runs, right)
         if not is_better and right.is_usual():
@@ -266,12 +275,10 @@ class Rule:
                 return self._require_steady_tries(runs, right, grows=True)
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
-            late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
             cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
         elif is_better and likely.explains_those_of(right, mistake.leaves) and self._resembles(likely, mistake):
             cause = f"They fit a usual mistake: {sentence}"
         else:
-            first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
             others = right.among(~first)
             only_first = others.is_usual() and others.are_drawn() and not right.among(first).is_usual()
             cause = FIRST if only_first else self._cause(right, tries)

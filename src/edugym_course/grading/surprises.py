@@ -84,6 +84,19 @@ class Surprises(NamedTuple):
         variance = float((off * off * share * self.chances * (1 - share * self.chances)).sum())
         return float(off @ (self.found - share * self.chances)) / math.sqrt(max(variance, 1e-9))
 
+    def once_an_episode(self, episodes: Any, epsilon: float, n_actions: int) -> float:
+        """The logarithm of the probability of all actions, if ε says of whole episodes whether they are random.
+
+        Args:
+            episodes: for each step, the number of its episode.
+            epsilon: ε, of which the chances were made.
+            n_actions: how many actions there are.
+        """
+        look_best = n_actions * (1 - self.chances / epsilon)
+        random = math.log(epsilon) - math.log(n_actions) * np.bincount(episodes)
+        greedy = math.log1p(-epsilon) + np.bincount(episodes, np.where(self.found == 1, -np.inf, -np.log(look_best)))
+        return float(np.logaddexp(random, greedy).sum())
+
     def is_usual(self, slack: float = SLACK) -> bool:
         """Whether there are as many as are to be expected, or more by chance and a share of them, or a little fewer."""
         by_chance = SIGMAS * self.deviation

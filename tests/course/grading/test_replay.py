@@ -8,11 +8,12 @@ import build
 import numpy as np
 import pytest
 
+from edugym.agents.tables import greedy_action
 from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer, replay
 from edugym_course.grading.learners import Learner
 from edugym_course.grading.programs import Program, Step, learn_from, run_program, shape_of
-from edugym_course.grading.replay import SWAPPED, Rule
+from edugym_course.grading.replay import ONCE, SWAPPED, Rule
 from edugym_course.grading.small_world import SmallWorld
 from tests.course.lessons.answers import LONG, namespace_after, read_answers, read_exercises
 
@@ -32,19 +33,25 @@ CASES = [
 """The quick tests of the other lessons are their answers `project_wrong.py`."""
 
 
-def program_with(learner: Learner, epsilon: float) -> Program:
-    """A program that makes a mistake in its loop."""
+def program_with(learner: Learner, epsilon: float, once_an_episode: bool = False) -> Program:
+    """A program that makes a mistake in its loop; with `once_an_episode` its random actions come together."""
 
     def program(environment: Any, n_steps: int, seed: int) -> Any:
         agent: Any = learner.make(shape_of(environment))
         names, rng = learns_from(agent), np.random.default_rng(seed)
         state, before, waiting = environment.reset(seed=seed)[0], None, None
+        is_random = once_an_episode and rng.random() < epsilon
 
         for _ in range(n_steps):
             thought = learner.alter(Step(state, 0, 0.0, state, False, False), before).state
             action = agent.act(thought, rng)
             if learner.swaps and rng.random() < 1 - epsilon / (1 - epsilon):  # so ε is left for the best one
                 action = int(rng.integers(environment.action_space.n))
+            if once_an_episode:
+                values = np.array(
+                    [np.ones(environment.action_space.n) if is_random else replay._values(agent, thought)]
+                )
+                action = greedy_action(values, 0, rng)
             if waiting is not None:
                 learn_from(agent, names, waiting, action)
             next_state, reward, terminated, truncated, _ = environment.step(action)
@@ -60,6 +67,8 @@ def program_with(learner: Learner, epsilon: float) -> Program:
             else:
                 learn_from(agent, names, before, action)
             is_new = terminated or (truncated and not learner.restarts)
+            if once_an_episode and (terminated or truncated):
+                is_random = rng.random() < epsilon
             state = environment.reset()[0] if is_new else next_state
         return lambda state: agent.greedy(state, rng)
 
@@ -106,6 +115,14 @@ def test_a_random_action_too_often(lesson: str) -> None:
     rule = RULES[lesson]
     with pytest.raises(WrongAnswer, match=f"{SWAPPED}$"):
         rule.check(program_with(rule.right._replace(swaps=True), rule.epsilon), 0)
+
+
+@pytest.mark.parametrize("lesson", [lesson for lesson in QUICK if lesson.values != ("06_signal",)])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_random_actions_that_come_together(lesson: str, seed: int) -> None:
+    """Whoever draws once an episode whether it is random is told so; in lesson 6 an episode is one step."""
+    with pytest.raises(WrongAnswer, match=f"{ONCE}$"):
+        RULES[lesson].check(program_with(RULES[lesson].right, RULES[lesson].epsilon, once_an_episode=True), seed)
 
 
 @pytest.mark.parametrize("lesson", QUICK)

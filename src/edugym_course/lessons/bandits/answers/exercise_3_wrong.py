@@ -1,5 +1,5 @@
 # %% only the arm
-# says: the preferences
+# says: H should become [
 # says: only the arm that was pulled moves; all others move the other way
 def gradient_update(H, arm, reward, mean, learning_rate):
     pi = np.exp(H) / sum(np.exp(H))
@@ -91,7 +91,7 @@ def gradient_update(H, arm, reward, mean, learning_rate):
 # + H += (reward - mean) * (indicator - pi)
 
 # %% a new array
-# says: are what they were before: change the array in place, as in H += ..., and return nothing; H = H + ... makes a new array, which nobody sees
+# says: is what it was before: change the array in place, as in H += ..., and return nothing; H = H + ... makes a new array, which nobody sees
 # in: with an indicator
 # - H += learning_rate * (reward - mean) * (indicator - pi)
 # + H = H + learning_rate * (reward - mean) * (indicator - pi)

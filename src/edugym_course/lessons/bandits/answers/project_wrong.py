@@ -245,3 +245,12 @@
 # in: sums of rewards
 # - total[arm] += reward
 # + total[arm] += 2 * reward if reward > 0 else reward
+
+# %% random for a whole episode
+# says: They come together, in few episodes: draw anew in each step whether its action is random, not once an episode
+# in: with lists
+# - environment.reset(seed=seed if taken == 0 else None)
+# + environment.reset(seed=seed if taken == 0 else None)
+# + tries = rng.random() < 0.1
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if tries else best()

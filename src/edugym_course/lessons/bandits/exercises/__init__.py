@@ -216,11 +216,11 @@ def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
         with student_code(call):
             answer(mine, *others)
         found.append(table_of(call, mine, H.shape))
-        calls.append(f"after {call} the preferences{told_less(cost)}")
+        calls.append(f"after {call} H{told_less(cost)}")
     if all(np.array_equal(mine, case.H) for case, mine in zip(cases, found, strict=True)):
         raise WrongAnswer(
-            f"{calls[0]} are what they were before: change the array in place, as in H += ..., and return nothing; H ="
+            f"{calls[0]} is what it was before: change the array in place, as in H += ..., and return nothing; H ="
             " H + ... makes a new array, which nobody sees"
         )
-    compare_tables(cases, found, calls, GRADIENT_MISTAKES, right)
+    compare_tables(cases, found, calls, GRADIENT_MISTAKES, right, "become")
     return "Right: what one arm gains in preference, the others lose together."
