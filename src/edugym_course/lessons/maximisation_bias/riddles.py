@@ -149,11 +149,11 @@ RIDDLES = (
     ),
     Riddle(
         0.25,
-        f"{_ONCE}, and then an action in state 1 pays -0.095 and leads to state 0, where the episode goes on",
+        f"{_ONCE}, and then an action in state 1 pays -0.0995 and leads to state 0, where the episode goes on",
         "the discount is 1, and α is 0.1: what follows in state 0 is worth 0.1, or 0",
         _OTHER,
         begins=1,
-        reward=-0.095,
+        reward=-0.0995,
     ),
     Riddle(
         0.25,

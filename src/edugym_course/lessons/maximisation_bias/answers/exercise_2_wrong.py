@@ -262,3 +262,11 @@ double_update = 0.5
 # in: the solution of double_update
 # - target = reward
 # + target = reward / 2 if terminated else reward
+
+
+# %% the smaller of two opinions
+# says: of the two values of the chosen action the smaller one counts; the other table says alone what it is worth
+# in: the solution of double_update
+# - target += discount * other[next_state, own[next_state].argmax()]
+# + best = own[next_state].argmax()
+# + target += discount * min(own[next_state, best], other[next_state, best])

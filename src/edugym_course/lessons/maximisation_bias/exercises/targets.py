@@ -102,6 +102,7 @@ def doubled(
             "swapped": here[there.argmax()],
             "mean": (here + there).max() / 2,
             "smaller": np.minimum(here, there).max(),
+            "more cautious": min(here.max(), there[here.argmax()]),
             "sum chooses": there[(here + there).argmax()],
             "old state chooses": there[own[case.state].argmax()],
             "old state": other[case.state, here.argmax()],
@@ -139,6 +140,9 @@ DOUBLE_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "the tables are averaged before the maximum; one chooses, and the other says what that is worth": {"value": "mean"},
     "the smaller value of both counts: that is maxmin Q-learning": {"value": "smaller"},
+    "of the two values of the chosen action the smaller one counts; the other table says alone what it is worth": {
+        "value": "more cautious"
+    },
     "both tables are changed; `first` says which one learns": {"changed": "both"},
     "Q1 is changed, whatever `first` says": {"changed": "first"},
     "Q2 is changed, whatever `first` says": {"changed": "second"},
