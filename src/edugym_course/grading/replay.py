@@ -263,9 +263,9 @@ class Rule:
         is_better = likely.explains_better_than(right, mistake.nats)
         first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
         late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
-        together = right.among(late).once_an_episode(np.cumsum(first)[late], self.epsilon, shape[1])
-        least = max(float(one.logs[late].sum()) for one in (right, likely)) + NATS
-        if together > least and right.too_many < MANY * right.expected and right.are_drawn():
+        together, alone = right.among(late).once_an_episode(np.cumsum(first)[late], self.epsilon, shape[1])
+        is_clear = together > max(alone, float(likely.logs[late].sum())) + NATS
+        if is_clear and right.too_many < MANY * right.expected and right.are_drawn():
             raise self._refused(right, ONCE)
         if not is_better and (right.is_usual() or right.too_many < 0):
             self._require_steady_tries(runs, right)

@@ -84,18 +84,23 @@ class Surprises(NamedTuple):
         variance = float((off * off * share * self.chances * (1 - share * self.chances)).sum())
         return float(off @ (self.found - share * self.chances)) / math.sqrt(max(variance, 1e-9))
 
-    def once_an_episode(self, episodes: Any, epsilon: float, n_actions: int) -> float:
-        """The logarithm of the probability of all actions, if ε says of whole episodes whether they are random.
+    def once_an_episode(self, episodes: Any, epsilon: float, n_actions: int) -> tuple[float, float]:
+        """The logarithms of the probability of all actions, if ε is for whole episodes, and if it is for each step.
+
+        Both take the share of random actions that there was, so that they tell nothing but how they lie together.
 
         Args:
             episodes: for each step, the number of its episode.
             epsilon: ε, of which the chances were made.
             n_actions: how many actions there are.
         """
-        look_best = n_actions * (1 - self.chances / epsilon)
-        random = math.log(epsilon) - math.log(n_actions) * np.bincount(episodes)
-        greedy = math.log1p(-epsilon) + np.bincount(episodes, np.where(self.found == 1, -np.inf, -np.log(look_best)))
-        return float(np.logaddexp(random, greedy).sum())
+        share = min(max(epsilon * self.found.sum() / self.chances.sum(), 1e-3), 1 - 1e-3)
+        best = np.where(self.found == 1, 0.0, 1 / (n_actions * (1 - self.chances / epsilon)))
+        random = math.log(share) - math.log(n_actions) * np.bincount(episodes)
+        with np.errstate(divide="ignore"):
+            greedy = math.log(1 - share) + np.bincount(episodes, np.log(best))
+        steps = np.log(share / n_actions + (1 - share) * best)
+        return float(np.logaddexp(random, greedy).sum()), float(steps.sum())
 
     def is_usual(self, slack: float = SLACK) -> bool:
         """Whether there are as many as are to be expected, or more by chance and a share of them, or a little fewer."""
