@@ -1,6 +1,7 @@
 """Write the page of the claims, `docs/claims.md`: what every lesson claims, and what was measured of it.
 
-What `edugym reproduce` measures takes most of an hour, so it is kept in `docs/claims.json`, and the page is made from that file.
+What `edugym reproduce` measures takes most of an hour, so it is kept in `docs/claims.json`, and the page is made from
+that file.
 
     python docs/claims.py                       write the page
     python docs/claims.py --measure LESSON ...  measure these lessons, or "old" for all that have changed, then write it

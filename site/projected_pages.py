@@ -10,7 +10,7 @@ from functools import partial
 from itertools import pairwise
 
 from lesson_pages import EXPLANATION, FOLD, FOLD_ENDS, Lesson
-from panels import panels, size
+from panels import PANEL, panels, size
 
 CHALLENGE = re.compile(r"\*\*The challenge\.\*\* (.*?)\n\n", re.DOTALL)
 PICTURE = re.compile(r"^!\[.*\)(?:\{\.wide\})?$", re.MULTILINE)
@@ -100,15 +100,11 @@ def _readable(lesson: Lesson, found: re.Match[str]) -> str:
 
 
 def _kind(figure: bytes, usual: str = "") -> str:
-    """How large `site.css` makes it: a tall one and a legend are as wide as the page, panels stand in twos."""
+    """How large it is: a tall one and a legend fill the width, and panels stand in twos, with letters of one size."""
     width, height = size(figure)
-    return (
-        ".wide .tall"
-        if width < TALL * height and not usual
-        else f".wide {usual}".rstrip()
-        if width < LOW * height
-        else ".wide"
-    )
+    if not usual:
+        return ".wide .tall" if width < TALL * height else ".wide"
+    return f'.wide {usual} width="{49 * width / PANEL:.0f}%"' if width < LOW * height else ".wide"
 
 
 def _links(lesson: Lesson) -> Iterator[str]:
