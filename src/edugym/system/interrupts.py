@@ -251,9 +251,7 @@ def _receive_stopped() -> None:
     Python can withdraw the error, but would then look for it for ever: all code would be slower, and traced code hangs.
     """
     with suppress(Stopped):
-        raise_in_thread(
-            threading.get_ident()
-        )  # replaces a pending one, or adds one, so that the loop below always ends
+        raise_in_thread(threading.get_ident())  # in place of a pending one, if there is one: the loop always ends
         while True:
             time.sleep(0)
 
