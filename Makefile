@@ -31,10 +31,8 @@ test: .venv/dev.installed
 	$(RUN) mypy & types=$$!; trap "kill $$types 2>/dev/null" EXIT; trap "exit 130" INT TERM; \
 		$(RUN) pytest -n $(JOBS) --dist worksteal -m "not slow" $(ARGS) && \
 		{ wait $$types || { echo "mypy failed: what it says stands above, among the tests" >&2; exit 1; }; }
-	.venv/bin/python lessons/build.py --check
-	.venv/bin/python docs/pages.py --check
-	.venv/bin/python docs/agents.py --check
-	.venv/bin/python docs/architecture.py --check
+	.venv/bin/python docs/pages.py --check & pages=$$!; .venv/bin/python lessons/build.py --check && \
+		.venv/bin/python docs/agents.py --check && .venv/bin/python docs/architecture.py --check && wait $$pages
 
 # The tests that `make test` leaves out, and it alone: together the two commands run everything once. They start kernels and
 # browsers, which hang now and then: a test that exceeds its time is run once more, and the summary says so.

@@ -106,7 +106,10 @@ STUDENTS: list[tuple[dict[str, str], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("changes", "because"), STUDENTS)
+@pytest.mark.parametrize(
+    ("changes", "because"),
+    [pytest.param(*case, marks=[pytest.mark.slow] * (k in (1, 2, 4))) for k, case in enumerate(STUDENTS)],
+)
 def test_reasons_in_training(changes: dict[str, str], because: str, compiled_at_once: None) -> None:
     """Mistakes in a task are named in the words of its author, though they are met in the package's loop."""
     source = WALK

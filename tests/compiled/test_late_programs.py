@@ -219,11 +219,8 @@ TASKS = {
 """An MDP and an agent, and a word of the sentence that says why they are not compiled, if they are not."""
 QUICK = [
     "no answer to whether it ends",
-    "array of one number for an action",
     "reward of NaN, interpreted by then",
     "state that becomes real",
-    "rewards of both types",
-    "two actions",
 ]
 
 
@@ -238,7 +235,7 @@ def test_late_tasks(names: list[str]) -> None:
         assert word in said
 
 
-@pytest.mark.parametrize("seeds", [range(8), pytest.param(range(8, 180), marks=pytest.mark.slow)], ids=["8", "172"])
+@pytest.mark.parametrize("seeds", [range(4), pytest.param(range(4, 180), marks=pytest.mark.slow)], ids=["4", "176"])
 def test_methods_made_at_random(seeds: range) -> None:
     """Each comes to the same bits, or the same error at the same line."""
     wrong = {seed: seen for seed in seeds if not (seen := method_both_ways(method_program(seed)))[0]}

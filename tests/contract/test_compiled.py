@@ -22,11 +22,11 @@ from tests.contract.play import CORNERS, every_environment, plain
 
 N_STEPS = 2_000
 CORNERS_TO_COMPILE = [
-    pytest.param(entry, corner, id=f"{entry.name}-{corner or 'defaults'}", marks=pytest.mark.slow if pixels else ())
+    pytest.param(entry, corner, id=f"{entry.name}-{corner or 'defaults'}", marks=pytest.mark.slow if image else ())
     for entry, corner in CORNERS
-    for pixels in [corner.get("observation_type") == "rgb"]
+    for image in [entry.name == "Catch" and corner.get("observation_type") != "vectorised"]
 ]
-"""Code that makes arrays takes ten times as long to compile; that of a grid stands for that of pixels."""
+"""Code that makes arrays takes ten times as long to compile."""
 
 
 class Witness(NamedTuple):

@@ -311,6 +311,7 @@ def exploitable(create: Callable[..., Any], contact: float, **settings: Any) -> 
     return mean_interval([games.exploitability(model, run.policies[-1], 0.9) for run in runs])
 
 
+@pytest.mark.slow
 def test_who_is_exploited() -> None:
     """Minimax Q-learning is hardly exploitable where policies must be random; Q-learning is."""
     minimax_q = exploitable(games.MinimaxQ.create, 1.0)

@@ -28,8 +28,11 @@ LONG_CHECKS = {
     *("07_continuous_actions-3", "08_stochasticity-3", "15_profiles-2", "16_offline-3", "18_search-3"),
 }
 """The exercises whose check takes half a second or more."""
-LONG = {"04_dimensionality", "05_memory", "06_signal", "09_model_based", "11_goals", "14_preferences"}
-"""The lessons in which checking a program takes two seconds or more."""
+LONG = {
+    *("02_on_off_policy", "03_depth", "04_dimensionality", "05_memory", "06_signal", "09_model_based", "11_goals"),
+    *("13_several_agents", "14_preferences"),
+}
+"""The lessons in which checking a program takes longest."""
 EDIT = re.compile(r"((?:^# - .+\n)+)((?:^# \+ .+\n)*)", flags=re.MULTILINE)
 
 

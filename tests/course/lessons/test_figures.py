@@ -21,8 +21,8 @@ NO_SENTENCE = re.compile(
     r"(?i:and|but|nor|or|so|than|then|that|which|who|whose|it|its|they|their|this|these|too|also)\b|[a-z]{2,}"
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
-LONG_REPORTS = {"several_agents", "search"}
-"""The lessons whose reports take ten seconds or more, since they solve games exactly."""
+LONG_REPORTS = {"several_agents", "search", "model_based"}
+"""The lessons whose reports take eight seconds or more."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
 BOUND = re.compile(
     r"at (?:least|most) ([\d.]+)|up to ([\d.]+)(?=,|$)|within ([\d.]+) of each|([\d.]+) or more"

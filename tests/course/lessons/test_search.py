@@ -86,6 +86,7 @@ def test_a_tree_is_worth_more_than_roll_outs() -> None:
     assert again != other
 
 
+@pytest.mark.slow
 def test_roll_outs_suffer_more_from_actions_than_the_tree() -> None:
     """Where the actions repeat the four, little is lost."""
     how: Any = {"repetitions": 8, "seed": 3}

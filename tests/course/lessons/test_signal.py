@@ -41,6 +41,7 @@ def test_what_a_toy_says() -> None:
         assert np.trace(heard) == pytest.approx(right, abs=0.01)
 
 
+@pytest.mark.slow
 def test_players() -> None:
     """A voter takes the need that most words name; without noise it gets the optimum, and so do turns, nearly."""
     rng = np.random.default_rng(0)

@@ -70,6 +70,7 @@ def test_games_are_counted() -> None:
     assert one.lost.tolist() == [0.1, 0.0]
 
 
+@pytest.mark.slow
 def test_playing_changes_nothing_and_agrees_with_the_evaluation() -> None:
     """The mean of the score is the return of the greedy policy."""
     results = methods.learn(n_steps=20_000, repetitions=2, evaluation_episodes=2_000, risks={methods.NEUTRAL: 0.0})

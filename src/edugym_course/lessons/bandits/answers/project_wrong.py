@@ -14,6 +14,7 @@
 # + means[arm] += (reward - means[arm]) / (pulls[arm] + 1)
 
 # %% the pulls of all arms
+# slow
 # says: the mean moves by 1/t, with the pulls of all arms together: each arm has a number of its own
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -26,6 +27,7 @@
 # + means[arm] += reward
 
 # %% pulls in place of rewards
+# slow
 # says: the arm that was *pulled* most is taken, and not that which pays best: is it N in place of Q?
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -48,6 +50,7 @@
 # + means[arm] = (means[arm] * (pulls[arm] - 1) + (reward > 0)) / pulls[arm]
 
 # %% the worst arm
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: with lists
 # - top = max(means)
@@ -62,6 +65,7 @@
 # + return int(np.argmax(means))
 
 # %% forgets at the end of an episode
+# slow
 # says: what was learned is forgotten at the end of an episode; the arms stay the same
 # in: with lists
 # - environment.reset(seed=seed if taken == 0 else None)
@@ -69,6 +73,7 @@
 # + means, pulls = [0.0] * n, [0] * n
 
 # %% never tries
+# slow
 # says: it seldom tries an action at random: is ε that of the text, up to the last step?
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
@@ -101,6 +106,7 @@
 # + return lambda state: int(np.argmin(means))
 
 # %% random pulls do not count
+# slow
 # says: random pulls are not learned from, but every reward counts
 # in: with lists
 # - pulls[arm] += 1
@@ -117,18 +123,21 @@
 # + means, pulls = [1.0] * n, [0] * n
 
 # %% the last reward
+# slow
 # says: only the last reward counts: N(A) grows by 1 with each pull of the arm
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
 # + means[arm] = reward
 
 # %% away from the reward
+# slow
 # says: the mean moves away from the reward: is it Q(A) + [R − Q(A)] / N(A), with these signs?
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
 # + means[arm] -= (reward - means[arm]) / pulls[arm]
 
 # %% plus for minus
+# slow
 # says: the old mean is added to the reward; it is subtracted: R − Q(A)
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -178,6 +187,7 @@
 # + if rng.random() < min(1, 200 / (t + 1)):
 
 # %% the last pull is not learned from
+# slow
 # says: the last pull of an episode is not learned from: learn first, and look then whether the episode is over
 # in: with lists
 # - pulls[arm] += 1
@@ -190,6 +200,7 @@
 # + means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
 
 # %% a root of N
+# slow
 # says: the mean moves by 1/√N(A), so that late rewards count more than early ones: it moves by 1/N(A)
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -202,12 +213,14 @@
 # + means, pulls = np.array([0] * n), [0] * n
 
 # %% ten at most
+# slow
 # says: ε is right, so compare the first values with those of the text, and the update with its equation
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
 # + means[arm] += (reward - means[arm]) / min(pulls[arm], 10)
 
 # %% a little too often at random
+# slow
 # says: in bandits whose best arm always pays, and no other ever does, my_program pulls the others in
 # says: of 14000 late steps, and with ε = 0.1 it should be some 1260: its ε is about 0.1
 # in: with lists
@@ -215,18 +228,21 @@
 # + arm = int(rng.integers(n)) if rng.random() < 0.15 else best()
 
 # %% a little too seldom at random
+# slow
 # says: of 14000 late steps, and with ε = 0.1 it should be some 1260: its ε is about 0.07
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if rng.random() < 0.07 else best()
 
 # %% the arm that was pulled most
+# slow
 # says: takes another action than the one that the steps of the program make look best
 # in: with lists
 # - return lambda state: int(np.argmax(means))
 # + return lambda state: int(np.argmax(pulls))
 
 # %% ties only at the start
+# slow
 # says: pulls of one of several arms that look equally good, my_program takes the first of them, and by chance it would be some
 # in: with lists
 # - return int(rng.choice([a for a in range(n) if means[a] == top]))
@@ -247,6 +263,7 @@
 # + total[arm] += 2 * reward if reward > 0 else reward
 
 # %% random for a whole episode
+# slow
 # says: They come together, in few episodes: draw anew in each step whether its action is random, not once an episode
 # in: with lists
 # - environment.reset(seed=seed if taken == 0 else None)

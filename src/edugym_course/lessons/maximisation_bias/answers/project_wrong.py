@@ -78,6 +78,7 @@
 # + target += other[after, 0]
 
 # %% the policy of one table
+# slow
 # says: in an environment of 1 step a first step has paid 1, and all else is still 0; after that the policy takes this
 #   action again in
 # says: the policy takes the *best* action, by the sum of both tables, and never a random one
@@ -96,6 +97,7 @@
 # + target += (own if Q1.any() and Q2.any() else other)[after, own[after].argmax()]
 
 # %% the worst action
+# slow
 # says: the policy takes the *best* action, by the sum of both tables, and never a random one
 # in: two tables and a dictionary of names
 # - return lambda state: int((Q1 + Q2)[state].argmax())
@@ -114,6 +116,7 @@
 # + if True:
 
 # %% nothing random
+# slow
 # says: it tries no action but the best one: a share ε = 0.1 of its actions are random ones
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
@@ -169,6 +172,7 @@
 # + own, other = (Q1, Q2) if np.random.default_rng().random() < 0.5 else (Q2, Q1)
 
 # %% the reset is not looked at
+# slow
 # says: the next one begins in state 1, and an action there pays 1
 # says: learn about the state that reset() gives: state, info = environment.reset()
 # in: two tables and a dictionary of names
@@ -215,6 +219,7 @@
 # + if rng.random() < 0.1 * 0.998**_:
 
 # %% small first values
+# slow
 # says: all first values are 0
 # in: two tables and a dictionary of names
 # - Q1, Q2 = np.zeros(shape), np.zeros(shape)
@@ -238,6 +243,7 @@
 # + if rng.random() < 0.14:
 
 # %% random for a whole episode
+# slow
 # says: where each episode has two steps, in
 # says: of the episodes both actions are others than the favourite ones, and it should be about 1%: draw anew in each step whether its action is random, not once an episode
 # in: two tables and a dictionary of names
