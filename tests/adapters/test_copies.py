@@ -254,22 +254,32 @@ def test_what_an_mdp_counts() -> None:
     assert walk.n[0] == 320
 
 
+NONE, NAN = "None if state == 150 else 1.0", "math.nan if state == 150 else 1.0"
 LATE = {
-    "an error": ("state + 1", "float(np.zeros(150)[state])", IndexError, "index 150 is out of bounds"),
-    "no next state": ("None if state == 150 else state + 1", "1.0", ValueError, "next state, .* None for state .*150"),
-    "no reward": ("state + 1", "None if state == 150 else 1.0", ValueError, "a finite number, .* None for state .*150"),
-    "nan": ("state + 1", "math.nan if state == 150 else 1.0", ValueError, "a finite number, .* nan for state .*150"),
-}
+    "an error": ({"reward": "float(np.zeros(150)[state])"}, IndexError, "index 150 is out of bounds"),
+    "no next state": (
+        {"transition": "None if state == 150 else state + 1"}, ValueError, "next state, .* None for state .*150"),
+    "no reward": ({"reward": NONE}, ValueError, "a finite number, .* None for state .*150"),
+    "nan": ({"reward": NAN}, ValueError, "a finite number, .* nan for state .*150"),
+    "no end": ({"terminal": "None if state == 151 else False"}, ValueError, "True or False, .* None for state .*151"),
+}  # fmt: skip
+"""Parts of a task that go wrong at the 151st step, and what is raised."""
+
+
+def late(name: str, number: str = "") -> Any:
+    """The task of a row of `LATE`, whose states may be numbers of NumPy's."""
+    parts = {"transition": "state + 1", **LATE[name][0]}
+    parts["transition"] = parts["transition"].replace("state + 1", f"{number}(state + 1)")
+    return task(f"{number}(0)", **parts)
 
 
 @pytest.mark.filterwarnings("ignore:.* interpreted")
 @pytest.mark.parametrize("name", LATE)
 def test_late_mistakes(name: str) -> None:
     """One sentence at the student's line says what is wrong, compiled or not, and no copy goes on with NaN."""
-    transition, reward, kind, says = LATE[name]
-    for initial in ("0", "np.int16(0)"):
-        following = transition.replace("state + 1", "np.int16(state + 1)") if "16" in initial else transition
-        vector = MDPVectorEnv(task(initial, following, reward), 2)
+    parts, kind, says = LATE[name]
+    for number in ("", "np.int16"):
+        vector = MDPVectorEnv(late(name, number), 2)
         vector.reset(seed=0)
         for _ in range(150):
             vector.step([0, 0])
@@ -278,19 +288,19 @@ def test_late_mistakes(name: str) -> None:
         here, *students = traceback.extract_tb(caught.value.__traceback__)
         assert here.filename == __file__
         assert [str(frame.line) for frame in students] == [
-            f"def reward(self, state, action, next_state, rng): return {reward}"
+            f"def reward(self, state, action, next_state, rng): return {parts.get('reward')}"
         ] * (kind is IndexError)
         assert caught.value.__context__ is None
         vector.reset(seed=0)
         vector.step([0, 0])
 
 
-@pytest.mark.parametrize("name", ["no next state", "no reward"])
+@pytest.mark.parametrize("name", ["no next state", "no reward", "no end"])
 def test_late_mistakes_in_one_environment(name: str) -> None:
     """The same sentence, among the first steps, which are checked more closely, and after them."""
-    transition, reward, kind, says = LATE[name]
+    _, kind, says = LATE[name]
     for episodes_before in (0, 2):
-        env = MDPEnv(task("0", transition, reward))
+        env = MDPEnv(late(name))
         for _ in range(episodes_before):
             env.reset(seed=0)
             for _ in range(120):

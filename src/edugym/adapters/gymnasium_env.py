@@ -157,7 +157,10 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
             if next_state is None or paid is None:
                 refuse_nothing(mdp, state, action, next_state)
             reward = float(paid)
-            terminated = bool(mdp.terminal(next_state))
+            ended = mdp.terminal(next_state)
+            if ended is None:
+                refuse_nothing(mdp, state, action, next_state, paid)
+            terminated = bool(ended)
             observed = mdp.observation(next_state, rng)
         observation = self._shown(observed)
         self.steps += 1

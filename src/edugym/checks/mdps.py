@@ -92,15 +92,17 @@ def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS, instead_of: tuple[type, 
     return CheckedMDP(mdp, steps)
 
 
-def refuse_nothing(mdp: Any, state: Any, action: Any, next_state: Any) -> None:
-    """Refuse a transition, or else a reward, that is None.
+def refuse_nothing(mdp: Any, state: Any, action: Any, next_state: Any, reward: Any = None) -> None:
+    """Refuse the first of these that is None: the next state, the reward, or else whether the task has ended.
 
     Raises:
         ValueError: always.
     """
     if next_state is None:
         raise ValueError(_sentence(mdp, "transition", None, "the next state", state, action))
-    raise ValueError(_sentence(mdp, "reward", None, "a finite number", state, action, next_state))
+    if reward is None:
+        raise ValueError(_sentence(mdp, "reward", None, "a finite number", state, action, next_state))
+    raise ValueError(_sentence(mdp, "terminal", None, "True or False", next_state))
 
 
 class CheckedMDP:
