@@ -18,7 +18,7 @@ const LASTS = 50 // seconds of a race, where the reader has set no speed: in eac
 const OWN = { learning_rate: 'α', discount: 'γ', epsilon: 'ε' } // settings that agents may be given, in place of the lesson's
 // On the page of the playground the address is that of the page around this one.
 const whole = window.frameElement?.hasAttribute('data-address') ? parent : window
-const SENT = 'The sender of this link has run this race'
+const SENT = 'The link holds this race as it was run'
 let state, aside, raced, written, race, task, bet = null, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)

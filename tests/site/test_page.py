@@ -59,7 +59,7 @@ def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
     other = Reader(browser, reader("window.copied"))
     until(lambda: other("[...document.querySelectorAll('.numbers')].map(e => e.innerText)") == numbers, "the numbers")
     until(lambda: other("document.querySelector('#chart').innerHTML") == curves, "the curves")
-    until(lambda: "sender" in other.text("#verdict"), "whose results these are")
+    until(lambda: "The link holds" in other.text("#verdict"), "whose results these are")
     unbet = "[...document.querySelectorAll('.bet')].every(bet => bet.disabled && bet.ariaPressed === 'false')"
     assert other(unbet)
     other.click("#again")
