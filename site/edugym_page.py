@@ -268,6 +268,8 @@ def _hint(text: str) -> str:
         return ". Is a * missing before a bracket?"
     if re.search(r"has no attribute '(n|num|number)_?\w*(states|actions|observations)'", text):
         return ". edugym.table_size(mdp) gives the numbers of states and actions"
+    if text == "setting an array element with a sequence.":
+        return " One number belongs there: is .max() or an index such as [action] missing?"
     return ". Is the learning rate too large, or a value divided by 0?" if re.search(r"\bis nan\b", text) else ""
 
 

@@ -83,6 +83,7 @@ MISTAKES = {
     SHORT.replace("edugym.QLearning.create(mdp).Q", "[[0, 0]] * 10"): (20, "Q must be an array, but is a list"),
     SHORT.replace("+= 0.1 *", "+= np.nan *"): (15, "terminated False. Is the learning rate too large"),
     SHORT.replace("+= 0.1 *", "+= 0.1 "): (17, "Is a * missing"),
+    SHORT.replace("self.Q[next_state].max()", "self.Q[next_state]"): (17, "is .max() or an index"),
     SHORT.replace("self.Q[state, action] +=", "self.Q[action, state] +="): (17, "states from 0 to 4, and actions from"),
     SHORT.replace("edugym.QLearning.create(mdp).Q", "np.zeros((mdp.n_states, 2))"): (20, "edugym.table_size(mdp)"),
 }
