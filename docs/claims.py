@@ -1,7 +1,7 @@
 """Write the page of the claims, `docs/claims.md`: what every lesson claims, and what was measured of it.
 
-What `edugym reproduce` measures takes most of an hour, so it is kept in `docs/claims.json`, and the page is made from
-that file.
+To measure all lessons took about 40 minutes on one core of a loaded machine, so what was measured is kept in
+`docs/claims.json`, and the page is made from that file.
 
     python docs/claims.py                       write the page
     python docs/claims.py --measure LESSON ...  measure these lessons, or "old" for all that have changed, then write it
@@ -33,7 +33,10 @@ HEAD = """\
 {n_claims} claims of {n_lessons} lessons, each with what was measured. The code says beforehand in which range the
 number must lie, and a claim holds only if its whole 95 % interval does. n is the number of values behind the interval;
 what is computed and not estimated is *exact*. A reason that follows *because* was tested, by the claims whose numbers
-stand behind it; a guess was not.
+stand behind it; a guess was not. Of {n_reasons} reasons {n_tested} were tested.
+
+*Runs of a method* are those from which `edugym reproduce` begins: some claims take more or fewer, as their n says. The
+figures in a lesson have runs of their own, and the lesson says how many.
 
 All seeds are spawned from seed 0. `edugym reproduce exploration` measures a lesson again, with other seeds by
 `--seed 1`, and draws [its figures](paper.md).
@@ -87,7 +90,7 @@ def write(measured: dict[str, Any]) -> None:
 def page(measured: dict[str, Any]) -> str:
     """The page in Markdown."""
     files = {number_of(path.stem): path.stem for path in CHECKOUT.glob("*.ipynb")}
-    overview, parts = [], list[str]()
+    overview, sections, parts = [], list[Section](), list[str]()
     for name in lesson_names():
         about = (LESSONS / name / "experiments.py").read_text(encoding="utf-8")
         first, title, number = re.findall(r'^"""(.)(.*?) \(lesson (\w+)\):', about)[0]
@@ -97,14 +100,18 @@ def page(measured: dict[str, Any]) -> str:
             parts += [MISSING.format(name)]
             continue
         found = measured[name]
-        section = Section(name, title, found["claims"], ())
+        sections.append(section := Section(name, title, found["claims"], ()))
         counts = f"{section.n_hold} of {len(section.claims)}", f"{section.n_tested} of {section.n_reasons}"
         overview.append([f"[{title}](../notebooks/{files[number]}.ipynb)", *counts, str(found["runs"])])
         parts += [OLD] * (found["experiments"] != experiments_of(name))
         rows = ([str(i), *cells_of(row)] for i, row in enumerate(section.claims, start=1))
         parts += table(("", "claim", "measured, with 95 % interval", "expected", "holds"), rows)
-    n_claims = sum(len(found["claims"]) for found in measured.values())
-    head = HEAD.format(n_claims=n_claims, n_lessons=len(measured)).rstrip()
+    totals = {
+        "n_claims": sum(len(one.claims) for one in sections),
+        "n_reasons": sum(one.n_reasons for one in sections),
+        "n_tested": sum(one.n_tested for one in sections),
+    }
+    head = HEAD.format(n_lessons=len(measured), **totals).rstrip()
     summary = table(("lesson", "claims that hold", "tested reasons", "runs of a method"), overview)
     return "\n\n".join([head, *summary, *parts]) + "\n"
 
