@@ -165,8 +165,14 @@ if (survey) {
     if (field) field.value = value
   }
   const answers = () => [...new FormData(survey)].filter(([, value]) => value)
+  const isEmpty = () => {
+    const empty = answers().every(([name]) => name === 'lesson')
+    if (empty) says.textContent = 'There is no answer yet: choose one, or write a remark.'
+    return empty
+  }
   survey.addEventListener('submit', event => {
     event.preventDefault()
+    if (isEmpty()) return
     const statements = Object.fromEntries([...survey.querySelectorAll('fieldset')].map(box =>
       [box.querySelector('input').name, box.querySelector('legend').textContent]))
     const named = answers().map(([name, value]) => [statements[name] ?? name, value])
@@ -178,6 +184,7 @@ if (survey) {
     says.textContent = 'Your browser has saved the file edugym-survey.json. Give it to your teacher if you like.'
   })
   document.getElementById('survey-link').addEventListener('click', () => {
+    if (isEmpty()) return
     const link = document.createElement('a')
     link.href = location.href.split('#')[0] + '#' + new URLSearchParams(answers())
     link.textContent = 'This link shows your answers'

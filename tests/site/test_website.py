@@ -357,6 +357,8 @@ def test_the_films_stop(browser: Any, address: str) -> None:
 def test_answers_to_the_survey_are_the_readers_own(browser: Any, address: str, tmp_path: Path) -> None:
     """A file has the statements and their answers, a link shows them again; the form has no address to send them to."""
     opened(browser, address, "survey")
+    browser.execute_script("document.getElementById('survey-link').click()")
+    assert not browser.find_elements("css selector", "#survey-says a"), "a link to no answers"
     browser.execute_script("document.querySelector('[name=s2][value=agree]').click()")
     browser.execute_script("document.querySelector('[name=remarks]').value = 'More walls & doors'")
     allowed = {"behavior": "allow", "downloadPath": str(tmp_path)}
