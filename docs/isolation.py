@@ -94,8 +94,8 @@ paired over {REPETITIONS} repetitions, with a 95 % interval. A score is 0 for ra
 Nothing is tuned. SARSA, Q(λ), risk-averse Q-learning, Dyna-Q and the frames change one thing in Q-learning; Go-Explore,
 DQN and the actor-critic are agents of their own. Hindsight changes one thing in DQN, so its gain is over DQN. On Catch
 the table has a row for each board that occurs (`Hashed`), on Trashbot it has bins (`Discretised`, `DiscreteActions`).
-Where a cell is empty, the agent cannot enter the environment. Bandit, Diver and Casino [have no ladder](agents.md#how-it-was-measured), so
-they are not here."""
+Where a cell is empty, the agent cannot enter the environment. Bandit, Diver and Casino
+[have no ladder](agents.md#how-it-was-measured), so they are not here."""
 READING = f"""**Bold** is the environment for which the remedy is meant. There its gain should be above {OWN} with the
 whole interval; elsewhere it should be near 0."""
 
