@@ -1,7 +1,7 @@
 """Write the page of the claims, `docs/claims.md`: what every lesson claims, and what was measured of it.
 
-To measure all lessons took about 40 minutes on one core of a loaded machine, so what was measured is kept in
-`docs/claims.json`, and the page is made from that file.
+Measuring all lessons took about 40 minutes on one core of a busy machine. So `docs/claims.json` keeps the results, and
+the page is made from them.
 
     python docs/claims.py                       write the page
     python docs/claims.py --measure LESSON ...  measure these lessons, or "old" for all that have changed, then write it
@@ -35,8 +35,8 @@ number must lie, and a claim holds only if its whole 95 % interval does. n is th
 what is computed and not estimated is *exact*. A reason that follows *because* was tested, by the claims whose numbers
 stand behind it; a guess was not. Of {n_reasons} reasons {n_tested} were tested.
 
-*Runs of a method* are those from which `edugym reproduce` begins: some claims take more or fewer, as their n says. The
-figures in a lesson have runs of their own, and the lesson says how many.
+*Runs of a method* says how often `edugym reproduce` trains each method. Some claims take more runs or fewer, as their n
+shows. The figures in a lesson have runs of their own, and the lesson says how many.
 
 All seeds are spawned from seed 0. `edugym reproduce exploration` measures a lesson again, with other seeds by
 `--seed 1`, and draws [its figures](paper.md).
@@ -62,13 +62,9 @@ def measure(lesson: str) -> dict[str, Any]:
 
 
 def _short(value: Any) -> Any:
-    return (
-        float(f"{value:.{DIGITS}g}")
-        if isinstance(value, float)
-        else value
-        if isinstance(value, bool | str)
-        else int(value)
-    )
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}")
+    return value if isinstance(value, bool | str) else int(value)
 
 
 def read() -> dict[str, Any]:

@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ from edugym.adapters import playing
 from edugym.adapters.registration import in_course_order
 from edugym_course import commands
 from edugym_course.lab import server
+from edugym_course.warned import warnings_said_at_once
 
 
 def run(*arguments: str, keys: str = "") -> Result:
@@ -140,6 +142,14 @@ def test_lab_hands_everything_on(
     *new, where = said.stdout.splitlines()
     assert new == ["edugym: one is new", "edugym: two is new"]
     assert str(tmp_path / options[0]) in where
+
+
+def test_a_warning_is_said_when_it_comes(capsys: pytest.CaptureFixture[str]) -> None:
+    """Not at the end of the command, and once."""
+    with warnings_said_at_once():
+        for said in ("edugym: it is slow\n", ""):
+            warnings.warn("it is slow", stacklevel=1)
+            assert capsys.readouterr().err == said
 
 
 NO_SPACE = OSError(errno.ENOSPC, "No space left")

@@ -54,7 +54,7 @@ FALLS, GROWS = (
 )
 ONCE = "They come together, in few episodes: draw anew in each step whether its action is random, not once an episode"
 MANY = 1.5
-"""The share by which they may be more then, by chance; with more of them an episode in ten is not all that is amiss."""
+"""How many times the expected number there may be then, by chance. If there are more, something else is wrong too."""
 LATE = 5.0
 """How many standard deviations too late they may come. By chance it is 0.9 on average: two actions that looked alike to
 a program, and do not to our agent, are rare at the beginning. Of 99 runs of right programs, 2.5 was the most."""

@@ -87,7 +87,7 @@ class Surprises(NamedTuple):
     def once_an_episode(self, episodes: Any, epsilon: float, n_actions: int) -> tuple[float, float]:
         """The logarithms of the probability of all actions, if ε is for whole episodes, and if it is for each step.
 
-        Both take the share of random actions that there was, so that they tell nothing but how they lie together.
+        Both use the share of random actions that there was, so only how they lie together counts.
 
         Args:
             episodes: for each step, the number of its episode.
