@@ -47,6 +47,9 @@ BELOW: Mapping[str, Part] = {
     "divide by the way from random play to the best, best - random": lambda r, low, high: np.ones_like(r),
     "the denominator is the wrong way round": lambda r, low, high: low - high,
     "take random play away from the best, do not add them": lambda r, low, high: high + low,
+    "take the best and random play as they are, without their absolute values": lambda r, low, high: (
+        np.abs(high) + np.abs(low)
+    ),
     "the denominator goes from random play to the best, not from the agent": lambda r, low, high: high - r,
 }
 """What stands below it."""
@@ -59,6 +62,7 @@ OVER_THE_RUNGS: Mapping[str, Callable[[Reals, Reals], float]] = {
     "only the last rung is in the sum: is there an `=` where `+=` should be?": lambda x, w: x[-1] / len(x),
     "the last rung is missing in the sum": lambda x, w: np.sum(x[:-1]) / len(x),
     "the first rung is missing in the sum; it has the index 0": lambda x, w: np.sum(x[1:]) / len(x),
+    "that is the score of the best rung alone": lambda x, w: float(np.max(x)),
     "that is the median; the score is the mean": lambda x, w: float(np.median(x)),
     "an agent that is worse than random play has a score below 0, which counts as it is": lambda x, w: mean(
         np.maximum(x, 0), w
@@ -79,6 +83,9 @@ OTHERS: Mapping[str, Callable[[Reals, Reals, Reals, Reals], float]] = {
     "put the denominator in brackets: / comes before -": lambda r, low, high, w: mean((r - low) / high - low, w),
     "put the numerator in brackets, and the denominator: / comes before -": lambda r, low, high, w: mean(
         r - low / high - low, w
+    ),
+    "returns below 0 keep their sign: no absolute value": lambda r, low, high, w: mean(
+        (r + np.abs(low)) / (high + np.abs(low)), w
     ),
     "that is the right score upside down: the way of the agent stands above the line": lambda r, low, high, w: mean(
         (high - low) / (r - low), w
@@ -121,8 +128,9 @@ def exercise_1(answer: Any, seed: int, times: Times = 1.0) -> str:
     rng = np.random.default_rng(seed)
     cases, told = [], ""
     for n_rungs in (4, 1, 3, 5):
-        low = rng.permutation(np.arange(-8.0, 0.0))[:n_rungs]
-        high = rng.permutation(np.arange(4.0, 13.0))[:n_rungs]
+        reward = rng.permutation([0.0, -20.0, 10.0, 0.0, -20.0])[:n_rungs]  # on some rungs both are below 0, or above
+        low = reward + rng.permutation(np.arange(-8.0, 0.0))[:n_rungs]
+        high = reward + rng.permutation(np.arange(4.5, 13.0))[:n_rungs]
         share = rng.permutation([-0.5, 1.125, 0.25, 0.75, 0.5])[:n_rungs]
         returns = low + share * (high - low)
         weights = np.append(np.ones(n_rungs - 1), times)

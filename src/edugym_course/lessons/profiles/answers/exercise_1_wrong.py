@@ -167,3 +167,21 @@ ladder_score = 0.5
 # says: each rung has its own random and best play; those of the first are taken for all
 def ladder_score(returns, random, best):
     return ((returns - random[0]) / (best[0] - random[0])).mean()
+
+
+# %% random play without its sign
+# says: returns below 0 keep their sign: no absolute value
+def ladder_score(returns, random, best):
+    return np.mean((returns + abs(random)) / (best + abs(random)))
+
+
+# %% the sizes below the line
+# says: take the best and random play as they are, without their absolute values
+def ladder_score(returns, random, best):
+    return np.mean((returns - random) / (abs(best) + abs(random)))
+
+
+# %% the best rung
+# says: that is the score of the best rung alone
+def ladder_score(returns, random, best):
+    return max((returns - random) / (best - random))
