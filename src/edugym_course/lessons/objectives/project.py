@@ -72,20 +72,22 @@ def _best_of(values: Reals, most_steps: float) -> int:
 MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the most valuable treasure of all, however long it takes: does a dive that takes more than seven steps"
     " count for nothing in what your program learns?": lambda values: int(values.argmax()),
-    "that is the best one of those nearer than seven steps, and exactly seven are allowed": lambda values: _best_of(
-        values, LIMIT - 1
-    ),
+    "that is the best one of those nearer than seven steps, and exactly seven are allowed; if your program allows them,"
+    " is α large enough for their values to come all the way back?": lambda values: _best_of(values, LIMIT - 1),
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a"
     " dive that takes too long worth less than the poorest of the others?": lambda values: _best_of(values, LIMIT + 2),
     "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the"
-    " value of a treasure come back to the states before it?": lambda values: 0,
+    " value of the best treasure that can follow come back to a state?": lambda values: 0,
     "that is always the deepest treasure within seven steps; a nearer one may be worth more": lambda values: 3,
     "that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?": (
         lambda values: int(np.where(STEPS_TO <= LIMIT, values, np.inf).argmin())
     ),
 }
 """Which treasure is picked up by mistake."""
-DISCOUNTED = "that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes"
+DISCOUNTED = (
+    "a treasure seems to count less the later it comes: is γ below 1, is α too small for its value to come all the way"
+    " back, or does a target count random actions, as that of SARSA does?"
+)
 
 
 def _discounted(discount: float, values: Reals) -> int:

@@ -369,3 +369,10 @@ def pareto_optimal(points):
     for value, time in points:
         shortest[value] = max(time, shortest.get(value, -float("inf")))
     return [(value, time) for value, time in points if shortest[value] == time]
+
+
+# %% whole numbers
+# says: values are cut to whole numbers, so that two of them may seem equal; compare them as they are
+def pareto_optimal(points):
+    whole = [(int(value), int(time)) for value, time in points]
+    return [p for p, a in zip(points, whole) if not any(b[0] >= a[0] and b[1] >= a[1] and b != a for b in whole)]

@@ -342,3 +342,9 @@ def closest_action(Q, state, weights, utopian):
 # in: arrays
 # - distances = weights * np.abs(utopian - Q[state])
 # + distances = weights * (np.abs(utopian) - np.abs(Q[state]))
+
+
+# %% tenths
+# says: that is none of the usual mistakes, so work out d(s, a) of two actions by hand
+def closest_action(Q, state, weights, utopian):
+    return int(np.argmin((weights * np.abs(utopian - Q[state])).round(1).max(axis=1)))

@@ -9,7 +9,8 @@
 
 # %% fewer than seven
 # slow
-# says: that is the best one of those nearer than seven steps, and exactly seven are allowed
+# says: that is the best one of those nearer than seven steps, and exactly seven are allowed; if your program allows them,
+#   is α large enough for their values to come all the way back?
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps < 7 else 0.0
@@ -34,7 +35,7 @@
 
 # %% the shore
 # slow
-# says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the value of a treasure come back to the states before it?
+# says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the value of the best treasure that can follow come back to a state?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 0
@@ -128,7 +129,8 @@
 
 # %% a discount
 # slow
-# says: that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes
+# says: a treasure seems to count less the later it comes: is γ below 1, is α too small for its value to come all the way
+#   back, or does a target count random actions, as that of SARSA does?
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.9 * Q[after].max()) - Q[state, action])
@@ -169,7 +171,8 @@
 
 # %% a small discount
 # slow
-# says: that is what a γ below 1 prefers: count the value of a treasure in full, however late it comes
+# says: a treasure seems to count less the later it comes: is γ below 1, is α too small for its value to come all the way
+#   back, or does a target count random actions, as that of SARSA does?
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.99 * Q[after].max()) - Q[state, action])
@@ -191,3 +194,15 @@
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps <= 7 else value - 10.0
+
+
+# %% a mean over all targets
+# slow
+# says: a treasure seems to count less the later it comes
+# in: late dives count for nothing
+# - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
+# + tried[state, action] += 1
+# + target = reward if terminated else reward + Q[after].max()
+# + Q[state, action] += (target - Q[state, action]) / tried[state, action]
+# - Q = np.zeros((90, 2))
+# + Q, tried = np.zeros((90, 2)), np.zeros((90, 2))

@@ -156,6 +156,9 @@ POINT_MISTAKES: Mapping[str, Callable[[Points], list[Point]]] = {
     ],
     "the list is changed while a loop goes through it, which skips points; make a new list": _changed_on_the_way,
     "only points that some *weights* prefer are kept; one in a dent is Pareto-optimal, too": _on_hull,
+    "values are cut to whole numbers, so that two of them may seem equal; compare them as they are": lambda points: (
+        _kept(points, lambda q, p: _dominates((int(q[0]), q[1]), (int(p[0]), p[1])))
+    ),
     "points are compared with their neighbours only; compare each with all others": lambda points: [
         p
         for i, p in enumerate(points)
@@ -171,10 +174,10 @@ def made_up_points(rng: np.random.Generator) -> list[list[Point]]:
     """Make up lists of points: a dent, points that others are better than, equal ones, and ties in one number."""
     lists = []
     for _ in range(4):
-        base, step = float(rng.integers(5, 15)), float(rng.integers(2, 5))
+        base, step = float(rng.integers(5, 15)) + 0.5, float(rng.integers(2, 5))
         front = [(base + 10 * k, -step * k * k - 1.0) for k in range(3)]
-        dent = [(base + 34.0, -step * 4 - 31.0), (base + 35.0, -step * 4 - 35.0), (base + 60.0, -step * 4 - 66.0)]
-        worse = [(front[1][0], front[1][1] - 1.0), (front[2][0] - 1.0, front[2][1]), (base + 5.0, -step * 4 - 9.0)]
+        dent = [(base + 34.0, -step * 4 - 31.0), (base + 34.25, -step * 4 - 35.0), (base + 60.0, -step * 4 - 66.0)]
+        worse = [(front[1][0], front[1][1] - 1.0), (front[2][0] - 0.25, front[2][1]), (base + 5.0, -step * 4 - 9.0)]
         points = [*front, *dent, *worse, front[int(rng.integers(3))], (base - 3.0, -40.0)]
         lists.append([points[i] for i in rng.permutation(len(points))])
     top = float(rng.integers(20, 30))
