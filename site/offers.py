@@ -138,6 +138,7 @@ class Race(NamedTuple):
         parameters: the other parameters of the environment.
         is_finite: whether it has few states, so that its optimum can be computed exactly.
         actions: what actions are called, where the task itself only has numbers for them.
+        outcomes: what a player reads after a step that led on, and after one that did not, if that is not plain.
         measure: how agents are compared, if not by the reward from which they learn.
         episodes: the evaluation episodes of each point of a curve.
         seeds: how many race at first: several where one seed may answer the question otherwise than many.
@@ -156,6 +157,7 @@ class Race(NamedTuple):
     parameters: Mapping[str, Any] = NONE
     is_finite: bool = True
     actions: tuple[str, ...] = ()
+    outcomes: tuple[str, ...] = ()
     measure: Measure | None = None
     episodes: int = 5
     seeds: int = 1

@@ -159,6 +159,7 @@ def menu(race: Race) -> dict[str, Any]:
         "numbers": race.numbers,
         "told": "In numbers" if race.agents[0].view.clean else "The agent sees",
         "keys": race.keys,
+        "outcomes": race.outcomes,
         "strength": {
             "parameter": race.strength.parameter,
             "label": WORDS[race.environment].strength,

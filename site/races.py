@@ -100,6 +100,7 @@ BOULDER = Race(
     Trial(3, 20_000, 5),
     ("position",),
     ("ArrowLeft", "ArrowRight"),
+    outcomes=("it holds", "it does not hold, back to the ground"),
     answer="Before the first reward all values are equal, so greedy play is random too, and a larger ε changes "
     "nothing: exploration must be directed. Novelty takes random grips on its way back up, too, and may fall; "
     "Go-Explore takes none there. A low wall is climbed by chance: at height 10 Q-learning gets up, too.",

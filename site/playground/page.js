@@ -253,6 +253,7 @@ find('run').onclick = () => {
   find('run').textContent = 'Pause'
   controls()
   pace()
+  find('verdict').scrollIntoView({ block: 'nearest' }) // a phone may have it below the screen
   lanes.forEach(lane => lane.rate(rate()))
 }
 find('again').onclick = () => set('seed', (state.seed + state.several) % data.seeds.length)
@@ -338,7 +339,9 @@ function settle(promise) {
 
 for (const name of Object.keys(TABS)) find(`tab-${name}`).onclick = async () => {
   await choose(name)
-  if (name === 'play') find('play').focus({ preventScroll: true }) // or the arrow keys would turn to the next tab
+  if (name !== 'play') return
+  find('play').focus({ preventScroll: true }) // or the arrow keys would turn to the next tab
+  find('play').scrollIntoView({ block: 'nearest' }) // picture, actions and points in one view
 }
 document.querySelector('.tabs').onkeydown = event => {
   if (!/^Arrow(Left|Right)$/.test(event.key)) return

@@ -77,10 +77,12 @@ export class Play {
   step(action) {
     const name = this.names()[action]
     if (this.over || !name) return
+    const before = this.result(1)
     this.kernel.call(action)
+    const came = this.race.outcomes[Number(this.result(1) <= before)]
     const [reward, terminated, truncated] = [4, 5, 6].map(k => this.result(k))
     this.over = Boolean(terminated || truncated)
-    this.show(`${name}: ${points(reward)}`)
+    this.show(`${name}: ${came ? `${came}, ` : ''}${points(reward)}`)
     if (!this.over) return
     this.returns.push(this.result(3))
     const mean = this.returns.reduce((sum, one) => sum + one, 0) / this.returns.length

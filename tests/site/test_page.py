@@ -1,5 +1,6 @@
 """The playground in a real browser, as a reader would use it: bet, run, play, pass the link on."""
 
+import itertools
 import json
 import re
 import time
@@ -16,6 +17,11 @@ from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader
 pytestmark = IN_A_BROWSER
 
 
+def at(selector: str) -> str:
+    """The place on the screen of what is selected, as an expression."""
+    return f"document.querySelector('{selector}').getBoundingClientRect()"
+
+
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("size", [WIDE, PHONE], ids=["wide", "phone"])
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
@@ -29,6 +35,9 @@ def test_a_race_is_run_to_its_end(race: Any, size: tuple[int, int], theme: str, 
     verdict = reader.race()
     assert "did best" in verdict or "equally" in verdict or "Nobody" in verdict or "All play" in verdict
     assert "bet" in verdict or "Nobody" in verdict or "All play" in verdict
+    top, bottom = reader(f"(({{ top, bottom }}) => [top, bottom])({at('#verdict')})")
+    assert 0 <= top < bottom < size[1] + 1  # what came of it is read without scrolling
+    assert size == WIDE or 0 < reader(f"{at('#run')}.top - {at('article:last-child .bet')}.bottom") < 60  # for a finger
     until(lambda: reader("[...document.querySelectorAll('canvas')].every(c => c.dataset.cells > 0)"), "colours")
     reader.check()
     assert reader("window.shift") < 0.003  # opened and raced once: nothing moves
@@ -183,6 +192,23 @@ def test_arrow_keys_play_once_the_tab_is_open(address: str, browser: Any) -> Non
     assert reader.text("#score").startswith("slower")
     assert reader("document.querySelector('#with-results').offsetParent === null")
     reader.check()
+
+
+def test_a_climber_reads_whether_a_grip_holds(address: str, browser: Any) -> None:
+    """No points come before the top, so they do not say it."""
+    reader = Reader(browser, f"{address}#task=Boulder")
+    reader.click("#tab-play")
+    until(lambda: reader("document.querySelectorAll('#actions button').length"), "the actions")
+    assert reader(f"{at('#play')}.top") >= 0
+    assert reader(f"{at('#score')}.bottom") <= WIDE[1]  # picture, actions and points on one screen
+    heights, said = [0], []
+    for key in "1212121212":
+        browser.find_element("tag name", "body").send_keys(key)
+        heights.append(int(re.findall(r"position (\d+)", reader.text("#seen"))[0]))
+        said.append("it holds" in reader.text("#score"))
+        assert said[-1] != ("does not hold" in reader.text("#score"))
+    assert said == [after > before for before, after in itertools.pairwise(heights)]
+    assert set(said) == {True, False}
 
 
 def test_a_door_has_its_number_as_its_key(address: str, browser: Any) -> None:
