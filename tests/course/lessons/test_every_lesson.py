@@ -86,11 +86,10 @@ def test_every_check_checks_what_stands_before_it(lesson: str) -> None:
 def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> None:
     """Main path and exercises together, for every lesson."""
     hours: list[tuple[str, tuple[str, str]]] = []
-    for page in ("course-plans", "teaching"):
-        text = (build.ROOT / "docs" / f"{page}.md").read_text(encoding="utf-8")
-        for row, last in re.findall(r"^(\|.*/notebooks/.*\|) (\d:\d\d.*) \|$", text, re.MULTILINE):
-            names, times = re.findall(r"/notebooks/(\w+)\.ipynb\)", row), re.findall(r"(\d):(\d\d)", last)
-            hours += zip(names, times, strict=True)
+    text = (build.ROOT / "docs" / "course-plans.md").read_text(encoding="utf-8")
+    for row, last in re.findall(r"^(\|.*/notebooks/.*\|) (\d:\d\d.*) \|$", text, re.MULTILINE):
+        names, times = re.findall(r"/notebooks/(\w+)\.ipynb\)", row), re.findall(r"(\d):(\d\d)", last)
+        hours += zip(names, times, strict=True)
     assert {name for name, _ in hours} == build.lesson_sources().keys()
     for name, (hour, minute) in hours:
         opening = build.read_lesson(build.lesson_sources()[name]).cells[0].source

@@ -74,6 +74,14 @@ def test_who_cannot_enter_and_who_is_not_measured() -> None:
     assert said(found, "Boulder").sentence == sentence
 
 
+def test_reasons_that_differ_only_in_numbers_share_a_sentence() -> None:
+    """It has the numbers of the first challenge, and says so."""
+    blank = {"B": {"Boulder": "needs 9 hands", "Study": "needs 13 hands", "Golf": "no arm"}, "C": {"Golf": "no arm"}}
+    alike, other = tables.reasons(profiled({"A": FAR}, blank=blank))
+    assert alike == "B in Boulder and Study: needs 9 hands. These are the numbers of Boulder."
+    assert other == "B and C in Golf: no arm."
+
+
 def test_a_better_agent_beside_is_named_with_how_far_it_gets() -> None:
     """In the sentence and in the table of whom to take; where nobody here enters too."""
     beside = profiled({"A": FAR, "B": MIDDLE})

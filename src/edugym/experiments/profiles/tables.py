@@ -1,6 +1,7 @@
 """The tables and the sentences of the report on a profile."""
 
 import math
+import re
 from itertools import combinations
 
 from edugym.experiments.profiles.ladders import EXACT, steps_of
@@ -159,12 +160,20 @@ def sure_differences(profile: Profile) -> list[str]:
 
 
 def reasons(profile: Profile) -> list[str]:
-    """Why agents cannot enter challenges, a sentence for each reason."""
+    """Why agents cannot enter challenges, in sentences; reasons that differ only in their numbers share one."""
     who: dict[tuple[str, str], list[str]] = {}
     for agent, blank in profile.blank.items():
         for challenge, why in blank.items():
             who.setdefault((challenge, why), []).append(agent)
-    return [f"{challenge}, {listed(agents)}: {why}." for (challenge, why), agents in who.items()]
+    alike: dict[tuple[str, str], dict[str, str]] = {}
+    for (challenge, why), agents in who.items():
+        alike.setdefault((listed(agents), re.sub(r"\d+", "0", why)), {})[challenge] = why
+    sentences = []
+    for (named, _), whys in alike.items():
+        first, *_ = whys
+        numbers = f" These are the numbers of {first}." if len(set(whys.values())) > 1 else ""
+        sentences.append(f"{named} in {listed(list(whys))}: {whys[first]}.{numbers}")
+    return sentences
 
 
 def not_measured(profile: Profile, challenge: str) -> str:
