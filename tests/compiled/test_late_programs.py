@@ -14,6 +14,9 @@ BEFORE = """G = np.zeros(2)
 class C(enum.Enum):
     R = 1
     G = 2
+class I(enum.IntEnum):
+    B = 2
+    M = -1
 class P(NamedTuple):
     a: np.ndarray
 p, pair, large, long = P(np.zeros(2)), (np.zeros(2), 1), np.zeros(50_000), tuple(range(500))
@@ -23,6 +26,7 @@ def make(table):
     return write
 write, lib = make(np.zeros(1)), np
 def fill(row): row[0] = 1
+def apply(f, x): return f(x)
 def mixed(x): return 1 if x > 2 else 0.5 * x
 class W(NamedTuple):
     w: float
@@ -68,6 +72,32 @@ REPEATED = {
     "minus 0 that may be whole, by a method": late("x = W(0 if k % 2 else 0.5).minus()"),
 }
 """Programs in which machine code stops, and the interpreter goes on."""
+MAYBE = "best = None\nfor j in range(3):\n    if best is None or j > 0: best = "
+SAME_NAN = "y, r = math.nan if k > 7 else 1.0, [2.0, 0.5]\na = (y, 1)\n"
+REPEATED |= {
+    name: late(line)
+    for name, line in {
+        "what may be None, beyond 64 bits": f"{MAYBE}2 ** 61 + k\nx = float(best * 4 % 7)",
+        "what may be None, in place": f"{MAYBE}2 ** 62\nbest += 2 ** 62\nx = float(best % 5)",
+        "what may be None, to a power": f"{MAYBE}2\nx = best ** -k",
+        "what may be None, against a real number": f"{MAYBE}2 ** 53 + 1\nx = 1.0 if best == 2.0 ** 53 else 2.0",
+        "a flag and the largest whole number": "x = float(((n > 5) + 9223372036854775807) % 7)",
+        "a flag shifted": "x = float(((n > 5) << (k + 60)) % 7)",
+        "an enum of whole numbers": "x = float((I.B << (k + 60)) % 7)",
+        "an enum to a negative power": "x = 2 ** I.M + k % 2",
+        "the same NaN in two tuples": f"{SAME_NAN}x = 1.0 if a == a else 2.0",
+        "the same NaN in an order": f"{SAME_NAN}x = 1.0 if a < (y, 2) else 2.0",
+        "the same NaN in a list that is compared": f"{SAME_NAN}r[0] = y\nx = 1.0 if r == r else 2.0",
+        "the same NaN counted": f"{SAME_NAN}r[0] = y\nx = float(r.count(y))",
+        "a tuple in a tuple": f"{SAME_NAN}x = 1.0 if a in (a, (2.0, 1)) else 2.0",
+        "large whole numbers in a tuple": "x = 1.0 if (2 ** 53 + 1, 2) == (2.0 ** 53, 2) else 2.0",
+        "a large whole number among real ones": "x = 1.0 if 2 ** 53 + 1 in (2.0 ** 53, 2.5) else 2.0",
+        "a real number among large whole ones": "x = 1.0 if 2.0 ** 53 in [2 ** 53 + 1, 2] else 2.0",
+        "NaN sorted": f"{SAME_NAN}r[0] = y\nr.sort()\nx = float(r[0] == r[0]) + r[1]",
+        "zeros sorted": "r = sorted([0.0 if j % 3 else -0.0 for j in range(20)])\nx = math.copysign(1.0, r[3])",
+        "zeros in an array sorted": "r = np.sort(np.array([0.0, -0.0, 0.0, -0.0]))\nx = math.copysign(1.0, r[1])",
+    }.items()
+}
 REFUSED = {
     "list of whole numbers": (
         late("row[1] = self.Q[0, 0]", "x = 0.5\nrow = [0, 0]", "max(row)"),
@@ -113,6 +143,13 @@ REFUSED = {
     "long tuple": (late("x = long[k] + 0.5"), "is a tuple of 500 numbers"),
     "two types of tuples": (late("y = (k, 0.5)", "x, y = 0.5, (0.5, 0.5)", "y[0]"), "tuples with whole and with real"),
     "mean of whole numbers": (late("x = self.N.mean()"), "the mean of whole numbers"),
+    "flags to a power": (late("x = float(((self.N > 0) ** 2 * 100 + 100)[2])"), "True and False as if they were"),
+    "part of an array flattened": (late("part = self.Q[:1, :1].ravel()\npart[0] = 9.0"), "it calls ravel of a part"),
+    "functions handed on": (late("x = float(apply(abs, -2**62 - 2**62 + 0 * k) % 7)"), "hands on the function abs"),
+    "another function handed on": (late("x = float(apply(round, 1e19 * k) % 7)"), "hands on the function round"),
+    "class handed on": (late("x = float(apply(int, 1e19 * k) % 7)"), "hands on the function int"),
+    "functions in a tuple": (late("x = float((abs, 1)[0](-2**62 - 2**62 + 0 * k) % 7)"), "hands on the function abs"),
+    "draw handed on": (late("x = apply(rng.exponential, 700.0 - n)"), "hands on the method exponential"),
 }
 """Programs that are refused, and a word of the sentence that says why."""
 

@@ -24,6 +24,7 @@ from edugym.compiled.namedtuples import member_of
 from edugym.compiled.number_kinds import (
     COMPARED,
     SAME_OF_WHOLE,
+    as_number,
     holds_list,
     holds_real,
     is_in,
@@ -93,7 +94,7 @@ class _Followed:
             return False
         kind = self.kind(variable)
         listed = kind.dtype if isinstance(kind, types.List | types.Array) else kind
-        return listed == types.int64 or self.is_mixed(variable)
+        return as_number(listed) == types.int64 or self.is_mixed(variable)
 
     def _root(self, name: str) -> str:
         while name in self.group:

@@ -48,6 +48,13 @@ def passes_on(called: Any, key: Any) -> bool:
     return getattr(key, "__name__", "") in PASSED_ON_NAMES or choice
 
 
+def as_number(kind: Any) -> Any:
+    """The type of the numbers with which machine code computes for flags, for an IntEnum, and for what may be None."""
+    kind = types.unliteral(kind)
+    kind = types.unliteral(kind.type) if isinstance(kind, types.Optional) else kind
+    return types.int64 if isinstance(kind, types.Boolean | types.IntEnumMember) else kind
+
+
 def holds_real(kind: Any) -> bool:
     """Whether a type is a real number or contains one. Arrays do not count: their numbers are real in Python too."""
     kind = types.unliteral(kind)

@@ -118,6 +118,8 @@ def _value_problem(value: Any, name: str, *, all_kinds: bool, owner: type | None
     if isinstance(value, tuple):
         kind = type(value)
         fields = getattr(value, "_fields", None)
+        if kind is not tuple and fields is None:
+            return f"{name} is a value of {kind.__name__}, which is no NamedTuple"
         if getattr(value, "__dict__", None):
             return f"a value of {kind.__name__} has an attribute besides its fields: {next(iter(vars(value)))}"
         for k, part in enumerate(tuple.__iter__(value)):
@@ -147,9 +149,11 @@ def _value_problem(value: Any, name: str, *, all_kinds: bool, owner: type | None
 
 def _number_problem(value: Any, name: str) -> str | None:
     """The problem with a value that is no tuple, array or generator."""
-    if isinstance(value, bool | float | str | Enum | np.bool_ | None) and not isinstance(value, np.str_):
+    if isinstance(value, Enum):
+        return _class_problem(type(value))
+    if type(value) in (bool, float, str, np.float64, np.bool_, type(None)):
         return None
-    if isinstance(value, int | np.int64):
+    if type(value) in (int, np.int64):
         return None if -(2**63) <= value < 2**63 else f"{name} is {value}, beyond the whole numbers of 64 bits"
     if isinstance(value, list | set | dict | frozenset):
         return f"{name} is a {type(value).__name__}: use an array or a tuple"
@@ -161,7 +165,7 @@ def _number_problem(value: Any, name: str) -> str | None:
 
 
 def _class_problem(kind: type) -> str | None:
-    """The member by which values of a class do something else than those of a plain NamedTuple."""
+    """The member by which values of a class do something else than those of a plain NamedTuple, or a plain enum."""
     for base in kind.__mro__:
         if package_of(base) in LIBRARIES or not is_foreign(base):
             continue
@@ -170,11 +174,14 @@ def _class_problem(kind: type) -> str | None:
                 return f"{base.__name__} replaces the field {name} by something else"
             function = getattr(member, "__func__", member)
             special = name.startswith("__") and name not in HARMLESS_SPECIAL_NAMES and callable(function)
-            own = getattr(function, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
+            home = getattr(function, "__globals__", {}).get("__name__", "")
+            own = home.startswith("namedtuple_")
+            if issubclass(kind, Enum):  # what is made by these is a constant
+                own = home in ("", "enum") or name in ("__init__", "__new__")
             ours = is_ours(function)  # as what the decorator `wrapper` adds
             if special and not ours and not own:
                 return f"{base.__name__} defines {name}, which machine code would not call"
-            if name in DRAWS_WITH_CHECKS:
+            if name in DRAWS_WITH_CHECKS and not issubclass(kind, Enum):
                 return f"{base.__name__} has a member named {name}, as rng has"
     return None
 
@@ -308,7 +315,9 @@ def _name_problem(value: Any, name: str) -> str | None:
         plain = (
             f"it uses {name}" if package_of(value) in LIBRARIES else f"it uses the class {name}, which is no NamedTuple"
         )
-        return None if _is_allowed_class(value) else MESSAGES.get(name, plain)
+        if _is_allowed_class(value):
+            return _class_problem(value) if issubclass(value, Enum) else None
+        return MESSAGES.get(name, plain)
     if package_of(type(value)) == "numba" and hasattr(value, "py_func"):
         return None
     module = getattr(value, "__module__", None) or ""

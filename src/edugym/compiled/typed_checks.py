@@ -5,14 +5,15 @@ whole numbers are replaced by checked ones (`edugym.compiled.arithmetic`).
 """
 
 import operator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numba.core import ir, ir_utils, types
 
-from edugym.compiled.arithmetic import CALLED
+from edugym.compiled.arithmetic import CALLED, require_order, require_plain
 from edugym.compiled.mixed_numbers import follow_mixed
-from edugym.compiled.number_kinds import method_name
+from edugym.compiled.number_kinds import COMPARED, as_number, holds_real, method_name
 from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
 from edugym.compiled.subset import MATH, NUMPY, words
 from edugym.compiled.untyped_checks import FROZEN, refuse, statements
@@ -56,6 +57,8 @@ def check_typed(state: Any) -> bool:
         if isinstance(statement, ir.Assign):
             _check_boolean(statement.value, kinds, kinds[statement.target.name], statement.loc)
             if isinstance(statement.value, ir.Expr):
+                for check, variable in _to_check(state.func_ir, statement.value, kinds):
+                    _insert_check(state, block, statement, check, variable)
                 _check_expression(statement.value, kinds, state.calltypes, statement)
         elif isinstance(statement, ir.Return):
             _check_boolean(statement.value, kinds, state.return_type, statement.loc)
@@ -70,6 +73,37 @@ def check_typed(state: Any) -> bool:
             if isinstance(value, types.Array) and _stores_itself(state.func_ir, statement):
                 block.body.remove(statement)  # it would need memory and reference counts
     return True
+
+
+def _to_check(func_ir: Any, expr: Any, kinds: Any) -> Iterator[tuple[Any, Any]]:
+    """What has to be checked before a comparison of tuples or lists, before their numbers are sorted or counted."""
+    collection, function = types.BaseTuple | types.List, expr.fn if expr.op == "binop" else None
+    if function in COMPARED and any(isinstance(kinds[one.name], collection) for one in (expr.lhs, expr.rhs)):
+        if any(holds_real(kinds[one.name]) for one in (expr.lhs, expr.rhs)):
+            yield from ((require_plain, one) for one in (expr.lhs, expr.rhs))
+    elif expr.op == "call":
+        called = kinds[expr.func.name]
+        if getattr(called, "typing_key", None) in (sorted, np.sort):
+            yield from ((require_order, one) for one in expr.args[:1])
+        elif isinstance(called, types.BoundFunction) and isinstance(called.this, types.List):
+            name = method_name(called.typing_key)
+            if name == "sort":
+                yield require_order, ir_utils.get_definition(func_ir, expr.func).value
+            elif name == "count" and holds_real(called.this):
+                yield from ((require_plain, one) for one in expr.args)
+
+
+def _insert_check(state: Any, block: Any, before: Any, check: Any, variable: Any) -> None:
+    """Adds a call of a function that raises an error where a value is not what it must be."""
+    loc, context = before.loc, state.typingctx
+    function, nothing = (ir.Var(block.scope, ir_utils.mk_unique_var("$check"), loc) for _ in range(2))
+    call = ir.Expr.call(function, [variable], (), loc)
+    state.typemap[function.name] = context.resolve_value_type(check)
+    state.typemap[nothing.name] = types.none
+    state.calltypes[call] = state.typemap[function.name].get_call_type(context, (state.typemap[variable.name],), {})
+    for value, target in ((ir.Global(check.__name__, check, loc), function), (call, nothing)):
+        block.body.insert(block.body.index(before), ir.Assign(value, target, loc))
+        state.func_ir._definitions[target.name].append(value)
 
 
 def _stores_itself(func_ir: Any, statement: Any) -> bool:
@@ -178,6 +212,10 @@ def _check_expression(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> 
     if isinstance(result, types.UnicodeType) and expr.op not in ("getattr", "static_getitem", "getitem", "cast", "phi"):
         refuse("it makes text", loc)
     _check_narrow(expr, kinds, loc)
+    for variable in expr.list_vars():
+        kind, called = kinds[variable.name], expr.op == "call" and variable.name == expr.func.name
+        if isinstance(kind, types.BoundFunction) and not called and not isinstance(kind.this, types.BaseTuple):
+            refuse(f"it hands on the method {method_name(kind.typing_key)}: call it where it is", loc)
     if expr.op == "getitem":
         _check_index(kinds[expr.index.name], loc)
     elif expr.op == "getattr":
@@ -198,12 +236,12 @@ def _check_expression(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> 
         kind = types.unliteral(kinds[expr.value.name])
         if expr.fn in NOT_WITH_BOOLEANS and _is_boolean(kind):
             refuse("it computes with True and False as if they were numbers", loc)
-        if expr.fn is operator.neg and kind == types.int64:
+        if expr.fn is operator.neg and as_number(kind) == types.int64:
             expr.fn = NEGATIVE.function
             del calltypes[expr]
             calltypes[expr] = signature_of(NEGATIVE)
     elif expr.op in ("binop", "inplace_binop"):
-        _check_operator(expr, kinds, calltypes, loc)
+        _check_operator(expr, result, kinds, calltypes, loc)
 
 
 def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
@@ -230,6 +268,8 @@ def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: An
     shuffles = isinstance(method, types.NumPyRandomGeneratorType) and method_name(key) == "shuffle"
     if shuffles and any(isinstance(kinds[one.name], types.Array) and not kinds[one.name].mutable for one in given):
         refuse(FROZEN, loc)
+    if isinstance(method, types.Array) and method_name(key) == "ravel" and method.layout != "C":
+        refuse("it calls ravel of a part of an array, which may be a copy or not: use flatten, or a loop", loc)
     if isinstance(method, types.Array) and method_name(key) in ("mean", "std", "var") and not _is_real(method):
         refuse("it takes the mean of whole numbers: make them real, as in (1.0 * N).mean()", loc)
     if key in (np.mean, np.std, np.var) and any(_has_whole(kinds[one.name]) for one in given[:1]):
@@ -276,7 +316,7 @@ def _check_narrow(expr: Any, kinds: Any, loc: Any) -> None:
             refuse(f"it computes with numbers of type {getattr(kind, 'this', kind).dtype}", loc)
 
 
-def _check_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
+def _check_operator(expr: Any, result: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
     """Refuses operators that do something else in Python, and replaces those that need a check."""
     function = expr.fn if expr.op == "binop" else expr.immutable_fn
     both = [types.unliteral(kinds[side.name]) for side in (expr.lhs, expr.rhs)]
@@ -295,8 +335,10 @@ def _check_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
             _is_real(both[1]) or function in (operator.truediv, operator.pow)
         ):
             refuse("it changes an array of whole numbers in place by real ones", loc)
-    operation = CHECKED.get((function, *both))
+    operation = CHECKED.get((function, *map(as_number, both)))
     if operation:
+        if types.unliteral(result) != operation.result:
+            refuse("it computes with what may be True, False or None as if it were a number", loc)
         if expr.op == "binop":
             expr.fn = operation.function
         else:
@@ -310,6 +352,8 @@ def _check_whole_arrays(function: Any, exponent: Any, both: Any, plain: Any, kin
     if not any(isinstance(kind, types.Array) for kind in both) or any(map(_is_real, plain)):
         return
     known = kinds[exponent.name]
+    if function is operator.pow and any(map(_is_boolean, plain)):
+        refuse("it computes with True and False as if they were numbers", loc)  # NumPy's squares have 8 bits
     if function is operator.pow and not (isinstance(known, types.IntegerLiteral) and known.literal_value >= 0):
         refuse("it raises an array of whole numbers to a power that may be negative: make it real, 1.0 * N", loc)
     if function in (operator.lshift, operator.rshift):

@@ -10,7 +10,7 @@ import math
 import operator
 from collections.abc import Iterator
 from enum import Enum
-from types import BuiltinFunctionType, ModuleType
+from types import BuiltinFunctionType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -18,9 +18,11 @@ from numba.core import analysis, ir, ir_utils
 
 from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
 from edugym.compiled.byte_code import place
+from edugym.compiled.code import LIBRARIES
 from edugym.compiled.draws import DRAWN
 from edugym.compiled.interrupt_polling import insert_polling
 from edugym.compiled.subset import words
+from edugym.system.packages import package_of
 
 
 class Refused(Exception):
@@ -60,6 +62,7 @@ def check_untyped(state: Any) -> bool:
     for block, statement in statements(state.func_ir):
         value = getattr(statement, "value", None)
         if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
+            _require_called(state.func_ir, value, statement.loc)
             if value.op == "inplace_binop" and _may_be_frozen(state.func_ir, value.lhs):
                 refuse(FROZEN, statement.loc)  # Numba stumbles over it
             if value.op == "make_function":
@@ -201,6 +204,17 @@ def _entry(table: dict[Any, Any], value: Any) -> Any:
         return table.get(value)
     except TypeError:  # it has no hash
         return None
+
+
+def _require_called(func_ir: Any, expr: Any, loc: Any) -> None:
+    """Refuses to hand on what is replaced where it is called, such as `abs`; the type of an array is no function."""
+    called = expr.op == "call" and _global(func_ir, expr.func)
+    of_own = isinstance(called, FunctionType) and package_of(called) not in LIBRARIES
+    for variable in expr.list_vars():
+        value = _global(func_ir, variable) if expr.op != "call" or variable.name != expr.func.name else None
+        is_type = expr.op == "call" and not of_own and _entry(NUMPY_TYPE, value)
+        if value is not None and not is_type and (value is pow or _entry(CALLED, value)):
+            refuse(f"it hands on the function {value.__name__}: call it by its name", loc)
 
 
 def _require_arguments(called: Any, call: Any, loc: Any) -> None:
