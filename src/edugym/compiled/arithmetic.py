@@ -156,6 +156,29 @@ def _choose_flatnonzero(a: Any) -> Any:
     return flatnonzero if isinstance(a, types.Array) else lambda a: np.flatnonzero(a)
 
 
+def _arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
+    """`np.arange`: NumPy takes the step from the first two numbers, in which the last digits of 0.1 may be lost."""
+
+    def of_real_step(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
+        made = np.arange(start, stop, step, dtype)
+        first, step = start * 1.0, (start + step) - start
+        for i in range(2, made.size):
+            made[i] = first + i * step
+        return made
+
+    if isinstance(stop, types.NoneType | types.Omitted) and not isinstance(step, types.NoneType | types.Omitted):
+        return lambda start, stop, step, dtype: _arange(0, start, step, dtype)
+    if types.unliteral(step) == REAL:
+        return of_real_step
+    return lambda start, stop, step, dtype: np.arange(start, stop, step, dtype)
+
+
+extending.overload(_arange, strict=False)(_choose_arange)
+_arange.__name__ = "np.arange"  # by which messages call it
 extending.overload(_clip, strict=False)(_choose_clip)
 extending.overload(_flatnonzero, strict=False)(_choose_flatnonzero)
 _clip.__name__, _flatnonzero.__name__ = "np.clip", "np.flatnonzero"  # by which messages call them
@@ -176,6 +199,7 @@ REPLACED: dict[Any, Function] = {
     np.median: _median,
     np.clip: lambda a, a_min, a_max: _clip(a, a_min, a_max),
     np.flatnonzero: lambda a: _flatnonzero(a),
+    np.arange: lambda start, stop=None, step=None, dtype=None: _arange(start, stop, step, dtype),
     **{function: _extreme("np.max", operator.gt, lambda a: np.max(a)) for function in (np.max, np.amax)},
     **{function: _extreme("np.min", operator.lt, lambda a: np.min(a)) for function in (np.min, np.amin)},
 }
