@@ -57,6 +57,9 @@ KEPT = {
     "squares of whole numbers": late("x = float((self.N ** 2).sum())"),
     "what is only read": late("x = G[0] + p.a[1] + pair[0][k % 2] + self.M[0][1]"),
     "what a class has": late("x = self.A[k % 4] + self.m + (1 if self.kind == C.G else 2)"),
+    "large whole numbers rounded": late(
+        "x = float((round(2 ** 60 + k) + math.floor(2 ** 59 + k) + int(2 ** 60 - k)) % 7)"
+    ),
     "numbers with a step": late(
         "r = np.arange(1, 2, 0.1)\nx = r[3] + np.arange(5, step=0.3)[k % 3] - np.arange(k)[-1]"
     ),

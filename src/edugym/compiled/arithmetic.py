@@ -14,11 +14,13 @@ import numpy as np
 from numba import extending
 from numba.core import types
 
+from edugym.compiled.number_kinds import as_number
 from edugym.compiled.operations import ADD, CHECK_EXACT, CHECK_NUMBER, CHECKED, INT, REAL, SUBTRACT
 
 Function = Callable[..., Any]
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
 _add, _subtract = ADD.function, SUBTRACT.function
+arange: Any = np.arange  # its declaration knows fewer calls than it takes
 
 
 def _in_domain(function: Function, lowest: float, highest: float) -> Function:
@@ -45,14 +47,19 @@ def _finite(function: Function) -> Function:
 
 
 def _to_whole(function: Function) -> Function:
-    """A function that makes whole numbers of real ones."""
+    """A function that makes whole numbers of real ones, and leaves whole ones as they are, however large."""
 
     def checked(x: Any) -> Any:
         if not -9223372036854775808.0 <= x < 9223372036854775808.0:
             raise OverflowError("too large for a whole number")
         return function(x)
 
-    return checked
+    def to_whole(x: Any) -> Any:
+        raise NotImplementedError
+
+    to_whole.__name__ = function.__name__  # by which messages call it
+    extending.overload(to_whole, strict=False)(lambda x: (lambda x: int(x)) if as_number(x) == INT else checked)
+    return lambda x: to_whole(x)
 
 
 def _float(x: Any) -> Any:
@@ -164,7 +171,7 @@ def _choose_arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
     """`np.arange`: NumPy takes the step from the first two numbers, in which the last digits of 0.1 may be lost."""
 
     def of_real_step(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
-        made = np.arange(start, stop, step, dtype)
+        made = arange(start, stop, step, dtype)
         first, step = start * 1.0, (start + step) - start
         for i in range(2, made.size):
             made[i] = first + i * step
@@ -174,7 +181,7 @@ def _choose_arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
         return lambda start, stop, step, dtype: _arange(0, start, step, dtype)
     if types.unliteral(step) == REAL:
         return of_real_step
-    return lambda start, stop, step, dtype: np.arange(start, stop, step, dtype)
+    return lambda start, stop, step, dtype: arange(start, stop, step, dtype)
 
 
 extending.overload(_arange, strict=False)(_choose_arange)

@@ -23,7 +23,7 @@ SAME_OF_WHOLE: set[Any] = {
 """Functions that give the same result for a whole number and for the real number that equals it."""
 PASSED_ON: set[Any] = {max, min, abs, sorted, list, enumerate, zip, reversed, iter, tuple}
 """Functions that may return one of their arguments, or a collection of them."""
-PASSED_ON_NAMES = words("np.max np.min max min np.clip abs sum")
+PASSED_ON_NAMES = words("np.max np.min max min np.clip abs sum int round floor ceil trunc")
 """The names of such functions among the replacements in `edugym.compiled.arithmetic`."""
 
 
