@@ -303,8 +303,8 @@ figures.cycle()
 # equilibrium. The learners run round it, and never stay.
 #
 # ### Where a policy without chance is weak
-# Take the policy of a Q-learner in soccer, and look for the state with the ball in which it guarantees the least of what could be
-# guaranteed there. All of this is computed, not played.
+# Take the policy of a Q-learner in soccer. Of the states in which it has the ball and a random choice is needed, this is where it falls
+# farthest short of what could be guaranteed. All of this is computed, not played.
 
 # %%
 alone = games.learned_policy(soccer, 0, learned.agents["Q-learning, each alone"][0][0])

@@ -33,7 +33,7 @@ SURE = 0.99
 """An action with this probability or more leaves nothing to chance."""
 N_ACTIONS, HALL, OVER = 3, 0, 100
 """The actions of each player; the first place; and from where on the states are those after the end."""
-SAFE = ((3.0, 2.0, 4.0), (0.0, -1.0, 1.0), (-2.0, -3.0, -1.0))
+SAFE = ((9.0, 6.0, 12.0), (0.0, -3.0, 3.0), (-6.0, -9.0, -3.0))
 """What player 0 gets in a room in which its first action is best whatever the other does."""
 ROCK = np.array(DARING)
 WILD = (0.1, 1.5, 0.5, 0.1, 0.5)
@@ -41,6 +41,11 @@ WILD = (0.1, 1.5, 0.5, 0.1, 0.5)
 
 So neither the best that may happen there nor what one action by itself guarantees says what it is worth, and who goes
 by them takes wrong ways.
+"""
+FOLLY = ((0.2, 12.0), (12.0, 3.0), (12.0, 1.0), (0.2, 12.0), (1.0, 1.0))
+"""What player 0 loses in each room by an action that it should never take, and wins if the other takes such a one.
+
+So neither what happens to players who toss a coin nor what happens with random moves says what a room is worth.
 """
 
 
@@ -54,14 +59,14 @@ class House(NamedTuple):
         rooms: shape (n_rooms, n_actions, n_actions): what player 0 gets.
         seen_at_end: which place is seen after the end, by the number of the pair of actions.
         max_steps: the step limit.
-        pays: what player 0 gets in the hall for each of its actions.
+        pays: what player 0 gets in the hall for each pair of actions.
     """
 
     hall: Any
     rooms: Reals
     seen_at_end: tuple[int, ...]
     max_steps: int = 50
-    pays: tuple[float, ...] = (0.0,) * N_ACTIONS
+    pays: Reals = np.zeros((N_ACTIONS, N_ACTIONS))
 
     def initial(self, rng: Random) -> int:
         """Any place."""
@@ -74,7 +79,7 @@ class House(NamedTuple):
 
     def rewards(self, state: int, actions: tuple[int, int], next_state: int, rng: Random) -> tuple[float, float]:
         """What a room pays, and the hall."""
-        paid = self.pays[actions[0]] if state == HALL else float(self.rooms[state - 1, actions[0], actions[1]])
+        paid = float(self.pays[actions] if state == HALL else self.rooms[state - 1, actions[0], actions[1]])
         return paid, -paid
 
     def terminal(self, state: int) -> bool:
@@ -120,12 +125,18 @@ def _rooms(rng: Random) -> House:
     return House(np.ones((N_ACTIONS, N_ACTIONS), int), rooms, (HALL,) * N_ACTIONS**2)
 
 
+def _pennies(stake: float, folly: tuple[float, float]) -> Reals:
+    """Return matching pennies, which is worth 0, with an action more for each player, by which it only loses."""
+    own, others = folly
+    return np.array([[stake, -stake, others], [-stake, stake, others], [-own, -own, 0.0]])
+
+
 def _way(rng: Random, seen_at_end: Sequence[int] = (HALL,) * N_ACTIONS**2, max_steps: int = 50) -> House:
     """Five rooms that are worth -3, -1, 0, 1 and 3, and a hall in which the way must be chosen at random."""
     worth = rng.permutation(np.unique(ROCK))
     hall = _turned(ROCK, rng)
-    wild = dict(zip(np.unique(ROCK), WILD, strict=True))
-    rooms = np.stack([_turned(ROCK, rng) * wild[one] + one for one in worth])
+    pennies = dict(zip(np.unique(ROCK), map(_pennies, WILD, FOLLY), strict=True))
+    rooms = np.stack([_turned(pennies[one], rng) + one for one in worth])
     places = np.array([[1 + int(np.flatnonzero(worth == one)[0]) for one in row] for row in hall])
     return House(places, rooms, tuple(seen_at_end), max_steps)
 
@@ -140,14 +151,18 @@ def _cut(rng: Random) -> House:
     return _way(rng, max_steps=1)
 
 
-def _soon(rng: Random, at_once: float = 4.75) -> House:
-    """A hall in which player 0 chooses between a room that is worth 5, so much at once, and nothing."""
-    order = rng.permutation(N_ACTIONS)
-    hall, pays = np.ones((N_ACTIONS, N_ACTIONS), int), np.zeros(N_ACTIONS)
+def _soon(rng: Random, at_once: float = 18.5) -> House:
+    """A hall in which player 0 chooses between a room that is worth 20, so much at once, and nothing.
+
+    Player 1 has one good action there, and loses 5 by the two others: so it takes the same one nearly always.
+    """
+    order, good = rng.permutation(N_ACTIONS), int(rng.integers(N_ACTIONS))
+    hall, pays = np.ones((N_ACTIONS, N_ACTIONS), int), np.full((N_ACTIONS, N_ACTIONS), 5.0)
     hall[order[0]] = 2
-    pays[order[1]] = at_once
-    rooms = np.stack([_turned(ROCK, rng) / 2 + one for one in (0.0, 5.0)])
-    return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=tuple(pays.tolist()))
+    pays[:, good] = 0.0
+    pays[order[1]] += at_once
+    rooms = np.stack([_turned(ROCK, rng) / 2 + one for one in (0.0, 20.0)])
+    return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=pays)
 
 
 ROOMS = Riddle(
@@ -164,11 +179,11 @@ RIDDLES = (
     ),
     Riddle(
         _soon,
-        "there 4.75 at once is more than 5 a step later: what follows is multiplied by γ = 0.9",
+        "there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9",
     ),
     Riddle(
-        partial(_soon, at_once=4.2),
-        "there 5 a step later is more than 4.2 at once: what follows is multiplied by γ = 0.9, and by no less",
+        partial(_soon, at_once=17.5),
+        "there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less",
     ),
     Riddle(
         _alike,

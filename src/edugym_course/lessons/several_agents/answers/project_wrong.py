@@ -54,7 +54,7 @@
 
 # %% no discount
 # slow
-# says: there 4.75 at once is more than 5 a step later: what follows is multiplied by γ = 0.9
+# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += value(int(seen[me]))
@@ -156,7 +156,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.8
 # slow
-# says: there 5 a step later is more than 4.2 at once: what follows is multiplied by γ = 0.9, and by no less
+# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.8 * value(int(seen[me]))
@@ -168,3 +168,51 @@ my_program = games.MinimaxQ
 # in: all pairs at random
 # - seen, _ = environment.reset()
 # + environment.reset()
+
+
+# %% γ = 0.95
+# slow
+# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9
+# in: all pairs at random
+# - target += 0.9 * value(int(seen[me]))
+# + target += 0.95 * value(int(seen[me]))
+
+
+# %% γ = 0.85
+# slow
+# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less
+# in: all pairs at random
+# - target += 0.9 * value(int(seen[me]))
+# + target += 0.85 * value(int(seen[me]))
+
+
+# %% a place is worth what coins bring
+# slow
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# in: all pairs at random
+# - return solved[state].value if state in solved else 0.0
+# + return Q[state].mean()
+
+
+# %% a place is worth what is won from random play
+# slow
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# in: all pairs at random
+# - return solved[state].value if state in solved else 0.0
+# + return solved[state].first @ Q[state].mean(axis=1) if state in solved else 0.0
+
+
+# %% a place is worth what comes with the random moves
+# slow
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# in: all pairs at random
+# - return solved[state].value if state in solved else 0.0
+# + return 0.8 * solved[state].value + 0.2 * Q[state].mean() if state in solved else 0.0
+
+
+# %% a twentieth at random
+# slow
+# says: is the policy returned without the random moves?
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda state: 0.95 * solved[state].first + 0.05 / shape[1]
