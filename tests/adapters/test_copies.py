@@ -241,10 +241,12 @@ def test_states_of_any_kind(name: str) -> None:
 
 
 @pytest.mark.filterwarnings("ignore:.* interpreted")
-def test_what_an_mdp_counts() -> None:
-    """In an array of its own: the call at which machine code gives up is repeated, and counts once."""
+@pytest.mark.parametrize("size", [1, 200_000])
+def test_what_an_mdp_counts(size: int) -> None:
+    """In an array of its own, a large one too: the call at which machine code gives up is repeated, and counts once."""
     count = (
-        "    def counted(self):\n        self.n[0] += 1\n        return 0\n    n: np.ndarray = np.zeros(1, np.int64)"
+        "    def counted(self):\n        self.n[0] += 1\n        return 0\n"
+        f"    n: np.ndarray = np.zeros({size}, np.int64)"
     )
     walk = task("0", "self.counted() + (state + 1 if state < 150 else state + 0.5)", more=count)
     vector = MDPVectorEnv(walk, 2)
@@ -262,6 +264,7 @@ LATE = {
     "no reward": ({"reward": NONE}, ValueError, "a finite number, .* None for state .*150"),
     "nan": ({"reward": NAN}, ValueError, "a finite number, .* nan for state .*150"),
     "no end": ({"terminal": "None if state == 151 else False"}, ValueError, "True or False, .* None for state .*151"),
+    "half an end": ({"terminal": "0.5 if state == 151 else False"}, ValueError, "True or False, .* 0.5 for state"),
 }  # fmt: skip
 """Parts of a task that go wrong at the 151st step, and what is raised."""
 
@@ -295,7 +298,7 @@ def test_late_mistakes(name: str) -> None:
         vector.step([0, 0])
 
 
-@pytest.mark.parametrize("name", ["no next state", "no reward", "no end"])
+@pytest.mark.parametrize("name", ["no next state", "no reward", "no end", "half an end"])
 def test_late_mistakes_in_one_environment(name: str) -> None:
     """The same sentence, among the first steps, which are checked more closely, and after them."""
     _, kind, says = LATE[name]

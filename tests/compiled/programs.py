@@ -120,6 +120,7 @@ RAISE = {
     "int of inf": program("return int(s + 1 if s < 700 else s * math.inf) + 0.0"),
     "round": program("return s + 1 + 0 * round(s if s < 700 else math.nan)"),
     "normal": program("return s + 1 + 0 * rng.normal(0.0, 700 - s)"),
+    "normal with a deviation of -0.0": program("return s + 1 + 0 * rng.normal(0.0, 1.0 if s < 700 else -0.0)"),
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
     "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
     "integers of a range that is turned round": program("return s + 1 + 0 * rng.integers(0, 5 - 10 * int(s > 700))"),

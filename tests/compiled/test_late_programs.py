@@ -10,7 +10,8 @@ from tests.compiled.programs import program
 
 FIELDS = "Q: np.ndarray\n    N: np.ndarray\n    n: np.ndarray"
 VALUES = "np.zeros((9, 2)), np.arange(4), np.zeros(1, np.int64)"
-BEFORE = """G = np.zeros(2)
+BEFORE = """from numba import njit
+G = np.zeros(2)
 class C(enum.Enum):
     R = 1
     G = 2
@@ -26,6 +27,8 @@ def make(table):
     return write
 write, lib = make(np.zeros(1)), np
 def fill(row): row[0] = 1
+@njit(fastmath=True)
+def fast(row): return row[0] * 0.1 + row[1] * 0.1
 def apply(f, x): return f(x)
 def mixed(x): return 1 if x > 2 else 0.5 * x
 class W(NamedTuple):
@@ -155,6 +158,7 @@ REFUSED = {
     "another function handed on": (late("x = float(apply(round, 1e19 * k) % 7)"), "hands on the function round"),
     "class handed on": (late("x = float(apply(int, 1e19 * k) % 7)"), "hands on the function int"),
     "functions in a tuple": (late("x = float((abs, 1)[0](-2**62 - 2**62 + 0 * k) % 7)"), "hands on the function abs"),
+    "helper with fastmath": (late("x = fast(self.Q[0])"), "fast has fastmath"),
     "draw handed on": (late("x = apply(rng.exponential, 700.0 - n)"), "hands on the method exponential"),
 }
 """Programs that are refused, and a word of the sentence that says why."""

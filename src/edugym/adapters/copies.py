@@ -71,7 +71,7 @@ def step_copies(
         state = states.load(i)
         next_state = mdp.transition(state, actions[i], rng)
         batch.rewards[i] = mdp.reward(state, actions[i], next_state, rng)
-        terminated = mdp.terminal(next_state) + 0  # stops at None, which is no answer
+        terminated = mdp.terminal(next_state) | 0  # stops at None and 0.5, which are no answers
         batch.steps[i] += 1
         truncated = batch.steps[i] == max_steps and not terminated
         batch.terminations[i] = terminated

@@ -19,6 +19,7 @@ from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_step, refuse_nothing
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
+from edugym.checks.values import ANSWERS
 from edugym.mdp.protocol import MDP, history_wanted, named_actions
 from edugym.mdp.task import bare, task_of
 
@@ -158,8 +159,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
                 refuse_nothing(mdp, state, action, next_state)
             reward = float(paid)
             ended = mdp.terminal(next_state)
-            if ended is None:
-                refuse_nothing(mdp, state, action, next_state, paid)
+            if not isinstance(ended, ANSWERS):
+                refuse_nothing(mdp, state, action, next_state, paid, ended)
             terminated = bool(ended)
             observed = mdp.observation(next_state, rng)
         observation = self._shown(observed)

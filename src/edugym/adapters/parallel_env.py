@@ -13,6 +13,7 @@ from edugym.checks.games import CheckedGame
 from edugym.checks.mdps import CHECKED_STEPS
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
+from edugym.checks.values import ANSWERS
 from edugym.mdp.markov_game import require_game, scene_of
 from edugym.system.extras import require
 from edugym.system.packages import is_own
@@ -114,7 +115,8 @@ class GameEnv:
         try:
             next_state = game.transition(self.game_state, pair, self._rng)
             rewards = game.rewards(self.game_state, pair, next_state, self._rng)
-            terminated = bool(game.terminal(next_state))
+            over = game.terminal(next_state)
+            terminated = bool(over if isinstance(over, ANSWERS) else CheckedGame(self.game).terminal(next_state))
             self.game_state = next_state
             seen = self._seen(game)
         except Exception as error:

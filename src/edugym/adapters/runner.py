@@ -17,7 +17,7 @@ from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.checks.mdps import checked_mdp
 from edugym.compiled.code import Code
 from edugym.compiled.execution import executable
-from edugym.compiled.snapshot import Snapshot
+from edugym.compiled.snapshot import Snapshot, copied, difference
 from edugym.system.interrupts import SignalGuard
 
 Loop = Callable[..., int]
@@ -48,7 +48,7 @@ class Runner:
         self._mdp, self._n, self._sample = mdp, n, sample
         self._code: dict[Loop, Loop] = {}
         self._watched: list[Code] = []
-        self._tables = Snapshot()
+        self._tables, self._changes_large = Snapshot(), False
         self._is_students, self._changes = False, 0
         self._interpreted = _is_loose(states)
         if self._interpreted and find_spec("numba"):
@@ -146,8 +146,8 @@ class Runner:
         return done
 
     def _saved(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
-        """A copy of what a loop changes and goes on from; of the MDP's own arrays those that are not large."""
-        self._tables.take((self._mdp,), large=False)
+        """A copy of what a loop changes and goes on from; of the MDP's own large arrays only if a step changes them."""
+        self._tables.take((self._mdp,), large=self._changes_large)
         return copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
 
     def _put_back(self, saved: tuple[Any, ...], rng: np.random.Generator, batch: Batch) -> None:
@@ -170,12 +170,21 @@ class Runner:
                 self._watched.append(code)
             try:
                 values = (self._mdp, copy.deepcopy(rng), *some, states, batch)
+                self._look_for_changes(loop, n, values)
                 self._code[loop] = executable(loop, values, rehearsed=n, replayed=False)
             except Exception:  # a student's mistake, which the interpreter will meet again and show
                 self._code[loop] = loop
         if self._interpreted or self._code[loop] is loop:
             self._code[loop] = loop
             self._interpret()
+
+    def _look_for_changes(self, loop: Loop, n: int, values: tuple[Any, ...]) -> None:
+        """Find out whether a student's MDP changes a large array of its own: a copy of it is kept then."""
+        self._tables.take((self._mdp,), large=False)
+        if self._is_students and not self._tables.is_whole:
+            copies = copied(values)
+            loop(n, *copies)
+            self._changes_large |= difference(self._mdp, copies[0], "the MDP", close=0.0) is not None
 
     def _interpret(self) -> None:
         """Run interpreted from here on, with the states as the MDP makes them."""

@@ -5,17 +5,13 @@ from contextlib import contextmanager
 from typing import Any
 
 import gymnasium
-import numpy as np
 from gymnasium.wrappers import FlattenObservation
 
 from edugym.checks.interfaces import HARMLESS
 from edugym.checks.mdps import CHECKED_STEPS
 from edugym.checks.parameters import in_short
-from edugym.checks.values import fits, is_finite_number, without_flag
+from edugym.checks.values import ANSWERS, fits, is_finite_number, without_flag
 from edugym.system.packages import is_own, package_of
-
-ANSWERS = (bool, np.bool_, int, np.integer)
-"""The types of what may say whether an episode ends."""
 
 
 @contextmanager

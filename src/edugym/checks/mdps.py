@@ -13,7 +13,7 @@ from numpy.random import Generator as Random
 
 from edugym.checks.interfaces import class_name
 from edugym.checks.parameters import in_short
-from edugym.checks.values import GlobalDraws, fits, is_finite_number, kept, same
+from edugym.checks.values import ANSWERS, GlobalDraws, fits, is_finite_number, kept, same
 from edugym.system.packages import is_ours, is_own
 
 CHECKED_STEPS = 200
@@ -92,8 +92,8 @@ def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS, instead_of: tuple[type, 
     return CheckedMDP(mdp, steps)
 
 
-def refuse_nothing(mdp: Any, state: Any, action: Any, next_state: Any, reward: Any = None) -> None:
-    """Refuse the first of these that is None: the next state, the reward, or else whether the task has ended.
+def refuse_nothing(mdp: Any, state: Any, action: Any, next_state: Any, reward: Any = None, ended: Any = None) -> None:
+    """Refuse the first of these that is None, the next state or the reward, or else what says whether the task ended.
 
     Raises:
         ValueError: always.
@@ -102,7 +102,7 @@ def refuse_nothing(mdp: Any, state: Any, action: Any, next_state: Any, reward: A
         raise ValueError(_sentence(mdp, "transition", None, "the next state", state, action))
     if reward is None:
         raise ValueError(_sentence(mdp, "reward", None, "a finite number", state, action, next_state))
-    raise ValueError(_sentence(mdp, "terminal", None, "True or False", next_state))
+    raise ValueError(_sentence(mdp, "terminal", ended, "True or False", next_state))
 
 
 class CheckedMDP:
@@ -168,7 +168,7 @@ class CheckedMDP:
             ValueError: the answer is neither True nor False, or the state was changed.
         """
         terminated = self._mdp.terminal(state) if self._left < 0 else self._unchanging("terminal", (state,))
-        if type(terminated) is not bool and not isinstance(terminated, np.bool_ | int | np.integer):
+        if not isinstance(terminated, ANSWERS):
             raise ValueError(_sentence(self._mdp, "terminal", terminated, "True or False", state))
         return terminated
 

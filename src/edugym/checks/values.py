@@ -12,6 +12,9 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 
+ANSWERS = (bool, np.bool_, int, np.integer)
+"""The types of what may say whether an episode ends."""
+
 
 def is_finite_number(value: Any) -> bool:
     """Whether it is a real number, Python's or NumPy's, and neither infinite nor NaN."""

@@ -4,6 +4,7 @@ Numba checks no parameters, returns a single whole number as an array, and has n
 interpreter repeats the call of the loop, as in `edugym.compiled.arithmetic`.
 """
 
+import math
 from typing import Any
 
 import numpy as np
@@ -19,23 +20,28 @@ TOLERANCE = 1e-8
 """How far from 1 a sum of probabilities may be. NumPy allows a little more, and adds with more digits."""
 
 
+def _may_scale(scale: Any) -> Any:
+    """Whether NumPy takes a number as a scale: it is not negative, and not -0.0 either."""
+    return scale > 0 or (scale == 0 and math.copysign(1.0, scale) > 0.0) or scale != scale
+
+
 def _normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0, size: Any = None) -> Any:
     """`rng.normal(loc, scale, size)`."""
-    if scale < 0:
+    if not _may_scale(scale):
         raise ValueError("scale < 0")
     return rng.normal(loc, scale, size)
 
 
 def _exponential(rng: Any, scale: Any = 1.0, size: Any = None) -> Any:
     """`rng.exponential(scale, size)`."""
-    if scale < 0:
+    if not _may_scale(scale):
         raise ValueError("scale < 0")
     return rng.exponential(scale, size)
 
 
 def _uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:
     """`rng.uniform(low, high, size)`."""
-    if not 0.0 <= high - low <= LARGEST:
+    if not (high - low <= LARGEST and _may_scale(high - low)):
         raise ValueError("high - low < 0")
     return rng.uniform(low, high, size)
 
@@ -142,6 +148,7 @@ def _choice(rng: Any, a: Any, size: Any = None, replace: Any = True, p: Any = No
     return lambda rng, a, size=None, replace=True, p=None: a[_weighted_index(rng, len(a), p)]
 
 
+extending.register_jitable(_may_scale)
 extending.register_jitable(_bounded_integer)
 extending.register_jitable(_weighted_index)
 extending.overload(_integers_of_kind, strict=False)(_choose_integers)

@@ -319,7 +319,8 @@ def _name_problem(value: Any, name: str) -> str | None:
             return _class_problem(value) if issubclass(value, Enum) else None
         return MESSAGES.get(name, plain)
     if package_of(type(value)) == "numba" and hasattr(value, "py_func"):
-        return None
+        fast = value.targetoptions.get("fastmath")
+        return f"{name} has fastmath, which changes last digits with what is around it: leave it out" if fast else None
     module = getattr(value, "__module__", None) or ""
     if callable(value):
         if module.startswith(("numpy.random", "random")) or "random" in type(getattr(value, "__self__", 0)).__module__:
