@@ -8,6 +8,7 @@ import pytest
 from edugym import finite_model, make_mdp, mean_interval, paired_difference, value_iteration
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.search import figures, methods, plans, project
+from edugym_course.lessons.search.exercises import riddles
 
 
 def test_more_actions_bring_nothing_new() -> None:
@@ -105,12 +106,12 @@ def test_nodes_are_counted_by_cell() -> None:
 
 def test_the_model_of_the_project_says_what_may_be_asked() -> None:
     """Numbers are dealt out anew; what is asked is counted, and what no search would ask is refused."""
-    riddle = project.RIDDLES[2]
+    riddle = riddles.RIDDLES[2]
     models = [project.Model(riddle, seed) for seed in range(20)]
-    assert len({model.number(project.ROOT) for model in models}) > 5
+    assert len({model.number(riddles.ROOT) for model in models}) > 5
     assert {model.meant(0) for model in models} == {0, 1, 2}
     model = models[0]
-    root, into = model.number(project.ROOT), [model.meant(action) for action in range(3)].index(0)
+    root, into = model.number(riddles.ROOT), [model.meant(action) for action in range(3)].index(0)
     reward, state, ended = model(root, into)
     assert (reward, state, ended) == (0.0, model.number(1), False)
     assert model(state, into)[::2] == (10.0, True)

@@ -363,7 +363,7 @@ check(exercise_1, upper_bound, seed=1, quiet=True)
 # %% [markdown]
 # ### Exercise 2: back up a simulation
 # `values` and `counts` are arrays of shape (nodes, actions), as they were before this simulation. `path` lists its pairs (node, action), from the root on, `rewards` what followed on each, and `G` is
-# the return of the roll-out after the last one. Change both arrays in place, and return nothing.
+# the return of the roll-out after the last one. Change both arrays in place, leave the two lists as they are, and return nothing.
 #
 # <details><summary>Hint</summary>Go through path and rewards from the end: <code>reversed</code>. First count, then move the value.</details>
 

@@ -10,173 +10,30 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.protocol import Integers
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.choices import action_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME
 from edugym_course.grading.student_code import student_code
+from edugym_course.lessons.search.exercises.riddles import (
+    ALIKE,
+    DEPTH,
+    END,
+    N_ACTIONS,
+    N_SIMULATIONS,
+    RIDDLES,
+    ROOT,
+    ROUND,
+    Riddle,
+    written,
+)
 
-DEPTH, RUNS = 10, 7
-N_SIMULATIONS, FEW, N_ACTIONS = 400, 100, 3
-ROOT, END = 0, -1
+RUNS = 7
+MOST_ALIKE = 0.2
+"""The share of the simulations that may end with the same three actions; by chance it is about 0.06."""
 MOST_SLIPS = 1
 """How many of the runs of a riddle may go wrong: the search draws random numbers."""
-Step = tuple[float, int]
-"""A reward and a next place; `END` for the end."""
-
-
-class Riddle(NamedTuple):
-    """A tiny task.
-
-    Attributes:
-        told: what it is like, for the sentence.
-        why: what is missing in a program that does not solve it.
-        step: says of a place, an action and a generator what follows: a reward and the next place.
-        right: the actions from the root that are right.
-        n_simulations: how many there are.
-    """
-
-    told: str
-    why: str
-    step: Callable[[int, int, Random], Step]
-    right: tuple[int, ...] = (0,)
-    n_simulations: int = N_SIMULATIONS
-
-
-def written(table: Mapping[int, tuple[Step, ...]]) -> Callable[[int, int, Random], Step]:
-    """Return the steps of a task without chance, from what follows on each action in each place."""
-    return lambda place, action, rng: table[place][action]
-
-
-def line(first: float, last: float, length: int) -> dict[int, tuple[Step, ...]]:
-    """Return places 1, 2, ... in a row, where all actions do the same: rewards of 0, but for the first and last."""
-    rewards = [first, *[0.0] * (length - 2), last]
-    return {
-        place: ((reward, place + 1 if place < length else END),) * N_ACTIONS
-        for place, reward in enumerate(rewards, start=1)
-    }
-
-
-def gamble(place: int, action: int, rng: Random) -> Step:
-    """Pay 12 with probability 0.3 for action 0, and nothing else; 1 for any other."""
-    return (12.0 if rng.random() < 0.3 else 0.0) if action == 0 else 1.0, END
-
-
-def crossing(place: int, action: int, rng: Random) -> Step:
-    """Lead from the root to one of two places by chance, for action 0; each place pays for another action."""
-    if place == ROOT:
-        return (0.0, int(rng.integers(1, 3))) if action == 0 else (7.0, END)
-    return 10.0 if action == place - 1 else 4.0, END
-
-
-def losses(place: int, action: int, rng: Random) -> Step:
-    """Lose 6 by every action, and 5 by action 0."""
-    return -5.0 if action == 0 else -6.0, END
-
-
-def changing(place: int, action: int, rng: Random) -> Step:
-    """Pay 1 for each action that is another than the one before, after action 0 from the root; 1.2 once for any other.
-
-    Whoever rolls out by one action again and again gets at most 0.9.
-    """
-    if place == ROOT:
-        return (0.0, 1) if action == 0 else (1.2, END)
-    return float(action != place - 1), action + 1
-
-
-BASICS = (
-    "is the action with the highest value returned, and does an action that was never tried come first in its node, as"
-    " if its bound were infinite?"
-)
-ROUND = Riddle(
-    "two actions are nearly as good as the best one",
-    "is the action in the end the one with the highest value, without the exploration term?",
-    written({ROOT: ((10.0, END), (9.7, 1), (9.7, 1)), 1: ((0.0, 2),) * 3, 2: ((0.0, 1),) * 3}),  # round for ever
-)
-"""Here roll-outs are long, so that searches with other random numbers ask other things."""
-ONE_PAYS_MOST = written({ROOT: ((90.0, END), (50.0, END), (50.0, END))})
-RIDDLES = (
-    Riddle(
-        "every action gains, and one gains most",
-        BASICS,
-        ONE_PAYS_MOST,
-    ),
-    Riddle(
-        "the best action seldom pays, but then much",
-        "is there an exploration term, c √(ln N(node) / N(node, a)), and is a value the *mean* of all returns? Else one"
-        " bad try is the last one",
-        gamble,
-    ),
-    Riddle(
-        "what follows the best action is good only if one goes on well",
-        "it looks as if all later actions were random: in the tree, choose them by their upper bounds, too",
-        written({ROOT: ((0.0, 1), (2.4, END), (2.4, END)), 1: ((10.0, END), (-3.0, END), (-3.0, END))}),
-    ),
-    Riddle(
-        "what follows the best action is good only if one goes on well two steps later",
-        "the tree has too few levels: does each simulation add a node, also below those that it has added before?",
-        written(
-            {ROOT: ((0.0, 1), (2.6, END), (2.6, END)), 1: ((0.0, 2),) * 3, 2: ((7.0, END), (0.0, END), (0.0, END))}
-        ),
-    ),
-    Riddle(
-        "chance says where the best action leads, and each place wants another action",
-        "is a node a state with the way to it? After one action two states may follow, and each is a node of its own",
-        crossing,
-    ),
-    Riddle(
-        "one action pays most, and each is simulated once",
-        "is the action with the highest *value* returned, and not the one that was simulated most often?",
-        ONE_PAYS_MOST,
-        n_simulations=N_ACTIONS,
-    ),
-    Riddle(
-        "two losses come before a gain",
-        "do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?",
-        written({ROOT: ((1.0, END), (-5.0, 1), (-5.0, 1)), **line(-5.0, 9.0, 2)}),
-        n_simulations=N_ACTIONS,
-    ),
-    ROUND,
-    Riddle(
-        "a larger reward comes eight steps later",
-        "is what follows a step discounted by γ = 0.9, in the tree and in the roll-outs? (The shop has another γ.)",
-        written({ROOT: ((10.0, END), (0.0, 1), (0.0, 1)), **line(0.0, 22.0, 8)}),
-    ),
-    Riddle(
-        "a reward comes nine steps later that is worth waiting for",
-        f"does each simulation look {DEPTH} steps ahead, roll-out included, and is γ not below 0.9?",
-        written({ROOT: ((0.0, 1), (8.0, END), (8.0, END)), **line(0.0, 22.0, 9)}),
-    ),
-    Riddle(
-        "one action seldom pays much, and the others pay more on average",
-        "is a value the *mean* of all returns, and not the highest of them?",
-        lambda place, action, rng: (gamble(place, 0, rng)[0] if action == 0 else 6.0, END),
-        (1, 2),
-    ),
-    Riddle(
-        "each later action that differs from the one before is paid, and there is one simulation for each action",
-        "is each action of a roll-out drawn anew?",
-        changing,
-        n_simulations=N_ACTIONS,
-    ),
-    Riddle(
-        f"{FEW} simulations are too few to forget the bad tries after an action",
-        "is the return of the simulation passed on to the node before, and not the highest value of the node after?",
-        written({ROOT: ((0.0, 1), (2.2, END), (2.2, END)), 1: ((3.0, END), (0.0, END), (0.0, END))}),
-        (1, 2),
-        FEW,
-    ),
-    Riddle(
-        "all actions lose, and there are fewer simulations than actions",
-        "an action that was not simulated from the root has no value: choose among those that were",
-        losses,
-        (0, 1, 2),
-        N_ACTIONS - 1,
-    ),
-)
-
-
 BEFORE_COUNTS = 2
 """After so many riddles the simulations are counted: the others would blame the tree for a wrong bound."""
 PAY = (10.0, 9.0, 5.0)
@@ -361,6 +218,16 @@ def require_repeatable(program: Any, seed: int) -> None:
         )
 
 
+def require_other_roll_outs(program: Any, seed: int) -> None:
+    """Refuse a program whose simulations draw the same random numbers again and again."""
+    ends = [tuple(actions[-3:]) for actions in zip(*[iter(search(program, ALIKE, seed).asked)] * DEPTH, strict=True)]
+    if max(map(ends.count, {*ends})) > len(ends) * MOST_ALIKE:
+        raise WrongAnswer(
+            f"{NAME} ends many simulations with the same {len(ends[0])} actions: make rng once, before the loop of"
+            " simulations, or each of them draws the same random numbers"
+        )
+
+
 def project_18(answer: Any, seed: int) -> str:
     """Check a program that searches: in every riddle it must find the right action, in nearly all runs."""
     require_function(NAME, answer, "model, n_actions, state, n_simulations and seed")
@@ -382,4 +249,5 @@ def project_18(answer: Any, seed: int) -> str:
             " one at random"
         )
     require_repeatable(answer, seed)
+    require_other_roll_outs(answer, seed)
     return f"Right: it solves all {len(RIDDLES)} riddles, and asks of the model what a search may ask."

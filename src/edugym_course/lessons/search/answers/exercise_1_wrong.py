@@ -140,3 +140,26 @@ upper_bound = 3.5
 # says: should be infinite, but is nan: an action that was never tried comes first, so its bound is infinite: float('inf')
 def upper_bound(q, n_action, n_node, c):
     return q + c * (float("inf") if n_action == 0 else (log(n_node) / n_action) ** 0.5)
+
+
+# %% the logarithm outside
+# says: only N(node, a) is under the root; the logarithm belongs there, too
+# in: the solution of upper_bound
+# - return q + c * (log(n_node) / n_action) ** 0.5
+# + return q + c * log(n_node) / n_action**0.5
+
+
+# %% once is never
+# says: should be finite, but is infinite:
+# says: this action was tried; only one that was never tried has an infinite bound
+# in: the solution of upper_bound
+# - if n_action == 0:
+# + if n_action <= 1:
+
+
+# %% the logarithm first
+# says: should be infinite, but
+# says: raises ValueError
+def upper_bound(q, n_action, n_node, c):
+    logarithm = log(n_node)
+    return q + c * sqrt(logarithm / n_action) if n_action else inf

@@ -222,3 +222,13 @@ def back_up(values, counts, path, rewards, G, discount):
         G = rewards.pop() + discount * G
         counts[entry] += 1
         values[entry] += (G - values[entry]) / counts[entry]
+
+
+# %% the roll-out without its discount
+# says: γ is missing before the return of the roll-out
+def back_up(values, counts, path, rewards, G, discount):
+    for k, (node, action) in enumerate(path):
+        following = [*rewards[k:-1], rewards[-1] + G]
+        total = sum(discount**j * reward for j, reward in enumerate(following))
+        counts[node, action] += 1
+        values[node, action] += (total - values[node, action]) / counts[node, action]

@@ -248,3 +248,44 @@ def look_ahead(model, state, depth):
         sum(p * (r + (0.0 if end else 0.9 * look_ahead(model, s, depth - 1))) for p, s, r, end in outcomes)
         for outcomes in model[state]
     )
+
+
+# %% a memory for states
+# says: the value of a state is kept, and taken again with other steps left; it depends on both
+def look_ahead(model, state, depth):
+    known = {}
+
+    def value(here, left):
+        if left == 0:
+            return 0.0
+        if here not in known:
+            known[here] = max(
+                sum(p * (r + (0 if ended else 0.9 * value(after, left - 1))) for p, after, r, ended in outcomes)
+                for outcomes in model[here]
+            )
+        return known[here]
+
+    return value(state, depth)
+
+
+# %% sweeps in place
+# says: the values are overwritten while a sweep still needs the old ones; write those of a sweep into a new table
+def look_ahead(model, state, depth):
+    V = dict.fromkeys(model, 0.0)
+    for _ in range(depth):
+        for s in model:
+            V[s] = max(sum(p * (r + 0.9 * V[after] * (not ended)) for p, after, r, ended in row) for row in model[s])
+    return V[state]
+
+
+# %% two actions
+# says: only actions 0 and 1 are looked at; a state may have more
+def look_ahead(model, state, depth):
+    if depth == 0:
+        return 0.0
+
+    def value(action):
+        rest = model[state][action]
+        return sum(p * (r + (0 if ended else 0.9 * look_ahead(model, s, depth - 1))) for p, s, r, ended in rest)
+
+    return max(value(0), value(1))

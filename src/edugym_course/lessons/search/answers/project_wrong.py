@@ -306,3 +306,21 @@ my_program = 3
 # in: nodes are objects
 # - G += 0.9 * visit(child, after, left - 1)
 # + G += 0.89 * visit(child, after, left - 1)
+
+
+# %% the rewards on the way through the tree
+# says: two losses come before a gain
+# says: do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?
+# in: a loop and a path
+# - G = reward + 0.9 * G
+# + G = (reward if visited == path[-1][0] else 0.0) + 0.9 * G
+
+
+# %% a generator for each simulation
+# slow
+# says: my_program ends many simulations with the same
+# says: actions: make rng once, before the loop of simulations, or each of them draws the same random numbers
+# in: a loop and a path
+# - node, here, path, rewards, ended = (), state, [], [], False
+# + rng = np.random.default_rng(seed)
+# + node, here, path, rewards, ended = (), state, [], [], False

@@ -62,6 +62,7 @@ def bounded(
         "swapped": log(count) / n_node,
         "no count": log(n_node),
         "root of the log alone": log(n_node) / count ** (1 / power),
+        "root of the count alone": log(n_node) ** (1 / power) / count,
         "log of base 10": log(n_node, 10) / count,
         "log of base 2": log(n_node, 2) / count,
         "log of one more": log(n_node + 1) / count,
@@ -81,6 +82,7 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     },
     "N(node, a) is missing: then all actions get the same bonus": {"inside": "no count"},
     "only the logarithm is under the root; N(node, a) belongs there, too": {"inside": "root of the log alone"},
+    "only N(node, a) is under the root; the logarithm belongs there, too": {"inside": "root of the count alone"},
     "that is the bonus of AlphaZero, √N(node) / (1 + N(node, a)); here it has a logarithm": {"inside": "AlphaZero"},
     "the root is missing": {"times": "no root"},
     "c is missing": {"times": "none"},
@@ -96,6 +98,7 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "some books have a 2 before the logarithm; here c takes its place": {"inside": "twice the log"},
     "Q(node, a) is a mean already: it is divided by N(node, a) once more": {"part": "divided"},
 }
+TRIED = "this action was tried; only one that was never tried has an infinite bound"
 UNTRIED = "an action that was never tried comes first, so its bound is infinite: float('inf')"
 
 
@@ -118,13 +121,18 @@ def exercise_1(answer: Any, seed: int, power: Power = 0.5) -> str:
         call = f"upper_bound({case.q:g}, {case.n_action}, {case.n_node}, {case.c:g})"
         with student_code(call):
             found = answer(*case)
+        if isinstance(found, float) and found == inf:
+            raise WrongAnswer(f"{call} should be finite, but is infinite: {TRIED}")
         mistakes = {why: right(case, **change) for why, change in BOUND_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases)
-    for c in (2.0, 0.0):
-        call = f"upper_bound({-3 - seed % 3}, 0, 7, {c:g})"
-        with student_code(call):
-            found = answer(-3.0 - seed % 3, 0, 7, c)
+    for n_node, c in ((7, 2.0), (7, 0.0), (0, 2.0)):
+        call = f"upper_bound({-3 - seed % 3}, 0, {n_node}, {c:g})"
+        try:
+            with student_code(call):
+                found = answer(-3.0 - seed % 3, 0, n_node, c)
+        except WrongAnswer as wrong:
+            raise WrongAnswer(f"{call} should be infinite, but {wrong}") from None
         given(call, found)
         if found != inf:
             raise WrongAnswer(
@@ -160,7 +168,7 @@ def backed_up(
     """Return values and counts after a simulation, shape (2, nodes, A); other arguments are mistakes."""
     values, counts = case.values.copy(), case.counts.astype(float)
     discount = 1.0 if gamma == "one" else case.discount
-    G = {"nothing": 0.0, "discounted": discount * case.G}.get(start, case.G)
+    G = {"nothing": 0.0, "discounted": discount * case.G, "whole": case.G / discount}.get(start, case.G)
     pairs, earned_on = (case.path[:-1], case.rewards[:-1]) if which == "but the last" else (case.path, case.rewards)
     entries = pairs if order in ("first first", "rewards alone") else pairs[::-1]
     rewards = earned_on if order in ("first first", "path alone") else earned_on[::-1]
@@ -210,6 +218,7 @@ BACK_UP_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "every node gets the return of the roll-out as it is; on the way up the rewards are added": {"reward": "none"},
     "behind each reward follows the return of the roll-out; what follows is the G of the step after": {"start": "each"},
     "γ stands before the return of the roll-out once too often": {"start": "discounted"},
+    "γ is missing before the return of the roll-out": {"start": "whole"},
     "the return of the roll-out is left out; G begins with it": {"start": "nothing"},
     "a value becomes the latest return; it is the *mean* of all": {"step": "whole"},
     "a value becomes the highest return; it is the *mean* of all": {"step": "best"},

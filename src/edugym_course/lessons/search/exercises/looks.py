@@ -34,13 +34,23 @@ def looked_ahead(
     gamma: str = "right",
     reward: str = "all",
     looked_up: str = "next",
+    stored: str = "nothing",
     discount: float = 0.9,
 ) -> float:
     """Return the value of a state, by recursion; other arguments than the defaults are mistakes."""
+    table = dict.fromkeys(case.model, 0.0) if stored == "in place" else dict[int, float]()
 
     def value(state: int, depth: int) -> float:
         if depth <= 0:
             return 0.0
+        if state in table:
+            return table[state]
+        found = worked_out(state, depth)
+        if stored == "by state":
+            table[state] = found
+        return found
+
+    def worked_out(state: int, depth: int) -> float:
         of_actions, rewards = [], list[float]()
         for outcomes in case.model[state]:
             last = next((k for k, outcome in enumerate(outcomes) if outcome[3]), len(outcomes))
@@ -70,6 +80,7 @@ def looked_ahead(
             "worst": min(of_actions),
             "by reward": of_actions[int(np.argmax(rewards))],
             "first": of_actions[0],
+            "first two": max(of_actions[:2]),
             "last": of_actions[-1],
             "sum": sum(of_actions),
             "from 0": max(0.0, *of_actions),
@@ -79,6 +90,9 @@ def looked_ahead(
     def factor(depth: int) -> float:
         return {"one": 1.0, "power": discount**depth, "lesson's": LESSONS_DISCOUNT}.get(gamma, discount)
 
+    for _ in range(case.depth if stored == "in place" else 0):
+        for state in case.model:
+            table[state] = worked_out(state, 2)
     return value(case.state, max(case.depth + count, least))
 
 
@@ -86,6 +100,7 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the actions are averaged: that is the value of random play; you will take the best": {"choice": "mean"},
     "the actions are added up; you will take the best": {"choice": "sum"},
     "only action 0 is looked at": {"choice": "first"},
+    "only actions 0 and 1 are looked at; a state may have more": {"choice": "first two"},
     "only the last action counts: each one overwrites those before it; keep the best": {"choice": "last"},
     "that is the value of the worst action": {"choice": "worst"},
     "the *number* of the best action is returned; return what it is worth": {"choice": "number"},
@@ -122,17 +137,21 @@ LOOK_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the best outcome is taken; you choose the action, but chance draws the outcome": {"chance": "best"},
     "the outcomes after one that ends are left out; each has its probability": {"chance": "to an end"},
     "γ has the power of the depth; each call multiplies by it once, and that adds up": {"gamma": "power"},
+    "the value of a state is kept, and taken again with other steps left; it depends on both": {"stored": "by state"},
+    "the values are overwritten while a sweep still needs the old ones; write those of a sweep into a new table": {
+        "stored": "in place"
+    },
     "that is the γ of the shop, 0.95; the exercise has another": {"gamma": "lesson's"},
 }
 
 
 def made_up_looks(rng: np.random.Generator) -> list[Look]:
-    """Make up models of three states and two actions, some outcomes of which end, and questions about them."""
+    """Make up models of three states and two or three actions, some outcomes of which end, and questions about them."""
     made = []
-    for depth in (1, 2, 3, 2, 0):
+    for depth in (1, 2, 3, 3, 0):
         model: dict[int, list[Outcomes]] = {state: [] for state in range(3)}
-        for actions in model.values():
-            for _ in range(2):
+        for state, actions in model.items():
+            for _ in range(3 if state == 1 else 2):
                 p = float(rng.choice([0.25, 0.75, 1.0]))
                 actions.append(
                     [
