@@ -90,7 +90,10 @@ class Other(NamedTuple):
     why: str
 
 
-_ONLY_HERS = "only her answers tell what is wanted, so nothing that *you* know of good nights may be in the program"
+_ONLY_HERS = (
+    "only her answers tell what is wanted: nothing that *you* know of good nights may be in the program, and time,"
+    " depth and action may each change what a step is worth"
+)
 DOZERS = (
     Other(Wish(TASK, (0.0, 3.0, 0.0), (0.0, 0.5, 1.0)), "likes to doze", 0.4, _ONLY_HERS),
     Other(Wish(TASK, (0.0, 3.0, -1.0), (0.5, 2.0, 0.0)), "likes to doze", 0.4, _ONLY_HERS),
@@ -307,7 +310,7 @@ def _check_patience(answer: Any, seed: int) -> None:
             f" or {SETTLED.late:g} for silence in the last step, if she is still asleep. Her answers tell so, and yet"
             f" {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a discount; the"
             " value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes;"
-            " and Q-learning needs many nights"
+            " and Q-learning needs many nights, with random buttons in them"
         )
 
 
@@ -329,8 +332,9 @@ def symptom(run: Judged) -> str:
     if run.asked < N_COMPARISONS:
         return f"it asks {run.asked} of {N_COMPARISONS} comparisons; ask them all"
     return (
-        "it has learned something; does every step of both nights count, as often as it was taken, are there enough"
-        " passes over the comparisons, and enough nights to learn the policy? A night has no discount"
+        "it has learned something; does every step of both nights count, as often as it was taken, with its time, depth"
+        " and action, are there enough passes over the comparisons, and enough nights to learn the policy? A night has"
+        " no discount"
     )
 
 

@@ -137,3 +137,17 @@ def prefers(first, second, noise):
 # says: ), and should be σ(
 def prefers(first, second, noise):
     return 0.5 * (1 + np.tanh((first - second - noise) / 2))
+
+
+# %% the difference is cut off
+# says: and should be σ(2.5)
+def prefers(first, second, noise):
+    x = np.clip(first - second, -100, 100) / noise
+    return 1 / (1 + np.exp(-x))
+
+
+# %% the sign of the first night decides
+# says: : an exponential overflows, so write σ(x) for x below 0 as e^x / (1 + e^x), and else as 1 / (1 + e^(−x))
+def prefers(first, second, noise):
+    x = (first - second) / noise
+    return 1 / (1 + np.exp(-x)) if first >= 0 else np.exp(x) / (1 + np.exp(x))

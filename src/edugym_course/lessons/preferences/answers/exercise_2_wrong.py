@@ -265,7 +265,7 @@ def learn(rewards, first, second, prefers_first, learning_rate):
 
 
 # %% the first night's return
-# says: the right entries change, but the error y − p is
+# says: the right entries change, but α (y − p) is
 # says: here, and should be
 # in: with counts
 # - p = 1 / (1 + np.exp(-(rewards * difference).sum()))

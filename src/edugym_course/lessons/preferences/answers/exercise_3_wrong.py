@@ -134,9 +134,7 @@ def with_penalty(values, reference, penalty):
 
 
 # %% the penalty squared
-# says: beside the reference, action 0 gains on action 1 by e^
-# says: , and should by e^((Q(s, 0) − Q(s, 1)) / β) =
-# says: beside the reference, action 0 gains on action 1 by e^2.56, and should by e^((Q(s, 0) − Q(s, 1)) / β) = e^1.28
+# says: beside the reference, action 1 gains on action 2 by e^-3.6, and should by e^((Q(s, 1) − Q(s, 2)) / β) = e^-1.8
 def with_penalty(values, reference, penalty):
     values = np.where(reference > 0, values, -np.inf)
     weights = reference * np.exp((values - values.max()) / penalty**2)
@@ -152,7 +150,7 @@ def with_penalty(values, reference, penalty):
 
 
 # %% the best one where the penalty is small
-# says: where two values are equal the reference decides, however small the penalty is
+# says: and in the others it looks like this: that is the greedy policy, which is what a penalty of 0 would give
 def with_penalty(values, reference, penalty):
     values = np.where(reference > 0, values, -np.inf)
     if penalty < 1e-3:
@@ -174,4 +172,27 @@ def with_penalty(values, reference, penalty):
 def with_penalty(values, reference, penalty):
     logits = np.log(np.maximum(reference, 1e-8)) + values / penalty
     weights = np.exp(logits - logits.max())
+    return weights / weights.sum()
+
+
+# %% a penalty of a hundredth or more
+# says: beside the reference, action 0 gains on action 1 by e^0.01, and should by e^((Q(s, 0) − Q(s, 1)) / β) = e^1
+def with_penalty(values, reference, penalty):
+    taken = reference > 0
+    weights = np.zeros(len(values))
+    weights[taken] = reference[taken] * np.exp((values[taken] - values[taken].max()) / max(penalty, 0.01))
+    return weights / weights.sum()
+
+
+# %% a little more than the penalty
+# says: beside the reference, action
+# says: gains on action
+# says: by e^
+# says: , and should by e^((Q(s,
+# says: ) − Q(s,
+# says: )) / β) = e^
+def with_penalty(values, reference, penalty):
+    taken = reference > 0
+    weights = np.zeros(len(values))
+    weights[taken] = reference[taken] * np.exp((values[taken] - values[taken].max()) / (penalty + 1e-3))
     return weights / weights.sum()

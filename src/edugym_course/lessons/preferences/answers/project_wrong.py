@@ -17,7 +17,7 @@
 
 # %% both nights gain
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
+# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
 # in: visits as vectors
 # - differences.append(visits(first) - visits(second))
 # + differences.append(visits(first) + visits(second))
@@ -48,7 +48,7 @@
 
 # %% the last step alone
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
+# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, depth), action, _ in steps[-1:]:
@@ -108,7 +108,7 @@ def my_program(environment, compare, n_comparisons, seed):
 # says: to her, and it should be worth
 # says: or more (random buttons
 # says: , the best clock
-# says: only her answers tell what is wanted, so nothing that *you* know of good nights may be in the program
+# says: only her answers tell what is wanted: nothing that *you* know of good nights may be in the program, and time, depth and action may each change what a step is worth
 def my_program(environment, compare, n_comparisons, seed):
     rng = np.random.default_rng(seed)
 
@@ -191,7 +191,7 @@ my_program = [0, 1, 2]
 # says: Another sleeper stays as she is after the first step. The teacher pays
 # says: for a ring then, or
 # says: for silence in the last step, if she is still asleep. Her answers tell so, and yet
-# says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes; and Q-learning needs many nights
+# says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes; and Q-learning needs many nights, with random buttons in them
 # in: visits as vectors
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
 # + target = rewards[state][action] + 0.95 * Q[next_state].max()

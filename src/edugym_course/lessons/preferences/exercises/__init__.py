@@ -15,12 +15,13 @@ from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all
 from edugym_course.grading.own_numbers import Own
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables, table_of
-from edugym_course.grading.values import UNUSUAL_NUMBER, all_same, given, in_brackets, number, same, unlike
+from edugym_course.grading.values import UNUSUAL_NUMBER, all_same, digits, given, in_brackets, number, same, unlike
+from edugym_course.lessons.preferences.exercises.policies import EXTREMES, POLICY_MISTAKES, Choice, choices, weighed
 
 FAR = 10_000.0
 """How much two nights may differ: far more than an exponential can take."""
-DIFFERENCES = ((3.0, 1.0, 2.0), (-4.0, -1.5, 0.5), (2.0, 2.0, 1.0), (0.5, 6.0, 4.0), (1.0, 0.0, 8.0))
-"""Made-up pairs of nights and the noise: positive, negative, equal, far and near."""
+DIFFERENCES = ((3.0, 1.0, 2.0), (-4.0, -1.5, 0.5), (2.0, 2.0, 1.0), (0.5, 6.0, 4.0), (1.0, 0.0, 8.0), (4e3, 0.0, 1.6e3))
+"""Made-up pairs of nights and the noise: positive, negative, equal, far, near, and far with as much noise."""
 
 
 def _p(first: float, second: float, noise: float) -> float:
@@ -87,7 +88,7 @@ def exercise_1(answer: Any, seed: int, lead: Lead = 0.0) -> str:
         mistakes = {why: mistake(counts, second, noise) for why, mistake in PREFERENCE_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), _p(counts, second, noise), mistakes))
     compare_all(cases, _as_sigmoid(cases))
-    for first, second, expected in ((FAR, 0.0, 1.0), (0.0, FAR, 0.0)):
+    for first, second, expected in ((FAR, 0.0, 1.0), (0.0, FAR, 0.0), (-1.0, -FAR - 1.0, 1.0)):
         call = f"prefers({first:g}, {second:g}, 1)"
         with student_code(call):
             found = answer(first, second, 1.0)
@@ -234,7 +235,10 @@ def _error_of(cases: Sequence[Comparison], found: Sequence[Reals], rule: Callabl
         if not same(share, 1.0):
             rest = stepped(case, p_of="none", target="always") - case[0]  # α times the counts
             found_error, error = (float(change[at] / rest[at]) for change in (steps, expected))
-            return f"the right entries change, but the error y − p is {found_error:.4g} here, and should be {error:.4g}"
+            return (
+                f"the right entries change, but α (y − p) is {case[4] * found_error:.4g} here, and should be"
+                f" {case[4]:g} · {error:.4g}"
+            )
     return UNUSUAL
 
 
@@ -262,83 +266,6 @@ def exercise_2(answer: Any, seed: int, sure: Sure = 1.0) -> str:
     return "Right: the error, times the rate, times where the two nights differ. What both did alike has not changed."
 
 
-Choice = tuple[Reals, Reals, float]
-"""Values, the reference policy, and the penalty."""
-
-
-def weighed(
-    choice: Choice,
-    *,
-    reference: str = "right",
-    penalty: str = "right",
-    sign: float = 1.0,
-    kind: str = "soft",
-    times: float = 1.0,
-) -> Reals:
-    """Return the policy with a penalty, which counts so many times; other arguments than the defaults are mistakes."""
-    values, given_reference, beta = choice[0], choice[1], times * choice[2]
-    base = {
-        "right": given_reference,
-        "left out": np.ones_like(values) / len(values),
-        "squared": given_reference**2,
-        "support": (given_reference > 0) / (given_reference > 0).sum(),
-    }[reference]
-    scale = {"right": beta, "multiplied": 1 / beta, "left out": 1.0}[penalty]
-    if kind == "greedy":
-        return np.asarray(np.eye(len(values))[int(np.argmax(np.where(base > 0, values, -np.inf)))])
-    if kind == "reference":
-        return np.asarray(base)
-    exponents = sign * values / scale
-    weights = base * np.exp(np.where(base > 0, exponents - exponents[base > 0].max(), -np.inf))
-    if kind == "inside":
-        weights = np.exp(exponents + base - (exponents + base).max())
-    if kind == "share":
-        weights = np.exp(exponents * base - (exponents * base).max())
-    if kind == "added":
-        weights = base + np.exp(exponents - exponents.max())
-    policy: Reals = weights / (1.0 if kind == "not normalised" else weights.sum())
-    return policy
-
-
-POLICY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
-    "the reference is left out: that is a softmax of the values alone": {"reference": "left out"},
-    "the values are multiplied by the penalty; a large penalty keeps to the reference, so divide": {
-        "penalty": "multiplied"
-    },
-    "the penalty is left out: divide the values by it": {"penalty": "left out"},
-    "the sign is wrong: an action with a higher value becomes more likely": {"sign": -1.0},
-    "they do not sum to 1: divide by their sum": {"kind": "not normalised"},
-    "that is the greedy policy, which is what a penalty of 0 would give": {"kind": "greedy"},
-    "that is the reference: the values play no part": {"kind": "reference"},
-    "the reference is added to the exponentials; multiply by it": {"kind": "added"},
-    "the reference is added inside the exponential; it is multiplied by the exponential": {"kind": "inside"},
-    "the reference is multiplied by the values; it is multiplied by the exponential": {"kind": "share"},
-    "the reference is multiplied in twice": {"reference": "squared"},
-    "it matters only whether the reference takes an action, and it should matter how often": {"reference": "support"},
-}
-
-
-def _choices(rng: np.random.Generator) -> list[Choice]:
-    """Make up states: one has an action that the reference never takes, one far values, one a small penalty."""
-    made = list[Choice]()
-    for penalty, size, never in ((0.5, 3, False), (2.0, 4, False), (4.0, 3, True), (0.25, 3, False)):
-        reference = rng.dirichlet(np.ones(size))
-        if never:
-            reference[0] = 0.0
-            reference /= reference.sum()
-        made.append(
-            (np.round(rng.normal(size=size), 2) - 1.0, np.round(reference, 3) / np.round(reference, 3).sum(), penalty)
-        )
-    return made
-
-
-EXTREMES: tuple[Choice, ...] = (
-    (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 0.25]), 0.01),
-    (np.array([3_000.0, 1.0, 0.0]), np.array([0.0, 0.5, 0.5]), 0.01),  # the best action is never taken
-    (np.array([3_000.0, 1.0, 1.0]), np.array([0.0, 0.25, 0.75]), 0.0001),  # the two best that are taken are equal
-)
-
-
 Times = Annotated[
     float,
     Own(
@@ -353,20 +280,23 @@ def _odds(
 ) -> str:
     """Return what an unusual policy has in the place of e^(Q / β), by the first case that is wrong."""
     at = [*wrong].index(True)
-    if at == len(cases) - 1:  # the best two are equal
-        return "where two values are equal the reference decides, however small the penalty is"
     if not same(float(found[at].sum()), 1.0):
         return "they do not sum to 1: divide by their sum, last of all"
     if found[at][cases[at][1] == 0].any():
         return "an action that the reference never takes keeps the probability 0"
-    if not (found[at][:2] > 0).all() or not (cases[at][1][:2] > 0).all():
+    reference, expected = cases[at][1], rule(cases[at])
+    both = (found[at] > 0) & (expected > 0)
+    if not (mine := np.log(found[at][both] / reference[both])).size:
         return UNUSUAL
-    mine, expected = (
-        float(np.diff(np.log(table[1::-1] / cases[at][1][1::-1]))[0]) for table in (found[at], rule(cases[at]))
-    )
+    should = np.log(expected[both] / reference[both])
+    i, j = sorted([(mine - should).argmax(), (mine - should).argmin()])
+    gain, right_gain = float(mine[i] - mine[j]), float(should[i] - should[j])
+    if same(gain, right_gain):
+        return UNUSUAL
+    first, second = np.flatnonzero(both)[[i, j]]
     return (
-        f"beside the reference, action 0 gains on action 1 by e^{round(mine, 2):g}, and should by"
-        f" e^((Q(s, 0) − Q(s, 1)) / β) = e^{round(expected, 2):g}"
+        f"beside the reference, action {first} gains on action {second} by e^{digits(gain, right_gain)}, and should by"
+        f" e^((Q(s, {first}) − Q(s, {second})) / β) = e^{digits(right_gain, gain)}"
     )
 
 
@@ -374,7 +304,7 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
     """Check the policy with a penalty, also with large values and a small penalty; it may count several times."""
     require_function("with_penalty", answer, "values, reference and penalty")
     rules: list[Callable[[Any], Any]] = [weighed, *(partial(weighed, **change) for change in POLICY_MISTAKES.values())]
-    cases = [*_choices(telling_draw(seed, _choices, rules)), *EXTREMES]
+    cases = [*choices(telling_draw(seed, choices, rules)), *EXTREMES]
     right = partial(weighed, times=times)
     found, calls = list[Reals](), list[str]()
 
