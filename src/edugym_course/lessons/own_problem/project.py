@@ -71,16 +71,22 @@ def project_10(answer: Any, seed: int) -> str:
     if not _same(again, new):
         raise WrongAnswer(
             f"after {EPISODES} episodes reset(seed={seed}) begins another episode than in a new environment: reset must"
-            " set everything anew that an episode changes"
+            " set everything anew that an episode changes, and all random numbers should come from self.np_random"
         )
     if all(_same(_scripted(environment, [action] * MOST_STEPS, seed), new) for action in range(n_actions)):
         raise WrongAnswer("whatever the actions are, the same is observed and paid: what should the agent decide?")
     with student_code("Gymnasium's check_env"):
         check_env(_made(answer), skip_render_check=True)
+    no_luck = all(_same(_scripted(_made(answer), script, seed + k), new) for k in (1, 2))
     lengths, totals = [len(one) for one in played], [_total(one) for one in played]
     return (
         f"Right: Gymnasium's checker passes it. Random play takes {np.mean(lengths) - 1:.1f} steps and gets"
         f" {np.mean(totals):.4g}{' in every episode: is there something to learn?' if len({*totals}) == 1 else '.'}"
+        + (
+            " Every seed gives the same episodes: if there is chance in it, draw it from self.np_random."
+            if no_luck
+            else ""
+        )
     )
 
 

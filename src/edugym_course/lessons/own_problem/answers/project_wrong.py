@@ -69,7 +69,7 @@
 # + wind = np.random.default_rng().random() < 0.2
 
 # %% the clock goes on
-# says: episodes reset(seed=0) begins another episode than in a new environment: reset must set everything anew that an episode changes
+# says: episodes reset(seed=0) begins another episode than in a new environment: reset must set everything anew that an episode changes, and all random numbers should come from self.np_random
 # in: a walk in the wind
 # - self.place = int(self.np_random.integers(3, 6))
 # - self.steps = 0
