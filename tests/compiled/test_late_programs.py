@@ -304,3 +304,8 @@ def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
         run = train(notebook["Walk"](5), QLearning.create((6, 2)), 6_000)
     assert run.complete
+
+
+def test_a_mistake_comes_at_the_step_at_which_python_has_it() -> None:
+    """In this task evaluations count as well, and the steps that are rehearsed have none in between."""
+    assert both_ways(task_program(321222))[0]

@@ -53,6 +53,10 @@ _warned: set[Any] = set()  # what was said: a text, or the classes of which it w
 _interpreted: dict[tuple[Loop, str], float] = {}  # seconds of runs that were not compiled, by loop and fingerprint
 
 
+class _MistakeInRehearsal(Exception):
+    """The steps that the interpreter rehearses end in an error of the student's code."""
+
+
 def executable(
     loop: Loop,
     arguments: tuple[Any, ...],
@@ -104,6 +108,8 @@ def executable(
         return _with_replay(machine_code, loop, code, replay or loop) if replayed else machine_code
     except NoCompiler:
         return loop
+    except _MistakeInRehearsal:  # the run comes to it at a step of its own, since evaluations lie between
+        return _with_replay(loop, loop, code, replay or loop) if replayed else loop
     except CompilationError as error:
         _warn_once(code, arguments, str(error))
     return loop
@@ -114,13 +120,15 @@ def _rehearse(loop: Loop, n: int, arguments: tuple[Any, ...], code: Code) -> tup
 
     Raises:
         CompilationError: it changes an array that is not among the arguments.
-        Exception: any mistake in the first steps, at its line.
+        _MistakeInRehearsal: Python itself has an error in these steps.
     """
     copies, constants = copied(arguments), code.arrays
     constants_before, snapshot = copied(constants), Snapshot()
     snapshot.take(constants)
     try:
         result = loop(n, *copies)
+    except Exception as error:
+        raise _MistakeInRehearsal from error
     finally:  # after an error, too, the arrays get back what they held; they are compared before that
         changed = difference(constants, constants_before, "an array", close=0.0)
         snapshot.put_back()
@@ -178,7 +186,7 @@ def _rehearsed_javascript(loop: Loop, arguments: tuple[Any, ...], code: Code, n:
 
     Raises:
         CompilationError: it cannot be translated, or it does something else.
-        Exception: any mistake in the first steps, at its line.
+        _MistakeInRehearsal: Python itself has an error in these steps.
     """
     assert javascript.engine is not None
     interpreted, copies = _rehearse(replay, n, arguments, code), copied(arguments)
