@@ -348,3 +348,15 @@ def closest_action(Q, state, weights, utopian):
 # says: that is none of the usual mistakes, so work out d(s, a) of two actions by hand
 def closest_action(Q, state, weights, utopian):
     return int(np.argmin((weights * np.abs(utopian - Q[state])).round(1).max(axis=1)))
+
+
+# %% the weights of the text
+# says: the weights are always 1 and 12, as in the text; use those that are given
+def closest_action(Q, state, weights, utopian):
+    return int(np.argmin((np.array([1.0, 12.0]) * np.abs(utopian - Q[state])).max(axis=1)))
+
+
+# %% the point of the text
+# says: the utopian point is always that of the text, (90, −1); use the one that is given
+def closest_action(Q, state, weights, utopian):
+    return int(np.argmin((weights * np.abs(np.array([90.0, -1.0]) - Q[state])).max(axis=1)))

@@ -101,6 +101,12 @@ CLOSEST_MISTAKES: Mapping[str, Callable[[Reals, int, Reals, Reals], Reals]] = {
         w * (np.abs(z) - np.abs(Q[s]))
     ).max(axis=1),
     "only the objective with the larger weight counts": lambda Q, s, w, z: _distances(Q, s, w, z)[:, w.argmax()],
+    "the weights are always 1 and 12, as in the text; use those that are given": lambda Q, s, w, z: _distances(
+        Q, s, np.array([1.0, 12.0]), z
+    ).max(axis=1),
+    "the utopian point is always that of the text, (90, −1); use the one that is given": lambda Q, s, w, z: _distances(
+        Q, s, w, np.array([90.0, -1.0])
+    ).max(axis=1),
     "the last action is left out: does the range of the loop end too early?": lambda Q, s, w, z: _among(
         slice(None, -1), _distances(Q, s, w, z).max(axis=1)
     ),
@@ -121,10 +127,14 @@ NO_USUAL_CHOICE = "that is none of the usual mistakes, so work out d(s, a) of tw
 def choices(rng: np.random.Generator) -> list[Choice]:
     """Make up tables; no two numbers that any rule compares are equal."""
     made = []
-    for _ in range(24):
+    for k in range(24):
         Q = np.round(rng.uniform(-9, 9, (3, 4, 2)), 2)
         Q[..., 0] += 20.0
+        if k % 6 == 0:  # all times are good, so that the value decides even if time has the larger weight
+            Q[..., 1] = np.round(2.0 + Q[..., 1] / 9, 2)
         weights, z = np.round(rng.uniform(0.3, 3.0, 2), 2), np.array([25.0, 2.0]) + np.round(rng.uniform(-4, 1, 2), 2)
+        if k % 6 == 3:  # time has so large a weight that it may decide even if the point lies far out
+            weights = np.round(weights * [0.2, 2.0], 2)
         made.append((Q, int(rng.integers(1, 3)), weights, z))
     return made
 
