@@ -117,7 +117,7 @@ def _between_two(margin: float) -> list[Choice]:
     """Make up states in which the second action is the closer one up to a margin a little below or above this one."""
     made = list[Choice]()
     for most in (margin - 0.03125, margin + 0.03125):  # less than what rounding to a tenth takes off
-        Q = np.array([[[-most - 2.0, 0.0], [0.0, -1.0]]])
+        Q = np.array([[[-most - 2.0, -0.5], [0.0, -1.0]]])
         made.append((Q, 0, np.array([1.0, 2.0]), np.zeros(2)))
     return made
 
