@@ -60,6 +60,7 @@ MISTAKES: dict[str, Maker] = {
         Gaussians, returns=lambda rewards, discount: returns_from(rewards, discount)[::-1]
     ),
     "γ is 0.99, and it should be 0.8": partial(Gaussians, discount=0.99),
+    "γ is 0.9, and it should be 0.8": partial(Gaussians, discount=0.9),
     "the baseline is the mean of the returns of the episode, and it should be V(S)": partial(Gaussians, averages=True),
     "all states have the same V: is the index of the state missing where V changes?": partial(Gaussians, shared="V"),
     "the returns of a truncated episode go on with V(S'), and they should stop at its last reward": partial(
@@ -73,6 +74,9 @@ MISTAKES: dict[str, Maker] = {
     ),
     "there is no baseline: δ = G − V(S), and V is learned too": partial(Gaussians, value_rate=0.0),
     "the factor γ^t is missing": partial(Gaussians, fades=False),
+    "the factor γ^t is missing where μ moves": partial(Gaussians, fades="ln σ"),
+    "the factor γ^t is missing where ln σ moves": partial(Gaussians, fades="μ"),
+    "V moves by the TD error, and it should move by G − V(S)": partial(Gaussians, bootstraps="V"),
     "the policy moves away from actions that were better than the baseline: is a minus sign too many?": partial(
         Gaussians, policy_rate=-POLICY_RATE
     ),

@@ -301,3 +301,10 @@ def my_scores(a, mu, sigma):
 # says: that is the second term of ln π(a), and not its derivative
 def my_scores(a, mu, sigma):
     return (a - mu) / sigma**2, -np.log(sigma)
+
+
+# %% the square of the first
+# says: (a − μ)² is divided by σ², not by σ⁴
+def my_scores(a, mu, sigma):
+    of_mu = (a - mu) / sigma**2
+    return of_mu, of_mu**2 - 1

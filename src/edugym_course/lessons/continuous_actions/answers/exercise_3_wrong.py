@@ -700,3 +700,41 @@ def update(self, n):
 # - self.look(state)
 # + delta = self.rewards[t] - mean
 # + self.look(state)
+
+
+# %% 1 or −π
+# says: the action that was taken gets 1 − π, not 1: π is subtracted for it, too
+# in: returns first, then the steps in order
+# - score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+# + score = 1.0 if a == self.actions[t] else -self.probabilities[a]
+
+
+# %% R for δ in the policy
+# says: V moves, but the preferences move by the reward instead of δ
+# in: a sum for each return
+# - step = self.learning_rate * self.discount**t * delta
+# + step = self.learning_rate * self.discount**t * self.rewards[t]
+
+
+# %% a list from the end
+# says: the returns stand in the reverse order, as in a list that is filled from the last step on
+def update(self, n):
+    G, returns = 0.0, []
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        returns.append(G)
+    for t in range(n):
+        state, action = self.states[t], self.actions[t]
+        delta = returns[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        step = self.learning_rate * self.discount**t * delta
+        self.preferences[state] -= step * self.probabilities
+        self.preferences[state, action] += step
+
+
+# %% V behind the end
+# says: the return begins behind the end with V of the last state; an episode that is over has nothing more to come
+# in: returns first, then the steps in order
+# - G = 0.0
+# + G = self.V[self.states[n - 1]]

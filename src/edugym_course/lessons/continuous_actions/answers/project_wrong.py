@@ -363,3 +363,33 @@
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 # + ls[S[k]] += 2 * step * (z**2 / sigma**2 - 1)
+
+# %% the discount of other lessons
+# slow
+# says: γ is 0.9, and it should be 0.8
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(0.9**i * r for i, r in enumerate(R[k:]))
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.005 * 0.9**k * delta
+
+# %% γ^t for ln σ alone
+# slow
+# says: the factor γ^t is missing where μ moves
+# in: lists of an episode
+# - mu[S[k]] += step * z / sigma**2
+# + mu[S[k]] += 0.005 * delta * z / sigma**2
+
+# %% γ^t for μ alone
+# slow
+# says: the factor γ^t is missing where ln σ moves
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] += 0.005 * delta * (z**2 / sigma**2 - 1)
+
+# %% the TD error for V alone
+# slow
+# says: V moves by the TD error, and it should move by G − V(S)
+# in: lists of an episode
+# - V[S[k]] += 0.1 * delta
+# + V[S[k]] += 0.1 * (R[k] + (0.8 * V[S[k + 1]] if k + 1 < len(S) else 0.0) - V[S[k]])

@@ -224,6 +224,7 @@ OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
         "the exponent −2 of σ gives a factor of 2, which cancels the 2 in 2σ²": lambda a, m, s: (
             (a - m) ** 2 / (2 * s**2) - 1
         ),
+        "(a − μ)² is divided by σ², not by σ⁴": lambda a, m, s: (a - m) ** 2 / s**4 - 1,
         E_OF_SIGMA: lambda a, m, s: (a - m) ** 2 / np.exp(2 * s) - 1,
         "that is the second term of ln π(a), and not its derivative": lambda a, m, s: -np.log(s),
         "a − μ should be squared": lambda a, m, s: (a - m) / s**2 - 1,

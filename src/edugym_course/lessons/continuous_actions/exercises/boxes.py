@@ -91,7 +91,8 @@ class Gaussians:
         of_log: the score of ln σ.
         policy_rate: α^θ.
         value_rate: α^w.
-        fades: whether later steps count less, by γ^t; "backwards", whether the earlier ones do.
+        fades: whether later steps count less, by γ^t; "backwards", whether the earlier ones do; "μ" or "ln σ", whether
+            only the steps of one of them do.
         discount: γ.
         averages: whether the baseline is the mean of the returns of the episode.
         goes_on: whether the returns of a truncated episode go on with the value of its last state.
@@ -103,7 +104,7 @@ class Gaussians:
         moves: what changes before the score of the other is computed, "μ" or "σ"; with "", nothing.
         all_steps: whether it learns from the last step of an episode, too.
         cut: the size at which it cuts off the actions that it learns from.
-        bootstraps: whether it learns from the TD error in the place of G less V.
+        bootstraps: whether it learns from the TD error in the place of G less V; "V", whether the values alone do.
         keeps: whether its list of steps is never emptied.
         backwards: whether it learns from the last step first.
         itself: whether it is σ that moves, by its own score, and not ln σ.
@@ -130,7 +131,7 @@ class Gaussians:
         moves: str = "",
         all_steps: bool = True,
         cut: float = math.inf,
-        bootstraps: bool = False,
+        bootstraps: bool | str = False,
         keeps: bool = False,
         backwards: bool = False,
         itself: bool = False,
@@ -167,18 +168,21 @@ class Gaussians:
         for t in reversed(times) if self._backwards else times:
             step = episode[t]
             G, mean, log = returns[t], self._row("μ", step.state), self._row("σ", step.state)
-            if self._bootstraps:
-                G = step.reward + (DISCOUNT * self._V[step.next_state] if t + 1 < len(episode) else 0.0)
+            one_step = step.reward + (DISCOUNT * self._V[step.next_state] if t + 1 < len(episode) else 0.0)
+            G = one_step if self._bootstraps is True else G
             value = self._row("V", step.state)
             delta = G - (sum(returns) / len(returns) if self._averages else self._V[value])
-            self._V[value] += self._value_rate * delta
+            power = len(episode) - 1 - t if self._fades == "backwards" else t
+            fade = self._discount**power if self._fades else 1.0
+            off_value = one_step - self._V[value] if self._bootstraps == "V" else delta
+            self._V[value] += self._value_rate * off_value
             delta = G - self._V[value] if self._fresh else delta
             action, spread = min(max(step.action, -self._cut), self._cut), math.exp(self._log[log])
             off = action - self.mean[mean]
-            power = len(episode) - 1 - t if self._fades == "backwards" else t
-            rate = self._policy_rate * (self._discount**power if self._fades else 1.0)
+            rate_of_mean = self._policy_rate * (1.0 if self._fades == "ln σ" else fade)
+            rate = self._policy_rate * (1.0 if self._fades == "μ" else fade)
             if self._moves == "μ":
-                self.mean[mean] += rate * delta * self._of_mean(off, spread)
+                self.mean[mean] += rate_of_mean * delta * self._of_mean(off, spread)
                 off = action - self.mean[mean]
             moved = self._log[log] + rate * delta * self._of_log(off, spread)
             if self._itself:
@@ -186,4 +190,4 @@ class Gaussians:
             self._log[log] = min(max(moved, self._least), self._most)  # NaN stays NaN
             if self._moves != "μ":
                 spread = math.exp(self._log[log]) if self._moves == "σ" else spread
-                self.mean[mean] += rate * delta * self._of_mean(off, spread)
+                self.mean[mean] += rate_of_mean * delta * self._of_mean(off, spread)

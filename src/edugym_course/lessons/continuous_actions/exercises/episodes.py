@@ -91,7 +91,12 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
         rate, value_rate = value_rate, rate
     if change.get("rates") == "policy":
         value_rate = rate
-    returns = _returns(case.rewards, discount, change.get("return", "G"))
+    kind_of_return = change.get("return", "G")
+    if kind_of_return == "goes on":
+        follows = discount * V[case.states[-1]]
+        returns = _returns([*case.rewards[:-1], case.rewards[-1] + follows], discount, "G")
+    else:
+        returns = _returns(case.rewards, discount, kind_of_return)
     states, actions, rewards = case.states, case.actions, case.rewards
     if change.get("steps") == "buffer":
         behind, n = BUFFER - n, BUFFER
@@ -138,6 +143,8 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
             delta = returns[t] - V[place]
         if change.get("delta") == "return":
             delta = returns[t]
+        elif change.get("delta") == "reward":
+            delta = rewards[t]
         elif change.get("delta") == "of the mean":
             delta = returns[t] - float(np.mean(returns))
         elif change.get("delta") == "missing":
@@ -186,6 +193,7 @@ def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
         "past": [sum(discount ** (t - k) * rewards[k] for k in range(t + 1)) for t in range(n)],
         "discounted reward": [discount * g for g in G],
         "absolute": [sum(discount**k * rewards[k] for k in range(t, n)) for t in range(n)],
+        "reversed": G[::-1],
         "last": [rewards[-1]] * n,
         "one more": [G[t] + discount ** (n - t) * OLD for t in range(n)],
         "buffer": [G[t] + discount ** (n - t) * OLD / (1.0 - discount) for t in range(n)],
@@ -206,6 +214,7 @@ def _score(pi: Any, action: int, kind: str) -> Any:
         "others": -pi,
         "all as taken": 1.0 - pi,
         "plus": one + pi,
+        "one or π": one - (1.0 - one) * pi,
         "others plus": one * (1.0 - pi) + (1.0 - one) * pi,
     }[kind]
 

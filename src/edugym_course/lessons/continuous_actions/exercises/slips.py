@@ -17,6 +17,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         },
         "V[t] is the value of state t; that of the state of step t is V[self.states[t]]": {"V": "t"},
         "the baseline is V(S_t), not the largest of all values": {"baseline": "largest"},
+        "V moves, but the preferences move by the reward instead of δ": {"delta": "reward"},
         "V moves, but the preferences move by G instead of δ": {"delta": "return"},
         "the baseline V does not change": {"value": "none"},
         "V is set to α^w δ; write `+=`": {"value": "set"},
@@ -36,6 +37,12 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "it adds the rewards from the start up to step t; the return adds those from step t on": {"return": "past"},
         "the reward R_{t+1} itself is discounted; only what follows it should be": {"return": "discounted reward"},
         "G_t is discounted from step t on, and not from the start of the episode": {"return": "absolute"},
+        "the returns stand in the reverse order, as in a list that is filled from the last step on": {
+            "return": "reversed"
+        },
+        "the return begins behind the end with V of the last state; an episode that is over has nothing more to come": {
+            "return": "goes on"
+        },
         "every step gets the last reward alone": {"return": "last"},
         "it goes through the whole of `rewards`; this episode has only its first n steps": {"return": "buffer"},
         "the return begins with rewards[n], which an earlier episode has left there: the last reward of n steps is"
@@ -47,6 +54,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)": {"score": "inverse"},
         "1{a = A} is missing: the action that was taken gets 1 − π, the others −π": {"score": "others"},
         "all actions get 1 − π; only the one that was taken should, and the others −π": {"score": "all as taken"},
+        "the action that was taken gets 1 − π, not 1: π is subtracted for it, too": {"score": "one or π"},
         "π should be subtracted in the score, not added": {"score": "plus"},
         "the probabilities are those of another state: call self.look(state) first": {"look": "never"},
         "the probabilities are those of the first state for all steps: call self.look(state) for every step": {
