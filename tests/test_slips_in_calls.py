@@ -57,6 +57,19 @@ def test_calls(name: str) -> None:
         call()
 
 
+@pytest.mark.filterwarnings("error")
+def test_small_numbers_of_numpy() -> None:
+    """They count as what they are, and nothing that is computed from them overflows."""
+    small: Any = np.int8(100)
+    assert len(edugym.finite_horizon(model, small)) == 101
+    assert edugym.finite_model(walk, max_states=small).states == model.states
+    assert edugym.REINFORCE.create(walk, longest=small).episode.states.shape == (101,)
+    assert edugym.TileCoding.create((2, 2), tiles=small, tilings=small).n_features == 100 * 101**2
+    assert edugym.proportion_interval(small, small) == edugym.proportion_interval(100, 100)
+    runs = edugym.repeat(walk, {"Q": edugym.QLearning.create}, small, max_steps=9, repetitions=2, jobs=1)
+    assert runs.last_step == 100
+
+
 @pytest.mark.parametrize(("written", "meant"), [("Sarsa", "SARSA"), ("Qlearning", "QLearning"), ("mdpenv", "MDPEnv")])
 def test_names_in_other_letters(written: str, meant: str) -> None:
     """The name that is meant is named."""

@@ -175,7 +175,7 @@ def collect(
     limit = getattr(model.mdp, "max_steps", None) if max_steps is None else max_steps
     limit = None if limit is None else whole_number("max_steps", limit, 1, 10_000_000)
     if seed is not None:
-        whole_number("seed", seed, 0)
+        seed = whole_number("seed", seed, 0)
     if (model.terminal & (model.initial > 0)).any():
         raise ValueError("model must begin episodes in states that are not terminal: else there is no step to write")
     rng = np.random.default_rng(seed)

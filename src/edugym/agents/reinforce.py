@@ -117,5 +117,5 @@ class REINFORCE(NamedTuple):
         Raises:
             ValueError: a setting is not as above or as the class says, or the environment does not fit a table.
         """
-        whole_number("longest", longest, 1, MOST_ENTRIES)
+        longest = whole_number("longest", longest, 1, MOST_ENTRIES)
         return new(cls, environment, settings, longest=longest, **{"longest + 1": longest + 1})

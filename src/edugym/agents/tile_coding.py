@@ -118,14 +118,15 @@ class TileCoding(NamedTuple):
         lows, highs = vector_bounds(environment)
         lows = lows if low is None else an_array("low", low, (n_inputs,))
         highs = highs if high is None else an_array("high", high, (n_inputs,))
-        counts: list[Any] = list(tiles) if isinstance(tiles, list | tuple | np.ndarray) else [tiles] * n_inputs
+        counts: list[Any] = (
+            list(tiles) if isinstance(tiles, list | tuple | np.ndarray) and np.ndim(tiles) else [tiles] * n_inputs
+        )
         if len(counts) != n_inputs or np.ndim(tiles) > 1:
             raise ValueError(
                 f"tiles must be a whole number, or {n_inputs}, one for each input, but is {in_short(tiles)}"
             )
-        for count in counts:
-            whole_number("tiles", count, 1, MOST_FEATURES)
-        whole_number("tilings", tilings, 1, MOST_FEATURES)
+        counts = [whole_number("tiles", count, 1, MOST_FEATURES) for count in counts]
+        tilings = whole_number("tilings", tilings, 1, MOST_FEATURES)
         for i in range(n_inputs):
             if counts[i] > 1 and not (lows[i] < highs[i] and highs[i] - lows[i] < UNBOUNDED):
                 raise ValueError(

@@ -210,4 +210,4 @@ def _number(name: str, value: Any, allowed: str) -> Any:
         raise ValueError(f"{name} must be a number, {allowed}, but is {in_short(value)}")
     if isinstance(value, int) and abs(value) > sys.float_info.max:  # it could not be computed with
         raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")
-    return value
+    return value.item() if isinstance(value, np.generic) else value  # small types of NumPy's overflow

@@ -34,7 +34,7 @@ def finite_horizon(model: FiniteModel, horizon: int, discount: float = 1.0, *, e
     of the box of section 4.4 of Sutton and Barto, 2nd edition.
     """
     check_model(model, discount)
-    whole_number("horizon", horizon, 1, MOST_SWEEPS)
+    horizon = whole_number("horizon", horizon, 1, MOST_SWEEPS)
     entries = math.prod(model.successors.shape[:2]) + len(model.states) + OVERHEAD
     require_memory("the values for every step of the horizon", (horizon + 1, entries), "take a shorter horizon")
     steps = islice(sweeps(model, best_values(epsilon), discount), horizon + 1)

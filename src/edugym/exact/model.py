@@ -48,7 +48,7 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
             dynamics that draw from a continuous distribution; or real steps do something else than its methods do when
             they are followed.
     """
-    whole_number("max_states", max_states, 1, MOST_STATES)
+    max_states = whole_number("max_states", max_states, 1, MOST_STATES)
     task_of(mdp, "mdp", MDP_ONLY)
     before = global_randomness()
     try:

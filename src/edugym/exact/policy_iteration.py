@@ -42,7 +42,7 @@ def policy_iteration(
     equally good policies, exercise 4.4: here it ends when no action is better).
     """
     check_model(model, discount)
-    whole_number("max_iterations", max_iterations, 1, MOST_SWEEPS)
+    max_iterations = whole_number("max_iterations", max_iterations, 1, MOST_SWEEPS)
     n_states, n_actions, _ = model.successors.shape
     policy: Reals = np.full((n_states, n_actions), 1 / n_actions)
     for _ in range(max_iterations):

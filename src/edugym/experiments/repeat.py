@@ -127,9 +127,9 @@ def repeat(
     """
     libraries = ["joblib"] if save_to is None else ["joblib", "pandas"]
     require("experiments", *libraries)
-    number_of_steps("n_steps", n_steps)
-    whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
-    whole_number("seed", seed, 0)
+    n_steps = number_of_steps("n_steps", n_steps)
+    repetitions = whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
+    seed = whole_number("seed", seed, 0)
     checked_jobs(jobs)
     true_or_false("progress", progress)
     check_stop(stop)

@@ -174,5 +174,5 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
     Raises:
         ValueError: it is not an MDP, one of its methods returns what it may not, or the number is not as above.
     """
-    whole_number("n_steps", n_steps, 0, MOST_CHECKED)
+    n_steps = whole_number("n_steps", n_steps, 0, MOST_CHECKED)
     return random_steps(task_of(mdp, "mdp", MDP_ONLY).environment, n_steps)

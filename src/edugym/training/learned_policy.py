@@ -38,7 +38,7 @@ def learned_policy(game: Any, player: int, agent: Any, *, draws: int = 100, seed
         ValueError: a parameter is not as above, or the agent's policy does not fit the game.
     """
     contract, shape = player_contract(game, player, agent), table_shape(game, player)
-    whole_number("draws", draws, 1, MOST_DRAWS)
+    draws = whole_number("draws", draws, 1, MOST_DRAWS)
     rng = np.random.default_rng(whole_number("seed", seed, 0))
     if has_policy(contract):
         return np.array(checked_policy(game, player, contract.agent.policy))

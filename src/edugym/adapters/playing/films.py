@@ -34,8 +34,8 @@ def play_episode(
     Raises:
         ValueError: as for `Game`; or a number is not as above; or the observations do not fit the agent's table.
     """
-    whole_number("max_steps", max_steps, 1, MOST_FRAMES)
-    whole_number("seed", seed, 0)
+    max_steps = whole_number("max_steps", max_steps, 1, MOST_FRAMES)
+    seed = whole_number("seed", seed, 0)
     env = playable(environment, "rgb_array", parameters)
     choose = _policy(actor, env, np.random.default_rng([seed, 1]))
     game = Game(env, seed=seed)

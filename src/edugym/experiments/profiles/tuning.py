@@ -70,9 +70,9 @@ def tuned_profile(
     for label, grid in grids.items():
         if not isinstance(grid, Mapping) or not grid:
             raise ValueError(f"{allowed} {label!r} has {in_short(grid)}")
-    whole_number("tuning_repetitions", tuning_repetitions, 1, MOST_REPETITIONS)
-    whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
-    whole_number("seed", seed, 0)
+    tuning_repetitions = whole_number("tuning_repetitions", tuning_repetitions, 1, MOST_REPETITIONS)
+    repetitions = whole_number("repetitions", repetitions, 1, MOST_REPETITIONS)
+    seed = whole_number("seed", seed, 0)
     folder: Path | None = None if checkpoints is None else a_path("checkpoints", checkpoints)
     how: dict[str, Any] = {"jobs": jobs, "progress": progress, "checkpoints": folder}
     candidates = {named(label, setting): agent for label, grid in grids.items() for setting, agent in grid.items()}

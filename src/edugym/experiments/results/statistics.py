@@ -108,8 +108,8 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
     Raises:
         ValueError: a number is out of its range.
     """
-    whole_number("n", n, 0, MOST_TRIALS)
-    whole_number("successes", successes, 0, n)
+    n = whole_number("n", n, 0, MOST_TRIALS)
+    successes = whole_number("successes", successes, 0, n)
     between("confidence", confidence, 0, 1)
     if n == 0:
         return Interval(math.nan, 0.0, 1.0, 0)

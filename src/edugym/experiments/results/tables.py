@@ -151,7 +151,7 @@ class Results:
             ValueError: an argument is none of these.
         """
         steps, curves = self._complete_curves(method, column)
-        whole_number("step", step, 0)
+        step = whole_number("step", step, 0)
         here = np.flatnonzero(steps == step)
         if not len(here) and not np.isnan(self.final(method)).all():
             points = in_short(steps.tolist())
@@ -172,7 +172,7 @@ class Results:
         Raises:
             ValueError: an argument is none of these.
         """
-        whole_number("points", points, 1)
+        points = whole_number("points", points, 1)
         _, curves = self._complete_curves(method, column)
         values: Reals = curves[-points:].mean(axis=0)
         return values
