@@ -52,7 +52,7 @@ def joint_angles(x: float, y: float, bend: float) -> tuple[float, float]:
         raise ValueError(f"x, y must be a point in reach of the wrist, but are {x!r}, {y + SHOULDER_Y!r}")
     elbow = bend * math.acos(cosine)
     shoulder = math.atan2(y, x) - math.atan2(FOREARM * math.sin(elbow), UPPER_ARM + FOREARM * math.cos(elbow))
-    return shoulder % math.tau, elbow
+    return shoulder, elbow
 
 
 PICK = joint_angles((BOX.left + BOX.right) / 2, BOX.top + MAGNET - CLEARANCE, 1.0)

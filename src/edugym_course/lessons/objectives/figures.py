@@ -13,7 +13,6 @@ from edugym.training.train_vectors import VectorRun
 from edugym_course.lessons.objectives.methods import (
     LIMIT,
     TIME_WEIGHTS,
-    chebyshev,
     closest,
     found_by_weights,
     front_of,
@@ -48,15 +47,6 @@ def by_weights(concavities: Sequence[float] = CONCAVITIES, seed: int = 0) -> She
         for c in concavities
     ]
     return Sheet("by_weights", [panels])
-
-
-def one_distance(concavity: float, time_weight: float) -> Sheet:
-    """Return what Chebyshev distances pick up, by both rules, with the box of all that is as close."""
-    found = {
-        label: [treasure_of(chebyshev(concavity, time_weight, whole_returns=whole).returns[-1])]
-        for label, whole in (("the rest of the dive", False), ("the whole dive", True))
-    }
-    return front(concavity, found=found, distance=(1.0, time_weight))
 
 
 def by_distance(concavity: float, found: Mapping[str, Sequence[int]]) -> Sheet:

@@ -63,7 +63,7 @@ def _policy_of(program: Any, steps: list[Step], n_states: int, n_actions: int, s
     """Return the policy that a program learns from steps."""
     call = f"{NAME}(steps, {n_states}, {n_actions}, {seed})"
     with student_code(call):
-        policy: Policy = program([*steps], n_states, n_actions, seed)
+        policy: Policy = program(steps, n_states, n_actions, seed)
     require_policy(call, policy)
     return policy
 
