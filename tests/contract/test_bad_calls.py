@@ -54,6 +54,12 @@ NOT_CHECKED = {"statistics.in_short", "tables.with_types", "deep.PPO.gradient", 
 SECONDS, BYTES = 60, 4 * 2**30
 """What one call may take, on a loaded machine, and how much more memory than before."""
 
+OWN_DEFAULTS = {
+    "discount", "epsilon", "evaluation_episodes", "expected_updates", "high", "learning_rate", "longest", "low",
+    "max_steps", "n_tables", "planning_steps", "seed", "spread", "value_learning_rate", "y_label",
+}  # fmt: skip
+"""The parameters whose default depends on where they stand."""
+
 
 def in_table(key: str) -> Case:
     """The row of a public callable, or what follows from its name and those of its parameters."""
@@ -200,3 +206,13 @@ def test_bad_calls(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
                 if found is not None:
                     faults.append(f"{key}({parameter}={odd}): {found}")
     assert not faults, f"{len(faults)} of {calls} calls:\n" + "\n".join(faults)
+
+
+def test_a_parameter_has_the_same_default_wherever_it_stands() -> None:
+    """Who knows `progress` or `tolerance` from one function knows them from all."""
+    defaults = dict[str, list[Any]]()
+    for key in (key for name in (*dir(edugym), *ROOMS) if name != "deep" for key in public(name)):
+        for one in inspect.signature(public_calls.found(key)).parameters.values():
+            if one.default is not one.empty:
+                defaults.setdefault(one.name, []).append(one.default)
+    assert {name for name, values in defaults.items() if any(value != values[0] for value in values)} == OWN_DEFAULTS
