@@ -1,5 +1,6 @@
 """The model of the planning agents: counts, chains, means, draws; learned and given."""
 
+from collections.abc import Callable
 from typing import Any
 
 import gymnasium
@@ -9,7 +10,7 @@ from gymnasium import spaces
 
 from edugym import RMax, TabularObservation, finite_model, make_mdp
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
-from tests.agents.walk import Blind, Walk, exact_values
+from tests.agents.walk import Walk, exact_values
 
 
 def chain(model: TabularModel, first: int, following: Any) -> list[tuple[Any, ...]]:
@@ -101,6 +102,11 @@ def test_a_given_model_has_the_exact_backups() -> None:
         assert [model.expected_target(s, a, Q, 0.9) for a in (0, 1)] == pytest.approx(Q[s].tolist(), abs=1e-8)
 
 
+def walk_seen(place: Callable[[int], int]) -> Any:
+    """The walk, of which the agent sees something else than the state."""
+    return type("Seen", (Walk,), {"__slots__": (), "observation": lambda self, state, rng: place(state)})()
+
+
 class Five(gymnasium.Env[Any, Any]):
     """An environment that somebody else has made, with as many observations and actions as the walk."""
 
@@ -114,6 +120,8 @@ def test_a_model_of_states_that_are_no_numbers() -> None:
     for environment in (make_mdp("Roadrunner"), gymnasium.make("edugym/Roadrunner-v0")):
         assert given_model(environment, model).n_known[0] == np.count_nonzero(~model.terminal)
     walk = finite_model(Walk())
+    ends_alike = given_model(walk_seen(lambda s: s % 4), walk)  # nothing is chosen there
+    assert np.array_equal(ends_alike.rewards, given_model((5, 2), walk).rewards)
     for other in (Five(), TabularObservation(Five()), Walk()):  # also where a wrapper has a method `observation`
         assert np.array_equal(given_model(other, walk).rewards, given_model((5, 2), walk).rewards)
 
@@ -128,7 +136,7 @@ def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
     ("environment", "model", "message"),
     [
         ((5, 2), "exact", r"model must be a FiniteModel, .* but is 'exact'"),
-        (Blind(), finite_model(Walk()), r"model must have states that the agent can tell apart"),
+        (walk_seen(lambda s: min(s, 2)), finite_model(Walk()), r"model must have states that the agent can tell apart"),
         ((4, 2), finite_model(Walk()), r"model must be one of this environment, which has 4 states and 2 actions"),
         ((5, 3), finite_model(Walk()), r"model must be one of this environment, .*, but has 5 and 2"),
         ((5, 2), finite_model(make_mdp("Roadrunner")), r"model must have states that are whole numbers"),

@@ -23,10 +23,6 @@ class Walk(NamedTuple):
     observation_space = property(lambda self: spaces.Discrete(self.n + 1))
     action_space = property(lambda self: spaces.Discrete(2))
 
-class Blind(Walk):
-    __slots__ = ()
-    def observation(self, state, rng): return 0
-
 class Gamble(NamedTuple):
     def initial(self, rng): return 0
     def transition(self, state, action, rng): return 1 if state == 0 and action % 2 == 1 else 2
@@ -38,8 +34,6 @@ class Gamble(NamedTuple):
 """)
 Walk = NOTEBOOK["Walk"]
 """Walk left (0) or right (1) from the middle of a line, with slips, until an end: 1 on the left, 2 on the right."""
-Blind = NOTEBOOK["Blind"]
-"""The same, of which nothing is seen."""
 Gamble = NOTEBOOK["Gamble"]
 """Example 6.7: right (even actions) ends with 0; left leads to B, where every action pays N(-0.1, 1) and ends."""
 

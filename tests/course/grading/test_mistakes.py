@@ -1,13 +1,15 @@
 """What is said of an answer that is right in some cases: the one mistake that explains the others."""
 
+import re
 from typing import Any
 
 import numpy as np
 import pytest
 
+from edugym.mdp.protocol import Reals
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all, how_they_differ, what_it_looks_like
-from edugym_course.grading.tables import entries_that_differ
+from edugym_course.grading.tables import compare_tables
 from tests.course.grading.test_updates import said_of
 
 WRONG = [True, True, False, False, False]
@@ -31,6 +33,7 @@ def test_what_an_answer_looks_like(explained: dict[str, list[bool]], said: str) 
 
 
 EXPECTED = [3.0, 5.5, -2.0]
+RIGHT = np.array([[1.0, 2.0], [3.0, 4.5]])
 
 
 @pytest.mark.parametrize(
@@ -69,14 +72,20 @@ def test_a_search_that_stops_too_early_is_not_called_rounded() -> None:
     assert "is it rounded?" in said([0.33, 0.67])
 
 
-def test_entries_that_differ_are_named() -> None:
+@pytest.mark.parametrize(
+    ("found", "said"),
+    [
+        (
+            [RIGHT, np.array([[1.0, 2.0], [3.0, 9.0]]), RIGHT],
+            "right in 2 of 3 cases; here entry [1, 1] should be 4.5, and is 9",
+        ),
+        ([2 * RIGHT] * 3, "in all entries it is 2 times the right number"),
+    ],
+)
+def test_entries_that_differ_are_named(found: list[Reals], said: str) -> None:
     """A few of them with their numbers; all of them by what they have in common."""
-    right = np.array([[1.0, 2.0], [3.0, 4.5]])
-    one = np.array([[1.0, 2.0], [3.0, 9.0]])
-    assert entries_that_differ(right, one, 1, 3) == (
-        "it is right in 2 of 3 cases; here entry [1, 1] should be 4.5, and is 9"
-    )
-    assert entries_that_differ(right, 2 * right, 3, 3) == "in all entries it is 2 times the right number"
+    with pytest.raises(WrongAnswer, match=re.escape(said)):
+        compare_tables(range(3), found, ["f(0)", "f(1)", "f(2)"], {}, lambda case: RIGHT)
 
 
 def test_a_number_that_counts_otherwise_is_named() -> None:

@@ -1,6 +1,7 @@
 """The depth of credit assignment on Study: targets, what is handed back, and what the claims measure."""
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from edugym_course.lessons.depth import (
     methods,
     off_policy,
     pictures,
+    project,
     rates,
     targets,
     traces,
@@ -214,3 +216,14 @@ def test_the_picture_of_the_buffer(n: int, t: int) -> None:
     below = shown[shown.index(f"states, place k % {n + 1}") + 1 :]
     assert below[: n + 1] == [f"S{int(state)}" for state in agent.steps.states]
     assert below[n + 2 : 2 * n + 2] == [f"A{int(reward) - 1}, R{int(reward)}" for reward in agent.steps.rewards]
+
+
+def test_n_step_sarsa_from_its_definition() -> None:
+    """Without a mistake it learns what the agent learns, in short and in long episodes."""
+    both, rng = (project.FromDefinition((5, 2)), project.agent((5, 2))), np.random.default_rng(0)
+    for length in (1, 2, 3, 4, 9):
+        pairs = rng.integers((5, 2), size=(length + 1, 2)).tolist()
+        for k, ((s, a), (then, chosen)) in enumerate(pairwise(pairs), start=1):
+            for agent in both:
+                agent.learn(s, a, float(k), then, chosen, k == length, False)
+        np.testing.assert_allclose(both[0].Q, both[1].Q)

@@ -45,6 +45,8 @@ def test_what_rewards_teach() -> None:
     plain = value_iteration(finite_model(morning.Morning()))
     assert np.abs(plain.V).max() > 1
     assert np.array_equal(shaped.greedy_policy(), plain.greedy_policy())
+    player = exact.player(morning.Morning())  # in a film
+    assert [player(state) for state in plain.model.states] == plain.greedy_policy().argmax(axis=1).tolist()
     nights = {
         label: exact.what_happens(morning.Morning(), exact.best_policy(task))
         for label, task in experiments.TASKS.items()

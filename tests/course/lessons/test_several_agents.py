@@ -100,6 +100,9 @@ def test_changes(learns: bool) -> None:
     """A learner who meets another goes on changing its best action; against a fixed one it finds the answer to it."""
     run = methods.against_each_other("matching pennies", learns=learns, seed=1, n_steps=4_000)
     assert (methods.changes(run) > 1.0) == learns
+    late = methods.best_actions(run)[len(run.steps) // 2 :, 0].tolist()
+    changed = sum(one != other for one, other in itertools.pairwise(late))
+    assert methods.changes(run) == pytest.approx(1_000 * changed / (run.steps[-1] - run.steps[len(run.steps) // 2]))
     if not learns:
         assert methods.best_actions(run)[-1].tolist() == [0, 0]
 

@@ -225,6 +225,15 @@ def hand_back(self, length):
 # + self.Q[s, a] += 0.1 * (G - self.Q[s, a])
 
 
+# %% the sign, and a learning rate of its own
+# says: the sign is wrong; and everything fits a learning_rate of 0.1
+# in: reversed
+# - for k in reversed(range(length)):
+# + for k in range(length - 1, -1, -1):
+# - self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+# + self.Q[s, a] += 0.1 * (self.Q[s, a] - G)
+
+
 # %% Monte Carlo, and without the discount
 # says: the third line is missing, or it stands behind the loop
 # says: discount
