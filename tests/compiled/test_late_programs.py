@@ -64,7 +64,7 @@ KEPT = {
         "x = float((round(2 ** 60 + k) + math.floor(2 ** 59 + k) + int(2 ** 60 - k)) % 7)"
     ),
     "numbers with a step": late(
-        "r = np.arange(1, 2, 0.1)\nx = r[3] + np.arange(5, step=0.3)[k % 3] - np.arange(k)[-1]"
+        "r = np.arange(1, 2, 0.1)\nx = r[2] + r[3] + np.arange(5, step=0.3)[k % 3] - np.arange(k)[-1]"
     ),
     "division of whole numbers": late("x = (-7 * k) // 3 + (-7 * k) % 3 + divmod(k, 4)[0] + abs(3 - k) + -k"),
 }

@@ -12,7 +12,7 @@ from scipy import stats
 
 import edugym
 from edugym.adapters.registration import find
-from edugym.envs.catch import BALL, PADDLE, Catch
+from edugym.envs.catch import Catch
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
@@ -114,9 +114,8 @@ def test_grid() -> None:
 
 
 def test_image() -> None:
-    """A ball and a paddle on black; a ball on the paddle hides it."""
-    env, black, ball, paddle = CatchEnv(3, 3, "rgb"), [0] * 3, list(BALL), list(PADDLE)
-    assert black != ball != paddle != black
+    """A yellow ball and a red paddle on black; a ball on the paddle hides it."""
+    env, black, ball, paddle = CatchEnv(3, 3, "rgb"), [0] * 3, [255, 210, 63], [232, 80, 91]
     drop(env, 0)
     assert env.step(LEFT)[0].tolist() == [[black] * 3, [ball, black, black], [paddle, black, black]]
     assert env.step(STAY)[0].tolist() == [[black] * 3, [black] * 3, [ball, black, black]]

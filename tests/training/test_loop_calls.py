@@ -9,6 +9,7 @@ import pytest
 from gymnasium import spaces
 
 from edugym import train
+from edugym.checks.mdps import CHECKED_STEPS
 from tests.compiled.cells import cell
 
 
@@ -29,7 +30,7 @@ NAMES = {place(rng): name for name, rng in streams().items()}
 
 CLASSES = """
 class Stairs:
-    observation_space, action_space = spaces.Discrete(20), spaces.Discrete(99)
+    observation_space, action_space = spaces.Discrete(20), spaces.Discrete(999)
     def __init__(self, end): self.end = end
     def initial(self, rng): note("initial", rng); return 0
     def transition(self, state, action, rng): note("transition", state, action, rng); return state + 1
@@ -38,7 +39,7 @@ class Stairs:
     def observation(self, state, rng): note("observation", state, rng); return state + 10
 
 class Environment(gymnasium.Env):
-    observation_space, action_space = spaces.Discrete(20), spaces.Discrete(99)
+    observation_space, action_space = spaces.Discrete(20), spaces.Discrete(999)
     def __init__(self, end, cut): self.end, self.cut = end, cut
     def reset(self, *, seed=None, options=None):
         note("reset", seed)
@@ -142,3 +143,12 @@ def test_every_call(kind: str, name: str) -> None:
     assert calls == expected
     assert run.returns.tolist() == [31.0 + 132.0] * 2
     assert (run.training_returns[1], run.episodes.tolist()) == (71.0 + 182.0, [0, 1])
+
+
+@pytest.mark.parametrize("kind", ["OffPolicy", "OnPolicy"])
+def test_no_step_counts_twice_when_checks_end(kind: str) -> None:
+    """After some steps an agent is asked without a detour."""
+    calls: list[str] = []
+    classes, n_steps = noting(calls), CHECKED_STEPS + 9
+    train(classes.Stairs(2), getattr(classes, kind)(), n_steps, evaluate_every=n_steps)
+    assert sum(call.startswith("learn ") for call in calls) == n_steps

@@ -103,6 +103,7 @@ def test_pixels_without_a_screen(
         (Walk(), {"n_grips": 2, "height": 3}, r"environment.*\['height', 'n_grips'\]"),
         ("Boulder", {"picture": "human"}, "picture .*'human'"),
         (Still(spaces.Box(-np.inf, 1, (2,))), {}, "named_actions"),
+        (Still(spaces.MultiDiscrete(np.array([[2, 3]]))), {}, "named_actions"),
         (Still(spaces.Text(3)), {}, "named_actions"),
     ],
 )

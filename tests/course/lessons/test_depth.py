@@ -219,11 +219,13 @@ def test_the_picture_of_the_buffer(n: int, t: int) -> None:
 
 
 def test_n_step_sarsa_from_its_definition() -> None:
-    """Without a mistake it learns what the agent learns, in short and in long episodes."""
-    both, rng = (project.FromDefinition((5, 2)), project.agent((5, 2))), np.random.default_rng(0)
+    """Without a mistake it learns what the agent learns, in short and long episodes, of which some are cut off."""
+    both, rng = (project.FromDefinition((5, 2), cut="value"), project.agent((5, 2))), np.random.default_rng(0)
     for length in (1, 2, 3, 4, 9):
         pairs = rng.integers((5, 2), size=(length + 1, 2)).tolist()
         for k, ((s, a), (then, chosen)) in enumerate(pairwise(pairs), start=1):
+            if over := k == length:
+                chosen = int(both[0].Q[then].argmax())
             for agent in both:
-                agent.learn(s, a, float(k), then, chosen, k == length, False)
+                agent.learn(s, a, float(k), then, chosen, over and length % 2 == 0, over and length % 2 == 1)
         np.testing.assert_allclose(both[0].Q, both[1].Q)

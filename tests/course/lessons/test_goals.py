@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from edugym import HindsightDQN, finite_model, make_mdp, policy_evaluation, train, value_iteration
-from edugym_course.lessons.goals import exercises, experiments, methods
+from edugym_course.lessons.goals import exercises, experiments, methods, project
 from tests.course.lessons.made_up import finals, made_up, measured
 
 
@@ -115,6 +115,23 @@ def test_far_shares() -> None:
     some, none = (methods.far_shares(results, methods.NONE, far=far) for far in (2, 4))
     assert ((some > 0) & (some < 1)).all()
     assert (none == 0).all()
+
+
+def test_the_program_of_the_project_by_hand() -> None:
+    """Two steps that miss their goal, and are learned again backwards for the pattern in which they end."""
+    first, rate, discount = project.WORST, project.LEARNING_RATE, project.DISCOUNT
+    agent, missed, reached = project.Hindsight((16, 2)), (0, 1), (1, 1)
+
+    def seen(pattern: tuple[int, int], goal: tuple[int, int]) -> dict[str, Any]:
+        return {"achieved_goal": pattern, "desired_goal": goal}
+
+    agent.learn(seen((0, 0), missed), 0, -1.0, seen((1, 0), missed), False, False)
+    agent.learn(seen((1, 0), missed), 1, -1.0, seen((1, 1), missed), False, True)
+    cost, last = first + rate * (-1 + discount * first - first), first - rate * first
+    assert agent.values(seen((0, 0), missed)) == pytest.approx([cost, first])
+    assert agent.values(seen((1, 0), reached)) == pytest.approx([first, last])
+    again = first + rate * (-1 + discount * last - first)
+    assert agent.values(seen((0, 0), reached)) == pytest.approx([again, first])
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -62,6 +62,7 @@ def test_a_mean_of_rungs_that_count_differently() -> None:
     [
         (lambda environment: QLearning.create(environment, discount=0.0), "whose Q starts at 0: use your own number"),
         (lambda environment: Idle(), "without an array Q"),
+        (lambda environment: type("Listed", (Idle,), {"Q": [[0.0]]})(), "without an array Q"),
     ],
 )
 def test_values_that_do_not_start_at_ones_own_number(make: Any, says: str) -> None:

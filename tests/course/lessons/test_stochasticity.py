@@ -39,6 +39,8 @@ def test_the_attitude_moves_the_crossing(risk: float, low: float, high: float, e
     assert level == pytest.approx(expected, abs=5e-4)
     worth = exact.from_the_tee(level, 0.25, risk=risk)
     assert worth["drive"] == pytest.approx(worth["chip"], abs=1e-3)
+    lines: Any = figures.crossing_by_attitude((low, high), {"theirs": risk}).panel
+    assert lines.lines["theirs"][0] > 0 > lines.lines["theirs"][1]
 
 
 def test_shares_by_hand() -> None:
