@@ -90,7 +90,7 @@ def test_the_page_says_what_the_profile_says(scores: tuple[float, float], cells:
         "| new | 0 | ? |",
     ):
         assert line in page
-    assert "Boulder, blank: it is afraid." in page
+    assert "blank in Boulder: it is afraid." in page
     assert "made from earlier code: good: Golf; blank: everywhere" in page
     assert "measured with torch 1" in page
     assert "Roadrunner has no ladder yet." in page
