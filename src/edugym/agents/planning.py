@@ -66,7 +66,7 @@ def budget(planning_steps: float, planning_seconds: float | None) -> Any:
         ValueError: the steps are no whole number of 0 or more (or infinity), or the seconds not greater than 0.
     """
     if not (isinstance(planning_steps, float) and planning_steps == math.inf):
-        planning_steps = whole_number("planning_steps", planning_steps, 0, MOST_STEPS)
+        whole_number("planning_steps", planning_steps, 0, MOST_STEPS)
     if planning_seconds is not None:
         above("planning_seconds", planning_seconds, 0)
         return Seconds(float(planning_seconds))

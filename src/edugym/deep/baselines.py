@@ -65,8 +65,8 @@ def stable_baselines3_run(
         gymnasium.error.DependencyNotInstalled: sb3-contrib is missing.
     """
     one_of("algorithm", algorithm, ALGORITHMS)
-    n_steps = number_of_steps("n_steps", n_steps)
-    seed = whole_number("seed", seed, 0, 2**32 - 1)
+    number_of_steps("n_steps", n_steps)
+    whole_number("seed", seed, 0, 2**32 - 1)
     parameters = a_dictionary("parameters", parameters)
     true_or_false("complete_rounds", complete_rounds)
     recurrent = algorithm == "RecurrentPPO"
