@@ -84,9 +84,9 @@ class PPO(NamedTuple):
         Raises:
             ValueError: a parameter is not as above.
         """
-        n_steps = number_of_steps("n_steps", n_steps)
+        number_of_steps("n_steps", n_steps)
         updates = whole_number("n_steps", n_steps, self.num_envs * self.length) // (self.num_envs * self.length)
-        seed = whole_number("seed", seed, 0, 2**63 - 1)
+        whole_number("seed", seed, 0, 2**63 - 1)
         with one_thread(), fork_rng(devices=[]), torch.inference_mode():  # the gradient is written out below
             torch.manual_seed(seed)
             env = copies(self.environment, self.num_envs, self.parameters)

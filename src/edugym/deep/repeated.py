@@ -62,10 +62,10 @@ def repeat_deep(
 
     if not trainers:
         raise ValueError("trainers must have one method or more, but is empty")
-    n_steps = whole_number("n_steps", n_steps, 1)
-    repetitions = whole_number("repetitions", repetitions, 1)
+    whole_number("n_steps", n_steps, 1)
+    whole_number("repetitions", repetitions, 1)
     if jobs != -1:
-        jobs = whole_number("jobs", jobs, 1)
+        whole_number("jobs", jobs, 1)
     plan = planned_runs(list(trainers), repetitions, whole_number("seed", seed, 0))
     store = Checkpoints(None if checkpoints is None else Path(checkpoints))
     for label, trainer in trainers.items():
