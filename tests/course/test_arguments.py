@@ -239,7 +239,7 @@ def test_the_command_writes_a_report(mine: Path, monkeypatch: pytest.MonkeyPatch
     assert "prefers-color-scheme: dark" in text
     written = Path("out/report.md").read_text(encoding="utf-8")
     assert "| Trashbot | nobody can enter |" in written  # the others have climbed another ladder
-    for says in ("Trashbot, QLearning and Table: a table needs", "Boulder: exploration", "2 times on every rung"):
+    for says in ("QLearning and Table in Trashbot: a table needs", "Boulder: exploration", "2 times on every rung"):
         assert says in written
         assert says in text
     assert len(Path("out/runs.csv").read_text().splitlines()) == 1 + 2 * 2 * 2
