@@ -45,6 +45,8 @@ REFUSED_HERE = {
     "module with a function named as a draw": "the text of normal is not there",
     "max of whole and real": "whole numbers in one place and of real ones",
     "power": "a power of real numbers",
+    "large whole numbers rounded": "more than 53 bits",
+    "numbers with a step": "it uses np.arange like this",
 }
 """Programs that machine code can do and JavaScript cannot, and a word of the sentence that says why."""
 

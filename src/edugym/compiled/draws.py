@@ -22,7 +22,14 @@ TOLERANCE = 1e-8
 
 def _may_scale(scale: Any) -> Any:
     """Whether NumPy takes a number as a scale: it is not negative, and not -0.0 either."""
-    return scale > 0 or (scale == 0 and math.copysign(1.0, scale) > 0.0) or scale != scale
+    raise NotImplementedError
+
+
+def _choose_may_scale(scale: Any) -> Any:
+    """Chooses the implementation: an array is left to the draw, whose message names it."""
+    if isinstance(scale, types.Array):
+        return lambda scale: True
+    return lambda scale: scale > 0 or (scale == 0 and math.copysign(1.0, scale) > 0.0) or scale != scale
 
 
 def _normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0, size: Any = None) -> Any:
@@ -148,7 +155,7 @@ def _choice(rng: Any, a: Any, size: Any = None, replace: Any = True, p: Any = No
     return lambda rng, a, size=None, replace=True, p=None: a[_weighted_index(rng, len(a), p)]
 
 
-extending.register_jitable(_may_scale)
+extending.overload(_may_scale, strict=False)(_choose_may_scale)
 extending.register_jitable(_bounded_integer)
 extending.register_jitable(_weighted_index)
 extending.overload(_integers_of_kind, strict=False)(_choose_integers)

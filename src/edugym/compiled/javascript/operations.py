@@ -165,6 +165,8 @@ class Operations(Base):
             raise self.refused(
                 node, "it computes with an array and a number that is whole in one place and real in another"
             )
+        if operation is ast.Pow and BOOL in elements:
+            raise self.refused(node, "it raises True and False to a power as if they were numbers")
         if operation is ast.Pow and FLOAT in elements and not isinstance(right.kind, Array):
             if elements[0] == FLOAT and right.text in POWERS:
                 return Code(f"mapped(Real,{POWERS[right.text]},{left.text})", Array(FLOAT, ndim))
