@@ -94,6 +94,7 @@ async function begin(keep = false) {
   if (wanted !== `data/${race.name}-${state.strength}.json`) return // the reader has moved on
   task = answer
   for (const box of [find('lanes'), find('bench')]) box.classList.toggle('wide', task.scene.width > (box.id === 'lanes' ? 1.2 : 0.8) * task.scene.height)
+  find('lanes').classList.toggle('several', state.several > 1)
   if (!state.code && !(keep && raced)) ready()
   controls()
   legend()
@@ -253,7 +254,7 @@ find('run').onclick = () => {
   find('run').textContent = 'Pause'
   controls()
   pace()
-  find('verdict').scrollIntoView({ block: 'nearest' }) // a phone may have it below the screen
+  if (parent === window) find('verdict').scrollIntoView({ block: 'nearest' }) // a phone may have it below the screen
   lanes.forEach(lane => lane.rate(rate()))
 }
 find('again').onclick = () => set('seed', (state.seed + state.several) % data.seeds.length)
