@@ -4,6 +4,7 @@ The limit is one of processor time: code that sleeps or waits is not caught.
 """
 
 import _thread
+import math
 import signal
 import threading
 import time
@@ -26,12 +27,15 @@ class _TimedCode:
     """Code of a student's, while it runs.
 
     Attributes:
-        deadline: the processor time at which it is interrupted.
+        limit: the seconds of processor time that it may take.
+        deadline: the processor time at which it is interrupted. The watch sets it at its first check: most code has
+            ended by then, and asking for the processor time may be slow.
         interrupted: whether it was.
         over: whether it has ended.
     """
 
-    deadline: float
+    limit: float
+    deadline: float = math.inf
     interrupted: bool = False
     over: bool = False
 
@@ -71,7 +75,10 @@ class _Watch:
                 if not self._timed:
                     self._is_running = False
                     return
-                late = [one for one in self._timed if time.process_time() > one.deadline]
+                now = time.process_time()
+                late = [one for one in self._timed if now > one.deadline]
+                for one in self._timed:
+                    one.deadline = min(one.deadline, now + one.limit)
                 for one in late:
                     one.interrupted = True
                 if late:  # repeat at every check: a bare `except:` may swallow the interrupt
@@ -97,7 +104,7 @@ def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
     if not HAS_THREADS or threading.current_thread() is not threading.main_thread():
         yield
         return
-    code = _TimedCode(time.process_time() + limit)
+    code = _TimedCode(limit)
     ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN  # as in what a shell script runs in the background
     if ignored:
         signal.signal(signal.SIGINT, _watch.interrupt)

@@ -1,6 +1,7 @@
 """The exercises of lesson 18: an upper bound, backing up a simulation, and looking ahead exactly."""
 
 from collections.abc import Callable, Mapping
+from copy import deepcopy
 from functools import partial
 from math import inf, log
 from typing import Annotated, Any, NamedTuple
@@ -16,7 +17,7 @@ from edugym_course.grading.own_numbers import Own, step_cost, told_less
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.tables import compare_tables
 from edugym_course.grading.values import given, number, require_unchanged
-from edugym_course.lessons.search.exercises.looks import LOOK_MISTAKES, looked_ahead, made_up_looks
+from edugym_course.lessons.search.exercises.looks import LOOK_MISTAKES, looked_ahead, telling_looks
 
 Power = Annotated[
     float,
@@ -293,9 +294,8 @@ def exercise_3(answer: Any, seed: int, discount: Discount = 0.9) -> str:
     """Check looking ahead exactly."""
     require_function("look_ahead", answer, "model, state and depth")
     right = partial(looked_ahead, discount=discount)
-    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in LOOK_MISTAKES.values())]
     cases = list[NumberCase]()
-    for case in made_up_looks(telling_draw(seed, made_up_looks, rules)):
+    for case in deepcopy(telling_looks(seed, discount)):  # an answer may write into the model
         if case.depth == 0:  # the last one, at which an answer that stops too early may call itself for ever
             compare_all(cases)
         call = f"look_ahead({case.model}, {case.state}, {case.depth})"

@@ -1,10 +1,13 @@
 """Exercise 3 of lesson 18: looking ahead exactly, the usual mistakes, and models to look into."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial
 from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from edugym_course.grading.cases import telling_draw
 
 Outcomes = list[tuple[float, int, float, bool]]
 """What may follow on an action: probability, next state, reward, terminated."""
@@ -162,3 +165,11 @@ def made_up_looks(rng: np.random.Generator) -> list[Look]:
                 )
         made.append(Look(model, int(rng.integers(3)), depth))
     return made
+
+
+@lru_cache(16)
+def telling_looks(seed: int, discount: float) -> tuple[Look, ...]:
+    """Return questions that tell all mistakes apart; they are not searched for again with the next answer."""
+    right = partial(looked_ahead, discount=discount)
+    rules: list[Callable[[Any], Any]] = [right, *(partial(right, **one) for one in LOOK_MISTAKES.values())]
+    return tuple(made_up_looks(telling_draw(seed, made_up_looks, rules)))
