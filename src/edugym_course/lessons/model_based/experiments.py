@@ -195,7 +195,7 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
                 f"{more} planning does not replace exploration: {method} ends below {DECAYING}",
                 f"final return less that of {DECAYING}",
                 difference(learned, method, remedied, DECAYING),
-                Below(-4.0),
+                Below(-1.0),
                 "planning invents no knowledge",
                 (uses_all(method),),
             )

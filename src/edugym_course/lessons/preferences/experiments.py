@@ -161,7 +161,7 @@ def claims_on(name: str, by_change: Mapping[str, Followed]) -> list[Claim]:
             paired_difference(more.learned[1], more.second[1]),
             Within(-0.5, 0.5),
         ),
-        Claim(enough(name), fall, mean_interval(more.fall()), Below(-0.3)),
+        Claim(enough(name), fall, mean_interval(more.fall()), Below(-0.2)),
         Claim(
             f"On {name}, a teacher who is never wrong does not cure it",
             fall,
