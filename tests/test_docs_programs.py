@@ -21,7 +21,7 @@ NAMES = {"agents": ("PAGE", "CHALLENGE"), "architecture": ("PAGE", "PICTURE"), "
 """Where each program writes."""
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "agents")) for name in NAMES])
 def test_a_program_writes_what_it_accepts(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Files from which a row is missing become those of the checkout; of one that is old, `--check` writes nothing."""
     program = importlib.import_module(name)

@@ -14,9 +14,10 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 
 from edugym import MDPEnv, MDPVectorEnv, make_mdp
+from edugym.adapters.registration import ENVIRONMENTS
 from tests.adapters.tasks import TRAIL
 from tests.compiled.cells import cell
-from tests.contract.play import Copies, every_environment, plain
+from tests.contract.play import Copies, plain
 from tests.messages import named
 
 
@@ -70,6 +71,8 @@ class Drawn(Remembered):
         return Scene(1.0 + state + 100 * (last_state or 0), 1.0 + sum(map(float, np.ravel(actions))), ())
 """
 """Tasks whose info asks for everything, or for the last action only; or whose picture asks, and the info does not."""
+FEW = ["Boulder", "Study", "Catch", "MemoryCorridor"]
+"""The environments of the quick tests; the picture of Study asks for all actions."""
 NOTEBOOK = cell(REMEMBERING)
 Remembered, Latest, Drawn = (NOTEBOOK[name] for name in ("Remembered", "Latest", "Drawn"))
 
@@ -92,7 +95,10 @@ def test_what_each_of_several_copies_knows(task: Any, mode: AutoresetMode) -> No
     alike(task, mode, 60)
 
 
-@every_environment
+@pytest.mark.parametrize(
+    "entry",
+    [pytest.param(entry, id=entry.name, marks=[pytest.mark.slow] * (entry.name not in FEW)) for entry in ENVIRONMENTS],
+)
 def test_what_copies_show(entry: Any) -> None:
     """The picture and the info of a copy are those of a single environment, also after copying and pickling."""
     env = entry.load()()

@@ -162,6 +162,7 @@ def test_defaults_are_the_stated_shares_of_the_papers() -> None:
     assert (batch, agent.learn_every, agent.learning_rate, agent.discount) == (32, 4, 4 * 0.00025, 0.99)
 
 
+@pytest.mark.slow
 def test_it_learns_catch_from_the_grid() -> None:
     """Nearly every ball in 15 000 steps, from 50 numbers; without learning, few."""
     mdp, returns = make_mdp("Catch"), []

@@ -25,11 +25,12 @@ LIMITS: dict[str, tuple[Any, dict[str, Any], float, float]] = {
     "Q(λ), accumulating": (eg.QLambda, {"traces": eg.Accumulating()}, 0.3, 0.0),
 }
 """Agents and settings, the ε with which they act, and the ε of the policy whose values they learn."""
+QUICK = ["Double Q-learning", "SARSA"]
 
 
 @pytest.mark.parametrize(
     ("kind", "settings", "acting", "learned"),
-    [pytest.param(*case, id=name, marks=pytest.mark.slow if "," in name else ()) for name, case in LIMITS.items()],
+    [pytest.param(*case, id=name, marks=[pytest.mark.slow] * (name not in QUICK)) for name, case in LIMITS.items()],
 )
 def test_exact_values_in_the_limit(kind: Any, settings: dict[str, Any], acting: float, learned: float) -> None:
     """Of many small steps: those of the best ε-soft policy, and not those of another one."""

@@ -40,7 +40,7 @@ def test_planning_for_some_time(compiled_at_once: None, monkeypatch: pytest.Monk
         agent.act(0, RNG)
     assert 1.9999 < agent.Q[0, 0] < 2  # some twenty updates
     with pytest.warns(UserWarning, match="cannot be compiled and runs interpreted"):
-        train(Walk(), DynaQ.create((5, 2), planning_seconds=1e-9), 6_000, seed=0, evaluate_every=6_000)
+        train(Walk(), DynaQ.create((5, 2), planning_seconds=1e-9), 5_000, seed=0, evaluate_every=5_000)
 
 
 N = 9

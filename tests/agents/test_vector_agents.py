@@ -235,6 +235,7 @@ def test_chebyshev_finds_what_its_weights_ask_for(concavity: float) -> None:
         assert sum(one != other for one, other in zip(found[False], asked, strict=True)) >= 3
 
 
+@pytest.mark.slow
 def test_weighted_sums_never_find_the_dent() -> None:
     """Q-learning on `Weighted` finds the treasure that its weights prefer, and never one of the unsupported ones."""
     mdp = diver(1.0)

@@ -269,5 +269,6 @@ RARE = [
     "events with a large mean", "sum of whole numbers", "texts joined", "matrices of whole numbers",
     "matrices of two types", "comparison by is", "float32 summed", "float32 array computed with",
     "row in place", "picture of bytes", "power too large", "largest by name", "whole fields and a picture",
+    "array functions", "draws with defaults", "largest and smallest",
 ]  # fmt: skip
 """Programs of all these kinds with which slow tests only are concerned."""

@@ -83,6 +83,7 @@ def test_what_is_no_release_is_refused(tmp_path: Path) -> None:
     assert lite.check(tmp_path, ["numpy"]) == lock
 
 
+@pytest.mark.slow
 def test_the_page_says_whether_there_is_a_jupyterlab() -> None:
     """A link where one was built, and what is tested; the site is whole without it."""
     assert 'href="lite/lab/index.html"' in website.sources(with_lite=True)["students.md"].decode()

@@ -24,7 +24,7 @@ from edugym_course.lab.records import number_of
 from edugym_course.lessons.stochasticity.exact import CROSSINGS, crossing
 from edugym_course.teaching.assignment import Task, tasks_of
 from edugym_course.teaching.marks import with_own_numbers
-from tests.course.lessons.answers import LONG_CHECKS, cells_of, read_exercises
+from tests.course.lessons.answers import LONG_CHECKS, cells_of, notebook_of, read_exercises
 
 
 def takes_long(lesson: str, task: Task) -> bool:
@@ -38,7 +38,7 @@ SOURCES = build.lesson_sources()
 @cache
 def tasks(lesson: str) -> list[Task]:
     """The exercises of a lesson."""
-    return tasks_of(build.teacher_edition(build.read_lesson(SOURCES[lesson])))
+    return tasks_of(build.teacher_edition(notebook_of(SOURCES[lesson])))
 
 
 OWN = [

@@ -26,7 +26,9 @@ RULES: dict[str, Rule] = {
 QUICK = [pytest.param(lesson, marks=[pytest.mark.slow] * (lesson in LONG)) for lesson in RULES]
 SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
 CASES = [
-    pytest.param(lesson, sentence, marks=[pytest.mark.slow] * (lesson != "00_loop"), id=f"{lesson}-{number}")
+    pytest.param(
+        lesson, sentence, marks=[pytest.mark.slow] * (lesson != "00_loop" or number % 3 > 0), id=f"{lesson}-{number}"
+    )
     for lesson, rule in RULES.items()
     for number, sentence in enumerate(rule.mistakes)
 ]

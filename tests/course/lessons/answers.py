@@ -110,9 +110,14 @@ def functions_of(solution: str) -> dict[str, str]:
 
 
 @cache
+def notebook_of(lesson: Path) -> NotebookNode:
+    """Return a lesson: to read it takes a tenth of a second, and hundreds of answers need it."""
+    return build.read_lesson(lesson)
+
+
 def cells_of(lesson: Path) -> list[NotebookNode]:
-    """Return the cells of a lesson: to read them takes a tenth of a second, and hundreds of answers need them."""
-    return [*build.read_lesson(lesson).cells]
+    """Return the cells of a lesson."""
+    return [*notebook_of(lesson).cells]
 
 
 @cache

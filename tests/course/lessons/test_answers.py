@@ -224,7 +224,11 @@ def test_every_mistake_of_q_learning_is_told() -> None:
 
 
 @pytest.mark.parametrize(
-    "lesson", [pytest.param(lesson, marks=[pytest.mark.slow] * (lesson == "15_profiles")) for lesson in LESSONS]
+    "lesson",
+    [
+        pytest.param(lesson, marks=[pytest.mark.slow] * (lesson in ("02_on_off_policy", "15_profiles")))
+        for lesson in LESSONS
+    ],
 )
 def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The lesson's own solution of an exercise is right, and counts; its empty cell is told that it is empty."""

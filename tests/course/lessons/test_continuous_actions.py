@@ -31,6 +31,7 @@ def test_the_estimate_is_right_on_average(baseline: float) -> None:
     assert found.mean(axis=1) == pytest.approx(release.slopes(0.6, 0.5), abs=0.05)
 
 
+@pytest.mark.slow
 def test_claims_that_need_no_training() -> None:
     """They hold."""
     claims = [

@@ -64,6 +64,7 @@ def test_what_is_seen() -> None:
     assert features.n_features == 2 * tasks.COLUMNS - 1
 
 
+@pytest.mark.slow
 def test_what_is_the_same_is_so_number_for_number() -> None:
     """Tables over pixels and positions learn the same, and so do DQN and its open copy; with more levels it is not."""
     curves = [

@@ -11,7 +11,7 @@ import pytest
 import edugym_course.lessons
 from edugym_course.lessons import lesson_names, load_experiments
 from edugym_course.report import rows_of
-from tests.course.lessons.answers import read_exercises
+from tests.course.lessons.answers import cells_of, read_exercises
 from tests.course.lessons.shown import NOTEBOOKS
 from tests.messages import named
 
@@ -78,7 +78,7 @@ def test_every_check_checks_what_stands_before_it(lesson: str) -> None:
         assert is_code or re.search(rf"^{name} = ", exercise.solution, re.MULTILINE), visible
         assert hidden == [f"check(exercise_{number}, {name}, seed=1, quiet=True)"] * is_code
         n_hidden += is_code
-    cells = build.read_lesson(NOTEBOOKS[lesson]).cells
+    cells = cells_of(NOTEBOOKS[lesson])
     assert sum("\n### BEGIN HIDDEN TESTS\n" in cell.source for cell in cells) == n_hidden
     assert {cell.metadata.get("points", 1) for cell in cells} <= {*range(1, 6)}
 
@@ -92,6 +92,6 @@ def test_the_hours_of_the_course_plans_are_those_that_the_lessons_announce() -> 
         hours += zip(names, times, strict=True)
     assert {name for name, _ in hours} == build.lesson_sources().keys()
     for name, (hour, minute) in hours:
-        opening = build.read_lesson(build.lesson_sources()[name]).cells[0].source
+        opening = cells_of(build.lesson_sources()[name])[0].source
         path, exercises = re.findall(r"About (\d+) minutes.* (\d+) more for the exercises", opening)[0]
         assert 60 * int(hour) + int(minute) == int(path) + int(exercises), name

@@ -11,6 +11,7 @@ import nbformat
 import pytest
 from rules import is_code
 
+from tests.course.lessons.answers import cells_of
 from tests.course.lessons.shown import NOTEBOOKS
 
 SMALL = {"none": 0, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "ten": 10}
@@ -47,7 +48,7 @@ def predictions(lesson: str) -> Iterator[Told]:
     """Yield the predictions of a lesson: the text from its source, what was measured from the notebook."""
     shown = iter(re.findall(r"Measured: (.*?)\. \(You made", "\n".join(map(printed, solved(lesson).cells)), re.DOTALL))
     options: dict[str, Any] = {}
-    cells = build.read_lesson(NOTEBOOKS[lesson]).cells
+    cells: list[Any] = cells_of(NOTEBOOKS[lesson])
     for cell, after in zip(cells, [*cells[1:], None], strict=True):
         if not is_code(cell):
             continue
@@ -111,7 +112,7 @@ def not_shown(lesson: str) -> list[str]:
     outputs = {cell.source: printed(cell) for cell in solved(lesson).cells if is_code(cell)}
     found: list[str] = []
     above: list[str] = []
-    for cell in build.read_lesson(NOTEBOOKS[lesson]).cells:
+    for cell in cells_of(NOTEBOOKS[lesson]):
         if is_code(cell):
             above += numbers(cell.source.replace("_", "")) + numbers(outputs.get(cell.source, ""))
             continue

@@ -78,6 +78,7 @@ def test_late_prices() -> None:
     assert methods.late_prices(dives).tolist() == pytest.approx([0.0, 0.1])
 
 
+@pytest.mark.slow
 def test_known_values() -> None:
     """Only the price begins anew: with a high one, no dive goes where the values of before do not lead."""
     known, new = (methods.lagrangian(0.0, first_price=30.0, n_steps=9_000, known=known) for known in (True, False))

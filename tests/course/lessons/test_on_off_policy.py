@@ -45,6 +45,7 @@ def test_best_runs() -> None:
     assert np.isnan(deadly[3, 0])
 
 
+@pytest.mark.slow
 def test_runs_of_trained_agents() -> None:
     """Greedy runs are those of the text; a fall is found, and it ends beyond the edge."""
     trained = methods.compare(n_steps=50_000, repetitions=4, seed=5)

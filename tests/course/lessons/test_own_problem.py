@@ -110,6 +110,7 @@ def test_a_problem_goes_through_everything() -> None:
         everything.take_through_everything(3)
 
 
+@pytest.mark.slow
 def test_problems_whose_episodes_may_never_end() -> None:
     """A policy that walks in a circle is cut off; one that is paid for it is no problem."""
     tour = everything.take_through_everything(Circle(), n_steps=300, repetitions=2)

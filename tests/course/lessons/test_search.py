@@ -73,6 +73,7 @@ def test_the_wrong_model_is_the_cause() -> None:
     assert errors[:, 1].mean() > errors[:, 0].mean() + 20
 
 
+@pytest.mark.slow
 def test_a_tree_is_worth_more_than_roll_outs() -> None:
     """And with more simulations these come to their limit; runs repeat, and differ with the seed."""
     how: Any = {"repetitions": 20, "seed": 3}

@@ -36,6 +36,7 @@ def test_pairs_without_chance(name: str) -> None:
     assert experiments.pure_pairs(name) == pytest.approx(by_hand)
 
 
+@pytest.mark.slow
 def test_what_a_policy_loses() -> None:
     """It is what the best opponent wins; a safe policy loses nothing, and random play the same in both seats."""
     field, solved = methods.soccer(), methods.solution()

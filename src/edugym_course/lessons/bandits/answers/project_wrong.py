@@ -207,6 +207,7 @@
 # + means[arm] += (reward - means[arm]) / pulls[arm] ** 0.5
 
 # %% whole numbers
+# slow
 # says: what is behind the decimal point is lost: the table holds whole numbers, as one with dtype=int does
 # in: with lists
 # - means, pulls = [0.0] * n, [0] * n

@@ -7,6 +7,7 @@ def quiet(study):
 
 
 # %% one step
+# slow
 # says: its targets have 1 reward, and Monte Carlo has n=math.inf
 def quiet(study):
     return NStepSARSA.create(study, n=1, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))

@@ -257,6 +257,7 @@
 # + tries = rng.random() < 0.1
 
 # %% another discount
+# slow
 # says: the discount is 1, and α is 0.1: what follows in state 0 is worth 0.1, or 0
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]

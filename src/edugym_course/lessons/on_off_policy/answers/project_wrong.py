@@ -49,6 +49,7 @@
 # + environment.reset()
 
 # %% costs
+# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: the next action is kept
 # - return values.argmax()
