@@ -247,19 +247,26 @@ def test_states_of_any_kind(name: str) -> None:
 
 
 @pytest.mark.filterwarnings("ignore:.* interpreted")
-@pytest.mark.parametrize("size", [1, 200_000])
-def test_what_an_mdp_counts(size: int) -> None:
+@pytest.mark.parametrize(
+    ("first", "change", "size"),
+    [
+        (0, "self.n[0] += 1", 1),
+        (149, "self.n[0] += 1", 200_000),
+        (149, "n = self.n[:1]\n        n += 1", 200_000),
+    ],
+)
+def test_what_an_mdp_counts(first: int, change: str, size: int) -> None:
     """In an array of its own, a large one too: the call at which machine code gives up is repeated, and counts once."""
     count = (
-        "    def counted(self):\n        self.n[0] += 1\n        return 0\n"
+        f"    def counted(self, state):\n        if state < {first}: return 0\n        {change}\n        return 0\n"
         f"    n: np.ndarray = np.zeros({size}, np.int64)"
     )
-    walk = task("0", "self.counted() + (state + 1 if state < 150 else state + 0.5)", more=count)
+    walk = task("0", "self.counted(state) + (state + 1 if state < 150 else state + 0.5)", more=count)
     vector = MDPVectorEnv(walk, 2)
     vector.reset(seed=0)
     for _ in range(160):
         vector.step([0, 0])
-    assert walk.n[0] == 320
+    assert walk.n[0] == 2 * (160 - first)
 
 
 NONE, NAN = "None if state == 150 else 1.0", "math.nan if state == 150 else 1.0"

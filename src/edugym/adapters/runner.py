@@ -4,10 +4,12 @@ The storage of their states is columns (compiled) or loose (interpreted): a list
 """
 
 import copy
+import dis
 import math
 import warnings
 from collections.abc import Callable
 from importlib.util import find_spec
+from types import CodeType
 from typing import Any
 
 import numpy as np
@@ -15,13 +17,16 @@ import numpy as np
 from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
 from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.checks.mdps import checked_mdp
-from edugym.compiled.code import Code
+from edugym.compiled.code import Code, is_foreign
 from edugym.compiled.execution import executable
-from edugym.compiled.snapshot import Snapshot, copied, difference
+from edugym.compiled.snapshot import Snapshot
 from edugym.system.interrupts import SignalGuard
 
 Loop = Callable[..., int]
 REHEARSED = 100  # copies
+STORING = ("STORE_SUBSCR", "STORE_SLICE", "DELETE_SUBSCR")
+IN_PLACE = frozenset({"copyto", "fill", "partition", "place", "put", "put_along_axis", "putmask", "shuffle", "sort"})
+"""Functions and methods that change an array that they are given."""
 MOST_CHANGES = 3  # so often is machine code rebuilt because the student's code changed
 
 
@@ -146,7 +151,7 @@ class Runner:
         return done
 
     def _saved(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
-        """A copy of what a loop changes and goes on from; of the MDP's own large arrays only if a step changes them."""
+        """A copy of what a loop changes and goes on from; of the MDP's large arrays only if a step may change them."""
         self._tables.take((self._mdp,), large=self._changes_large)
         return copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
 
@@ -165,26 +170,22 @@ class Runner:
         states = head(self.states, n)
         code = Code(loop, (self._mdp, rng, *some, states, batch))
         self._is_students = code.foreign
+        self._tables.take((self._mdp,), large=False)
+        if self._is_students and not self._tables.is_whole:
+            self._changes_large |= any(
+                _may_change_arrays(function.__code__) for function in code.functions if is_foreign(function)
+            )
         if not self._interpreted:
             if code.foreign:
                 self._watched.append(code)
             try:
                 values = (self._mdp, copy.deepcopy(rng), *some, states, batch)
-                self._look_for_changes(loop, n, values)
                 self._code[loop] = executable(loop, values, rehearsed=n, replayed=False)
             except Exception:  # a student's mistake, which the interpreter will meet again and show
                 self._code[loop] = loop
         if self._interpreted or self._code[loop] is loop:
             self._code[loop] = loop
             self._interpret()
-
-    def _look_for_changes(self, loop: Loop, n: int, values: tuple[Any, ...]) -> None:
-        """Find out whether a student's MDP changes a large array of its own: a copy of it is kept then."""
-        self._tables.take((self._mdp,), large=False)
-        if self._is_students and not self._tables.is_whole:
-            copies = copied(values)
-            loop(n, *copies)
-            self._changes_large |= difference(self._mdp, copies[0], "the MDP", close=0.0) is not None
 
     def _interpret(self) -> None:
         """Run interpreted from here on, with the states as the MDP makes them."""
@@ -196,6 +197,16 @@ class Runner:
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the machine code, to be pickled or copied."""
         return {**self.__dict__, "_code": {}, "_watched": []}
+
+
+def _may_change_arrays(code: CodeType) -> bool:
+    """Whether code, or an inner function of it, stores into an array, or calls what changes one in place."""
+    return any(
+        instruction.opname in STORING
+        or (instruction.opname == "BINARY_OP" and instruction.argrepr.endswith("="))
+        or instruction.argval in IN_PLACE
+        for instruction in dis.get_instructions(code)
+    ) or any(_may_change_arrays(constant) for constant in code.co_consts if isinstance(constant, CodeType))
 
 
 def _plain(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
