@@ -79,6 +79,7 @@ REPEATED = {
     "the same NaN": late("y = math.nan if k > 7 else 1.0\nx = 1.0 if y in [y, 0.7] else 2.0"),
     "minus 0 that may be whole": late("x = 0 if k % 2 else 0.5\nx = -x"),
     "minus 0 that may be whole, by a method": late("x = W(0 if k % 2 else 0.5).minus()"),
+    "minus 0 that may be whole, in joined lists": late("x = -([0.5, 0 * k] + [1.5])[1]"),
 }
 """Programs in which machine code stops, and the interpreter goes on."""
 MAYBE = "best = None\nfor j in range(3):\n    if best is None or j > 0: best = "

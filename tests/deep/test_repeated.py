@@ -107,6 +107,8 @@ def test_finished_runs_are_not_done_again(tmp_path: Path, monkeypatch: pytest.Mo
         repeat(2)
     assert len(list(tmp_path.glob("*.run"))) == 1
     assert [repeat(2), repeat(2), repeat(3), repeat(1, more=1.0)] == [3, 3, 4, 5]
+    methods = repeat_deep({"new": pretend, "one": partial(pretend, more=1.0)}, 100, repetitions=1, checkpoints=tmp_path)
+    assert list(methods.table["method"].unique()) == ["new", "one"]  # not in the order in which they were done
 
 
 @pytest.mark.slow

@@ -186,6 +186,8 @@ REFUSED: list[tuple[Draw, str]] = [
     (lambda rng: rng.random(3), UNKNOWN),
     (lambda rng: math.exp(rng.random()) < 2, "not use their value"),
     (lambda rng: rng.integers(3, 3), "nothing to draw from: 3 is not below 3"),
+    (lambda rng: rng.choice(2, p=[0.5, 0.6]), "(?i)do not sum to 1"),
+    (lambda rng: rng.choice(2, p=[1.0]), "must have same size"),
     (lambda rng: rng.normal(0.0, 1.0), "cannot follow rng.normal"),
     (lambda rng: rng.normal(0.0, -1.0), "rng.normal needs a scale of 0 or more, but got -1.0"),
     (lambda rng: rng.poisson(2.0), "cannot follow rng.poisson"),

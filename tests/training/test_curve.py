@@ -30,6 +30,8 @@ def test_the_curve_by_hand(wrapped: bool, kind: Any, n_steps: int) -> None:
     assert math.isnan(run.training_returns[0])
     assert run.training_returns[1:].tolist() == [6.0] * (len(run.steps) - 1)
     assert run.complete
+    columns = run.steps, run.returns, run.training_returns, run.episodes
+    assert [column.dtype for column in columns] == [np.int64, np.float64, np.float64, np.int64]
 
 
 def test_points() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from edugym import FrameStack, MDPEnv, MDPVectorEnv, QLearning, check_mdp, make_mdp, repeat, train, wrapper
+from edugym.checks.agents import CheckedAgent
 from tests.compiled.cells import LEARNER, WALK, cell
 from tests.training.slips import (
     ACTS,
@@ -291,6 +292,17 @@ def test_what_is_given_is_wrong_as_a_whole(name: str) -> None:
     """Classes, tables, and what is neither a task nor an agent."""
     names, task, agent = GIVEN[name]
     answered(names, lambda: train(task(), agent(), 30))
+
+
+def test_whose_name_an_agent_has() -> None:
+    """Ours has that of a student's part too; one of the student's own has its name alone."""
+    own = cell("class Own(NamedTuple):\n    part: object\n    def act(self, state, rng): pass")["Own"]
+    for agent, name in (
+        (QLearning(np.zeros((6, 2)), exploration=Mine()), "QLearning, with Mine"),
+        (own(Mine()), "Own"),
+    ):
+        with pytest.raises(ValueError, match=rf"^act of {name} \w"):
+            CheckedAgent(agent, walk()).act(0, np.random.default_rng(0))
 
 
 @pytest.mark.parametrize(

@@ -123,6 +123,7 @@ def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
         (None, "Not solved yet"),
         (..., "Not solved yet"),
         (QLearning, "such as QLearning.create, but is the class"),
+        (Systematic, "that makes one, but is the class Systematic"),
         (QLearning.create((61, 2)), "that makes a new agent"),
         (3, "a function that makes an agent, but is 3"),
         (lambda wall: None, "gives None: is a `return` missing"),

@@ -321,6 +321,33 @@ def learner(shape: tuple[int, int]) -> QLearning:
     return QLearning.create(shape, learning_rate=0.1)
 
 
+class Notes:
+    """An on-policy agent that acts at random, and notes what it is told."""
+
+    def __init__(self) -> None:
+        """Nothing yet."""
+        self.told = list[tuple[int, int, bool]]()
+
+    def act(self, state: int, rng: Any) -> int:
+        """Any action."""
+        return int(rng.integers(4))
+
+    greedy = act
+
+    def learn(self, action: int, next_action: int, terminated: bool, truncated: bool) -> None:
+        """Note it."""
+        self.told.append((action, next_action, terminated or truncated))
+
+
+def test_our_program_tells_the_next_action() -> None:
+    """Which is the one that it takes next, in the same episode."""
+    agent = Notes()
+    program_of(lambda shape: agent)(SmallWorld(1), 50, 0)
+    pairs = [*zip(agent.told, agent.told[1:], strict=False)]
+    assert [now[1] for now, _ in pairs if not now[2]] == [then[0] for now, then in pairs if not now[2]]
+    assert len({action for action, _, _ in agent.told}) > 1
+
+
 RACE = Race(partial(SmallWorld, 1), 2000, program_of(learner), episodes=200)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 from matplotlib import pyplot
 from matplotlib.container import BarContainer
+from matplotlib.quiver import Quiver
 from matplotlib.ticker import FixedLocator, NullLocator
 
 from edugym.experiments.configuration import described, task
@@ -112,16 +113,23 @@ def drawn(ax: Any) -> Iterator[str]:
             yield f"{name_of(bars, 'bars')}: {numbers([patch.get_height() for patch in bars])}"
     corners = [patch.get_patch_transform().transform(patch.get_path().vertices) for patch in ax.patches]
     if corners:
-        yield f"{len(corners)} patches: {numbers(np.concatenate(corners))}"
+        yield f"{len(corners)} patches: {places(corners)}"
     for picture in ax.images:
         values: Any = np.ma.filled(np.ma.asarray(picture.get_array(), float), np.nan)
         yield f"picture {' x '.join(map(str, values.shape))}: {numbers(values)}"
     shapes = [path.vertices for one in ax.collections for path in one.get_paths()]
     shapes += [one.get_offsets().reshape(-1, 2) for one in ax.collections]
+    shapes += [np.column_stack([one.U, one.V]) for one in ax.collections if isinstance(one, Quiver)]
     if shapes:
-        yield f"{len(ax.collections)} shapes: {numbers(np.concatenate(shapes))}"
+        yield f"{len(ax.collections)} shapes: {places(shapes)}"
     if ax.texts:
         yield f"says: {' '.join(text.get_text() for text in ax.texts)}"
+
+
+def places(points: Sequence[Any]) -> str:
+    """Return `numbers` of what is shown across, and of what is shown up."""
+    x, y = np.concatenate(points).T
+    return f"{numbers(x)}; {numbers(y)}"
 
 
 def name_of(artist: Any, otherwise: str) -> str:

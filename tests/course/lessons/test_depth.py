@@ -229,3 +229,23 @@ def test_n_step_sarsa_from_its_definition() -> None:
             for agent in both:
                 agent.learn(s, a, float(k), then, chosen, over and length % 2 == 0, over and length % 2 == 1)
         np.testing.assert_allclose(both[0].Q, both[1].Q)
+
+
+@pytest.mark.parametrize(
+    ("mistake", "target"),
+    [
+        ({}, 1 + 2 * 0.8 + 3 * 0.64 + 0.512 * 8),
+        ({"largest": True}, 1 + 2 * 0.8 + 3 * 0.64 + 0.512 * 9),
+        ({"bootstrap": 0.0}, 1 + 2 * 0.8 + 3 * 0.64),
+        ({"bootstrap": 1.0}, 1 + 2 * 0.8 + 3 * 0.64 + 8),
+        ({"early": True}, 1 + 2 * 0.8 + 3 * 0.64 + 0.512 * 5),
+        ({"total": sum}, 1 + 2 + 3 + 0.512 * 8),
+    ],
+)
+def test_mistakes_in_the_first_target(mistake: dict[str, Any], target: float) -> None:
+    """Of three steps from state 0 to 3, with action 1 in each; α = 0.5."""
+    agent = project.FromDefinition((4, 2), **mistake)
+    agent.Q[1:] = [2, 3], [4, 5], [9, 8]
+    for state in range(3):
+        agent.learn(state, 1, state + 1.0, state + 1, 1, False, False)
+    assert agent.Q[0, 1] == pytest.approx(target / 2)

@@ -1,13 +1,14 @@
 """Lesson 15: the stored profiles that it shows, and what its checks say to those who have numbers of their own."""
 
+from contextlib import nullcontext
 from typing import Any
 
 import pytest
 from matplotlib import pyplot
 
-from edugym import QLearning
+from edugym import Interval, QLearning
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.lessons.profiles import figures, methods
+from edugym_course.lessons.profiles import exercises, figures, methods
 from edugym_course.lessons.profiles.exercises import OWN_MISTAKE, exercise_1, exercise_2
 
 
@@ -70,3 +71,22 @@ def test_values_that_do_not_start_at_ones_own_number(make: Any, says: str) -> No
     with pytest.raises(WrongAnswer) as raised:
         exercise_2(make, 0, first=0.25)
     assert says in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("easy", "hard", "says"),
+    [
+        ((-0.2, -0.5, 0.1, 20), (-0.9, -1.0, -0.8, 20), ""),  # by chance, as far as one can tell
+        ((-0.02, -0.03, -0.01, 20), (-0.9, -1.0, -0.8, 20), ""),
+        ((-0.4, -0.5, -0.3, 20), (-0.9, -1.0, -0.8, 20), "it is worse in both"),
+        ((-0.4, -0.5, -0.3, 20), (0.0, -0.1, 0.1, 20), "it is worse in Tamagotchi"),
+        ((0.0, -0.1, 0.1, 20), (-0.4, -0.9, 0.1, 20), "it has no hole in Study"),
+    ],
+)
+def test_a_hole_is_where_it_is_surely_worse(easy: Any, hard: Any, says: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each game by the interval of its difference from Q-learning."""
+    gaps = {"Tamagotchi": Interval(*easy), "Study": Interval(*hard)}
+    monkeypatch.setattr(exercises, "profile", lambda *_, **how: None)
+    monkeypatch.setattr(exercises, "gap", lambda found, one, other, game: gaps[game])
+    with nullcontext() if says == "" else pytest.raises(WrongAnswer, match=says):
+        exercise_2(QLearning.create, 0)

@@ -49,12 +49,14 @@ def test_claims_and_figures_in_lines() -> None:
     ax.plot([0, 1, 2, 3], [1, np.nan, 1, 1])
     ax.bar([0], [7], label="bars")
     ax.imshow([[0, 2]])
+    ax.quiver([0, 1], [2, 2], [3, 3], [5, 5])
     ax.set(xticks=[], ylim=(-1, 10))
     assert [*records.axis(ax)] == ["x ticks at nothing", "y from -1 to 10"]
     assert [*records.drawn(ax)] == [
         "ours: 4 ... 9, 4 around 6, over 0 ... 3, 4 around 1.5",
         "line: 1 1 1",
         "bars: 7",
-        "1 patches: -0.4 ... 0, 10 around 1.36",
+        "1 patches: -0.4 ... -0.4, 5 around -0.08; 0 ... 0, 5 around 2.8",
         "picture 1 x 2: 0 2",
+        "1 shapes: 0 ... 3, 4 around 1.75; 2 ... 5, 4 around 3.5",
     ]

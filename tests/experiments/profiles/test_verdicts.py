@@ -11,7 +11,7 @@ from edugym.experiments.profiles import report, tables
 from edugym.experiments.profiles.ladders import LADDERS, checked, rung_in_words
 from edugym.experiments.profiles.pictures import named_ends
 from edugym.experiments.profiles.scores import COLUMNS, pooled
-from edugym.experiments.profiles.verdicts import said
+from edugym.experiments.profiles.verdicts import best_agents, said
 from edugym.experiments.profiles.words import Words
 
 WALL = next(ladder for ladder in LADDERS if ladder.name == "Boulder")._replace(strengths=(10, 20, 40))
@@ -158,6 +158,10 @@ def test_which_differences_are_sure() -> None:
     chance = ["All differences between these agents may be chance."]
     assert tables.sure_differences(Profile(runs, (WALL, FEW_STEPS), ("B", "C"))) == chance
     assert tables.sure_differences(profiled({"A": FAR})) == []
+    near = profiled({"A": (0.6, 0.6, 0.6), "B": MIDDLE})
+    assert best_agents(near, "Boulder") == ["A"]
+    luck = near.runs.score + (near.runs.agent == "A") * (near.runs.repetition - 0.5)  # 0.1 and 1.1
+    assert best_agents(Profile(near.runs.assign(score=luck), (WALL,), ("A", "B")), "Boulder") == ["A", "B"]
 
 
 def test_an_agent_to_take_has_its_weakest_challenge_beside_it() -> None:

@@ -1,3 +1,10 @@
+# %% no return
+# says: ) gives None: is a `return` missing?
+# in: the solution of imagine
+# - return reward + bonus + self.discount * value
+# + reward + bonus + self.discount * value
+
+
 # %% no bonus
 # says: the bonus is missing
 # says: ), where γ = 0.75, κ = 2,

@@ -67,6 +67,16 @@ my_problem = Offers()
 my_problem = Morning(late=20.0)
 
 
+# %% the problem of the lesson, renamed
+# says: that is the problem of the lesson: write one of your own, under its own name
+class Awake(NamedTuple):
+    late: float = 20.0
+    transition, reward = Morning.transition, Morning.reward
+
+
+my_problem = Awake()
+
+
 # %% nothing to choose
 # says: my_problem should have two actions and four states or more, but has 1 and
 class Watched(Plant):
