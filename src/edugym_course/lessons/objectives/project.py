@@ -19,7 +19,8 @@ from edugym_course.grading.programs import POLICY, Environment, Recorder, requir
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.objectives.methods import LIMIT, PRICES
 
-N_STEPS = 10_000
+N_STEPS, LONG = 10_000, 16_000
+"""The second where the best treasure is little better: a value must come all the way back, with a small α too."""
 BEST = (3, 1, 2, 0, 3, 2)
 """Which treasure is the best within the limit, in each sea."""
 POOR = (1, 3, 4)
@@ -40,7 +41,7 @@ def sea(best: int, rng: np.random.Generator, is_poor: bool = False) -> Reals:
     values[:4] = rng.uniform(5.0, 15.0, 4)
     values[best] = rng.uniform(20.0, 25.0)
     if best == 3:  # it is not by far the best: who discounts takes the first one, who stops early the second
-        values[:2] = 0.96 * values[best], 0.97 * values[best]
+        values[:2] = 0.972 * values[best], 0.982 * values[best]
     if is_poor:
         values *= 0.05
     values[4:] = np.sort(rng.uniform(60.0, 95.0, 5))
@@ -73,7 +74,7 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the most valuable treasure of all, however long it takes: does a dive that takes more than seven steps"
     " count for nothing in what your program learns?": lambda values: int(values.argmax()),
     "that is the best one of those nearer than seven steps, and exactly seven are allowed; if your program allows them,"
-    " is α large enough for their values to come all the way back?": lambda values: _best_of(values, LIMIT - 1),
+    " is γ 1, and is α large enough for their values to come all the way back?": lambda values: _best_of(values, LIMIT - 1),
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a"
     " dive that takes too long worth less than the poorest of the others?": lambda values: _best_of(values, LIMIT + 2),
     "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the"
@@ -132,7 +133,8 @@ def project_12(answer: Any, seed: int) -> str:
     require_reproducible(answer, lambda: environment_of(seas[0]), 200, seed)
     found = []
     for number, values in enumerate(seas):
-        run = run_program(answer, environment_of(values), N_STEPS, len(BEST) * seed + number)
+        n_steps = LONG if BEST[number] == 3 else N_STEPS
+        run = run_program(answer, environment_of(values), n_steps, len(BEST) * seed + number)
         found.append(_always_picked_up(run.policy, environment_of(values), seed))
     missed = [i for i, best in enumerate(BEST) if found[i] != best]
     if len(missed) <= MOST_MISSED:

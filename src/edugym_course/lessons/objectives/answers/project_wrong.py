@@ -10,7 +10,7 @@
 # %% fewer than seven
 # slow
 # says: that is the best one of those nearer than seven steps, and exactly seven are allowed; if your program allows them,
-#   is α large enough for their values to come all the way back?
+#   is γ 1, and is α large enough for their values to come all the way back?
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps < 7 else 0.0
@@ -99,7 +99,7 @@
 
 
 # %% steps too few
-# says: of its 10000 steps: go on, episode after episode, until all are taken
+# says: of its 16000 steps: go on, episode after episode, until all are taken
 # in: late dives count for nothing
 # - for _ in range(n_steps):
 # + for _ in range(200):
@@ -206,3 +206,10 @@
 # + Q[state, action] += (target - Q[state, action]) / tried[state, action]
 # - Q = np.zeros((90, 2))
 # + Q, tried = np.zeros((90, 2)), np.zeros((90, 2))
+
+# %% γ is 0.995
+# slow
+# says: is γ
+# in: late dives count for nothing
+# - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
+# + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.995 * Q[after].max()) - Q[state, action])
