@@ -20,16 +20,18 @@ from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import LOW, Learner, mistakes_of_loops, other_tables
 from edugym_course.grading.programs import APART, SELDOM, Run, Step, learn_from, run_program, shape_of
-from edugym_course.grading.replay import Rule
-from edugym_course.grading.surprises import SIGMAS, SLACK
+from edugym_course.grading.replay import Rule, replay
+from edugym_course.grading.surprises import SIGMAS, SLACK, Surprises
 from edugym_course.lessons.bandits.methods import EPSILON, LEARNING_RATE
 
 N_STEPS, PULLS = 3_000, 100
 SHORT_RUNS = 60
 """So many runs of 10 steps are looked at: which of several equal arms is pulled, and what the policy is. After so few
 pulls the best arm is often another one than the last, or than the most pulled."""
-SURE_PULLS, SURE_ARMS = 8_000, 10
-"""In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end."""
+SURE_PULLS, SURE_ARMS = 8_000, 50
+"""In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end.
+With so many arms it hardly matters whether the random one is one of all."""
+ALIKE_PULLS, ALIKE_ARMS = 2_000, 8
 LAYOUTS = 0, 1
 """Two such bandits, with another best arm each."""
 LATE = 7_000
@@ -71,6 +73,27 @@ class Machines(gymnasium.Env[Any, Any]):
         reward = float(self._means[action] + self._noise * self.np_random.normal())
         over = self._pulls == self._length
         return 0, reward, over and not self._truncates, over and self._truncates, {}
+
+
+class Alike(gymnasium.Env[Any, Any]):
+    """Arms of which each always pays the same, 1 or a few thousandths less: a small bonus decides which looks best."""
+
+    observation_space, action_space = spaces.Discrete(1), spaces.Discrete(ALIKE_ARMS)
+
+    def __init__(self, seed: int) -> None:
+        """Draw which arm pays how much."""
+        self._pays = 1 - 0.001 * np.random.default_rng(APART + seed).permutation(ALIKE_ARMS)
+        self._pulls = 0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin an episode; the arms stay the same."""
+        super().reset(seed=seed)
+        return 0, {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Pull an arm."""
+        self._pulls += 1
+        return 0, float(self._pays[action]), False, self._pulls % PULLS == 0, {}
 
 
 class Counting(NamedTuple):
@@ -232,6 +255,7 @@ def project_0b(answer: Any, seed: int) -> str:
                 f" {others} of {pulls} late steps, and with ε = {EPSILON} it should be some"
                 f" {EPSILON * share * pulls:.0f}: its ε is about {tries:.2f}"
             )
+    _require_mean_alone(answer, seed)
     RULE.look_closer(answer, seed, tries)
     return f"Right: every reward counts equally. {compare_with_ours(answer, TEN_ARMS, seed)}"
 
@@ -244,6 +268,23 @@ def _late_arms(answer: Any, seed: int) -> list[Counter[int]]:
         run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
         arms.append(Counter(step.action for step in run.steps[-LATE:]))
     return arms
+
+
+def _require_mean_alone(answer: Any, seed: int) -> None:
+    """Refuse a program that adds a bonus to the means.
+
+    Raises:
+        WrongAnswer: it does.
+    """
+    run = run_program(answer, Alike(seed), ALIKE_PULLS, seed)
+    found = Surprises.of(replay([run.steps], RULE.right, (1, ALIKE_ARMS), EPSILON))
+    if not found.is_usual(slack=1 / (ALIKE_ARMS - 1)):
+        raise WrongAnswer(
+            f"with arms that always pay the same, 1 or a few thousandths less, {found.found.sum():.0f} of"
+            f" {ALIKE_PULLS} pulls are not of the arm with the largest mean, and it should be some"
+            f" {found.expected:.0f}: the best arm is that with the largest mean, with nothing added for arms that were"
+            " pulled seldom"
+        )
 
 
 def _ties(run: Run) -> Iterator[tuple[int, list[int]]]:

@@ -74,7 +74,9 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the most valuable treasure of all, however long it takes: does a dive that takes more than seven steps"
     " count for nothing in what your program learns?": lambda values: int(values.argmax()),
     "that is the best one of those nearer than seven steps, and exactly seven are allowed; if your program allows them,"
-    " is γ 1, and is α large enough for their values to come all the way back?": lambda values: _best_of(values, LIMIT - 1),
+    " is γ 1, and is α large enough for their values to come all the way back?": lambda values: _best_of(
+        values, LIMIT - 1
+    ),
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a"
     " dive that takes too long worth less than the poorest of the others?": lambda values: _best_of(values, LIMIT + 2),
     "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the"

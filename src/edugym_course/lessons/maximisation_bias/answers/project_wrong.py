@@ -124,7 +124,7 @@
 
 # %% one table acts
 # says: an action that has paid 1, when the values of all others are still 0, is taken again in
-# says: runs, and it should in 91%:
+# says: runs, and it should in 90%:
 # says: is the best action that with the largest *sum* of both tables?
 # in: two tables and a dictionary of names
 # - total = Q1[state] + Q2[state]
@@ -147,7 +147,7 @@
 
 # %% more and more at random
 # says: it takes its favourite action in
-# says: steps, and it should in about 91%: is ε 0.1?
+# says: steps, and it should in about 90%: is ε 0.1?
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
 # + if rng.random() < min(0.1 * (1 + _), 0.4):
@@ -228,7 +228,7 @@
 # %% an ε that grows
 # slow
 # says: of its actions are others than its favourite one in the first half of its runs, and
-# says: in the second, and it should be about 9% from the first step to the last: is ε always 0.1?
+# says: in the second, and it should be about 10% from the first step to the last: is ε always 0.1?
 # in: two tables and a dictionary of names
 # - for _ in range(n_steps):
 # + for taken in range(n_steps):
@@ -237,7 +237,7 @@
 
 # %% ε is 0.14
 # slow
-# says: of its actions are others than its favourite one, and it should be about 9%: its ε is about 0.1
+# says: of its actions are others than its favourite one, and it should be about 10%: its ε is about 0.1
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.14:
@@ -262,3 +262,10 @@
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += 0.99 * other[after, own[after].argmax()]
+
+# %% ε is 0.12
+# slow
+# says: of its actions are others than its favourite one, and it should be about 10%: its ε is about 0.1
+# in: with lists
+# - action = int(rng.integers(n_actions)) if rng.random() < 0.1 else best(both(state))
+# + action = int(rng.integers(n_actions)) if rng.random() < 0.12 else best(both(state))

@@ -238,3 +238,12 @@ def my_program(environment, n_steps, seed):
 # in: tuples in a dictionary
 # - target = r + (not terminated) * 0.8 * values(w2).max()
 # + target = r + (not terminated) * 0.8 * (0.9 * values(w2).max() + 0.1 * values(w2).mean())
+
+# %% a next action that is drawn, and not taken
+# slow
+# says: action 1 pays 0.2 and ends the episode; action 0 leads to a second step, in which the best action pays 1 and the other one costs 1000. In
+# says: runs the policy begins with action 0, and it should nearly always: the target has the value of the *best* next action, max_a Q(S', a), and not that of one that is drawn
+# in: numbered rows, filled up
+# - target = r if terminated else r + 0.8 * Q[window.row()].max()
+# + drawn = rng.integers(m) if rng.random() < 0.1 else Q[window.row()].argmax()
+# + target = r if terminated else r + 0.8 * Q[window.row(), drawn]
