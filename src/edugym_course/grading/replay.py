@@ -183,6 +183,8 @@ class Rule:
         world: makes one, with the arguments of `SmallWorld`.
         remembers: whether the policy that is returned is given the history of an episode, O_0, A_0, O_1, ..., O_t, in
             the place of O_t alone. The agents of the rule then have a method `row(history)`, the values at its end.
+        slack: the share by which a right program may try more often than ε says; less where the random action is one
+            of all in any case.
         looks_closer: whether a program takes longer runs too, and may not take the second best action too often. Off
             where that takes long, or where other tasks come first, which tell better what is amiss (`look_closer`).
     """
@@ -198,6 +200,7 @@ class Rule:
     n_steps: int = 2000
     world: Callable[[int, bool, bool], Environment] = SmallWorld
     remembers: bool = False
+    slack: float = SLACK
     looks_closer: bool = True
 
     def check(self, program: Any, seed: int, tries: float | None = None) -> None:
@@ -269,7 +272,7 @@ class Rule:
             raise self._refused(right, ONCE)
         if not is_better and (right.is_usual() or right.too_many < 0):
             self._require_steady_tries(runs, right)
-        if not is_better and right.is_usual():
+        if not is_better and right.is_usual(self.slack):
             self._require_tries(runs, shape)
             if self._are_drawn(right):
                 return self._require_steady_tries(runs, right, grows=True)

@@ -31,11 +31,13 @@ pulls the best arm is often another one than the last, or than the most pulled."
 SURE_PULLS, SURE_ARMS = 8_000, 50
 """In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end.
 With so many arms it hardly matters whether the random one is one of all."""
-ALIKE_PULLS, ALIKE_ARMS = 2_000, 8
+CERTAIN_PULLS, CERTAIN_ARMS = 2_000, 8
+FADES = 900
+"""So many pulls the best arm pays 1, and 0 from then on. Its mean says for 600 more that it is the best one."""
 LAYOUTS = 0, 1
 """Two such bandits, with another best arm each."""
-LATE = 7_000
-"""So many of these pulls are looked at."""
+LATE, TWICE = 7_000, 150
+"""So many of these pulls are looked at; in so many steps both runs may pull another arm. It is 67 by chance."""
 EXACTLY = 0.05
 """What a mistake may leave that sticks to one arm: a little of this is in much else that goes wrong."""
 
@@ -75,14 +77,23 @@ class Machines(gymnasium.Env[Any, Any]):
         return 0, reward, over and not self._truncates, over and self._truncates, {}
 
 
-class Alike(gymnasium.Env[Any, Any]):
-    """Arms of which each always pays the same, 1 or a few thousandths less: a small bonus decides which looks best."""
+class Certain(gymnasium.Env[Any, Any]):
+    """Arms without chance: each always pays the same, 1 or a few thousandths less; or one pays 1 until it fades.
 
-    observation_space, action_space = spaces.Discrete(1), spaces.Discrete(ALIKE_ARMS)
+    Where they are alike a small bonus decides which looks best, and where one fades the weight of its old rewards.
 
-    def __init__(self, seed: int) -> None:
+    Args:
+        seed: the number from which it is drawn which arm pays how much.
+        fades: whether the best arm fades; the others then pay 0.6 and less.
+    """
+
+    observation_space, action_space = spaces.Discrete(1), spaces.Discrete(CERTAIN_ARMS)
+
+    def __init__(self, seed: int, fades: bool) -> None:
         """Draw which arm pays how much."""
-        self._pays = 1 - 0.001 * np.random.default_rng(APART + seed).permutation(ALIKE_ARMS)
+        ranks = np.random.default_rng(APART + seed).permutation(CERTAIN_ARMS)
+        self._pays = [1 - (0.35 + 0.05 * rank if fades and rank else 0.001 * rank) for rank in ranks.tolist()]
+        self._fading = int(ranks.argmin()) if fades else -1
         self._pulls = 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
@@ -93,7 +104,8 @@ class Alike(gymnasium.Env[Any, Any]):
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Pull an arm."""
         self._pulls += 1
-        return 0, float(self._pays[action]), False, self._pulls % PULLS == 0, {}
+        has_faded = action == self._fading and self._pulls > FADES
+        return 0, 0.0 if has_faded else self._pays[action], False, self._pulls % PULLS == 0, {}
 
 
 class Counting(NamedTuple):
@@ -227,19 +239,32 @@ RULE = Rule(
     world=Machines,
     looks_closer=False,  # it is done last
 )
+CERTAIN = (
+    (
+        False,
+        "with arms that always pay the same, 1 or a few thousandths less",
+        "the best arm is that with the largest mean, with nothing added for arms that were pulled seldom",
+    ),
+    (
+        True,
+        f"with an arm that pays 1 in the first {FADES} pulls and then 0, while others always pay the same",
+        "every reward counts equally in the mean of its arm, however many there are",
+    ),
+)
 TEN_ARMS = Race(partial(make_environment, "Bandit", gap=0.5, max_steps=PULLS), N_STEPS, program_of(right), episodes=30)
 
 
 def project_0b(answer: Any, seed: int) -> str:
     """Check a program with ε-greedy and sample averages."""
     late = _late_arms(answer, seed)
-    if any(len(arms) == 1 for arms in late):
+    best = [Counter(arms).most_common(1)[0] for arms in late]
+    if any(times == LATE for _, times in best):
         raise WrongAnswer(
             f"in the last {LATE} of {SURE_PULLS} steps my_program pulls one arm only: a random one has the probability"
             " ε up to the last step, and it is drawn from one generator, made before the loop"
         )
-    others = sum(arms.total() - max(arms.values()) for arms in late)
     pulls, share = LATE * len(LAYOUTS), 1 - 1 / SURE_ARMS
+    others = pulls - sum(times for _, times in best)
     tries = others / pulls / share
     impossible = {} if abs(tries / EPSILON - 1) <= SLACK else WHOLE_NUMBERS
     possible = {sentence: mistake for sentence, mistake in RULE.mistakes.items() if sentence not in impossible}
@@ -255,36 +280,42 @@ def project_0b(answer: Any, seed: int) -> str:
                 f" {others} of {pulls} late steps, and with ε = {EPSILON} it should be some"
                 f" {EPSILON * share * pulls:.0f}: its ε is about {tries:.2f}"
             )
+    at_once = sum(one != best[0][0] and other != best[1][0] for one, other in zip(*late, strict=True))
+    if at_once > TWICE:
+        raise WrongAnswer(
+            f"in two runs with other seeds {at_once} of {LATE} late pulls are at the same step, and both of another arm"
+            f" than the best, and by chance it should be some {LATE * EPSILON**2:.0f}: draw in each step whether the"
+            " arm is random, and do not count to ten"
+        )
     _require_mean_alone(answer, seed)
     RULE.look_closer(answer, seed, tries)
     return f"Right: every reward counts equally. {compare_with_ours(answer, TEN_ARMS, seed)}"
 
 
-def _late_arms(answer: Any, seed: int) -> list[Counter[int]]:
-    """Return how often a program pulls each arm late, in bandits whose best arm it has long found."""
+def _late_arms(answer: Any, seed: int) -> list[list[int]]:
+    """Return the arms that a program pulls late, in bandits whose best arm it has long found."""
     arms = []
     for number in LAYOUTS:
         sure = make_environment("Bandit", n_arms=SURE_ARMS, gap=1.0, layout_seed=number, max_steps=PULLS)
         run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
-        arms.append(Counter(step.action for step in run.steps[-LATE:]))
+        arms.append([step.action for step in run.steps[-LATE:]])
     return arms
 
 
 def _require_mean_alone(answer: Any, seed: int) -> None:
-    """Refuse a program that adds a bonus to the means.
+    """Refuse a program that adds a bonus to the means, or in whose means some rewards count more than others.
 
     Raises:
         WrongAnswer: it does.
     """
-    run = run_program(answer, Alike(seed), ALIKE_PULLS, seed)
-    found = Surprises.of(replay([run.steps], RULE.right, (1, ALIKE_ARMS), EPSILON))
-    if not found.is_usual(slack=1 / (ALIKE_ARMS - 1)):
-        raise WrongAnswer(
-            f"with arms that always pay the same, 1 or a few thousandths less, {found.found.sum():.0f} of"
-            f" {ALIKE_PULLS} pulls are not of the arm with the largest mean, and it should be some"
-            f" {found.expected:.0f}: the best arm is that with the largest mean, with nothing added for arms that were"
-            " pulled seldom"
-        )
+    for fades, shows, why in CERTAIN:
+        run = run_program(answer, Certain(seed, fades), CERTAIN_PULLS, seed)
+        found = Surprises.of(replay([run.steps], RULE.right, (1, CERTAIN_ARMS), EPSILON))
+        if not found.is_usual(slack=1 / (CERTAIN_ARMS - 1)):
+            raise WrongAnswer(
+                f"{shows}, {found.found.sum():.0f} of {CERTAIN_PULLS} pulls are not of the arm with the largest mean,"
+                f" and it should be some {found.expected:.0f}: {why}"
+            )
 
 
 def _ties(run: Run) -> Iterator[tuple[int, list[int]]]:

@@ -117,6 +117,8 @@ SAME, AGAIN, MET, LEAST, MUCH = 0.7, 0.75, 0.35, 0.8, 0.985
 """Of the runs that begin with one arm; that pull it again when it has paid; whose first ten pulls have an arm twice,
 as random ones have in 0.62 of the runs; of the pulls of a run's favourite arm, at least and at most. A right program:
 0.02 on average, 0.9, 1, and twice 0.9."""
+AT_ONCE = 0.4
+"""The share of the runs that may try another arm at one step. It is 0.1 by chance."""
 PAIR_RUNS, TOGETHER = 30, 0.03
 """In so many runs of episodes of two pulls; the share of those in which both are others than the favourite ones. A
 right program: 0.01, and 0.08 for one that is random for a whole episode."""
@@ -193,6 +195,13 @@ def require_steady(tries: Surprises) -> None:
     Raises:
         WrongAnswer: it is.
     """
+    by_step = tries.found.reshape(ARM_RUNS, -1).mean(axis=0)
+    if by_step.max() > AT_ONCE:
+        raise WrongAnswer(
+            f"{_WHERE}step {by_step.argmax() + SETTLED + 1} is another action than its favourite one in"
+            f" {by_step.max():.0%} of {ARM_RUNS} runs: draw in each step whether its action is random, and do not count"
+            " to ten"
+        )
     share, when = f"it should be about {tries.chances[0]:.0%}", np.tile(np.linspace(0, 1, PULLS - SETTLED), ARM_RUNS)
     if abs(tries.lateness(when)) > SIGMAS:
         first, second = (tries.among(half).found.mean() for half in (when < 0.5, when >= 0.5))

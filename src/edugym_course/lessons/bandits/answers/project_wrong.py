@@ -282,10 +282,27 @@
 
 # %% a small bonus
 # slow
-# says: with arms that always pay the same, 1 or a few thousandths less,
+# says: with arms that always pay the same, 1 or a few thousandths less
 # says: pulls are not of the arm with the largest mean, and it should be some
-# says: : the best arm is that with the largest mean, with nothing added for arms that were pulled seldom
+# says: the best arm is that with the largest mean, with nothing added for arms that were pulled seldom
 # in: sums of rewards
 # - arm = rng.choice(np.flatnonzero(Q == Q.max()))
 # + bound = Q + 0.05 * np.sqrt(np.log(t + 1) / np.maximum(N, 1))
 # + arm = rng.choice(np.flatnonzero(bound == bound.max()))
+
+# %% each tenth pull
+# slow
+# says: in two runs with other seeds
+# says: late pulls are at the same step, and both of another arm than the best, and by chance it should be some 70
+# says: : draw in each step whether the arm is random, and do not count to ten
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if taken % 10 == 9 else best()
+
+# %% 300 pulls at most
+# slow
+# says: with an arm that pays 1 in the first 900 pulls and then 0, while others always pay the same
+# says: every reward counts equally in the mean of its arm, however many there are
+# in: with lists
+# - pulls[arm] += 1
+# + pulls[arm] = min(pulls[arm] + 1, 300)

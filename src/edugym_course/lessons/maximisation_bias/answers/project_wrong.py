@@ -1,6 +1,6 @@
 # %% Q-learning
 # slow
-# says: in an environment of 2 steps the first step pays 1 and ends its episode, and the same action then pays -0.92 and
+# says: in an environment of 2 steps the first step pays 1 and ends its episode, and the same action then pays -0.905 and
 #   ends one too: a loss if one table has learned both, and a gain if each has learned one; after that the policy takes
 #   this action again in
 # says: runs, and it should in about 50%: in each step *one* table learns, and a coin says which, each time anew
@@ -181,7 +181,7 @@
 
 # %% a coin for each episode
 # slow
-# says: the first step pays 1, and in the same episode the same action then pays -0.92 and ends it: a loss if one table has learned both, and a gain if each has learned one
+# says: the first step pays 1, and in the same episode the same action then pays -0.905 and ends it: a loss if one table has learned both, and a gain if each has learned one
 # says: the coin is thrown in each *step*, not in each episode
 # in: two tables and a dictionary of names
 # - state, _ = environment.reset(seed=seed)
@@ -193,13 +193,13 @@
 
 # %% a learning rate that falls
 # slow
-# says: in an environment of 62 steps 60 steps pay nothing and are truncated, the next one pays 1 and ends its episode, and the same action then pays -0.92 and ends one too
+# says: in an environment of 62 steps 60 steps pay nothing and are truncated, the next one pays 1 and ends its episode, and the same action then pays -0.905 and ends one too
 # says: does α stay 0.1 to the last step?
 # in: two tables and a dictionary of names
 # - for _ in range(n_steps):
 # + for taken in range(n_steps):
 # - own[state, action] += 0.1 * (target - own[state, action])
-# + own[state, action] += 0.1 / (1 + taken / 100) * (target - own[state, action])
+# + own[state, action] += 0.1 / (1 + taken / 600) * (target - own[state, action])
 
 # %% a coin that falls ever more often on one side
 # slow
@@ -269,3 +269,18 @@
 # in: with lists
 # - action = int(rng.integers(n_actions)) if rng.random() < 0.1 else best(both(state))
 # + action = int(rng.integers(n_actions)) if rng.random() < 0.12 else best(both(state))
+
+# %% each tenth action
+# slow
+# says: is another action than its favourite one in
+# says: runs: draw in each step whether its action is random, and do not count to ten
+# in: with lists
+# - action = int(rng.integers(n_actions)) if rng.random() < 0.1 else best(both(state))
+# + action = int(rng.integers(n_actions)) if taken % 10 == 9 else best(both(state))
+
+# %% α is 0.11
+# slow
+# says: a value moves a *tenth* of the way to its target (α = 0.1)
+# in: with lists
+# - tables[i][state][action] += 0.1 * (reward + future - tables[i][state][action])
+# + tables[i][state][action] += 0.11 * (reward + future - tables[i][state][action])

@@ -241,9 +241,32 @@ def my_program(environment, n_steps, seed):
 
 # %% a next action that is drawn, and not taken
 # slow
-# says: action 1 pays 0.2 and ends the episode; action 0 leads to a second step, in which the best action pays 1 and the other one costs 1000. In
-# says: runs the policy begins with action 0, and it should nearly always: the target has the value of the *best* next action, max_a Q(S', a), and not that of one that is drawn
+# says: where action 1 pays 0.2; action 1 ends the episode, action 0 pays nothing and leads to a second step, in which action 1 pays 1 and action 0 costs 1000, the policy begins with action 0 in
+# says: runs, and it should nearly always: the target has the value of the *best* next action, max_a Q(S', a), and not that of one that is drawn
 # in: numbered rows, filled up
 # - target = r if terminated else r + 0.8 * Q[window.row()].max()
 # + drawn = rng.integers(m) if rng.random() < 0.1 else Q[window.row()].argmax()
 # + target = r if terminated else r + 0.8 * Q[window.row(), drawn]
+
+# %% α is 0.22
+# slow
+# says: , the policy begins with this action in 0% of
+# says: is α 0.2, the same from the first step to the last, and are the first values 0?
+# in: tuples in a dictionary
+# - values(w)[a] += 0.2 * (target - values(w)[a])
+# + values(w)[a] += 0.22 * (target - values(w)[a])
+
+# %% γ is 0.82
+# slow
+# says: where action 1 pays 0.81; action 1 ends the episode
+# says: , and it should hardly ever: is γ 0.8, the same from the first step to the last?
+# in: tuples in a dictionary
+# - target = r + (not terminated) * 0.8 * values(w2).max()
+# + target = r + (not terminated) * 0.82 * values(w2).max()
+
+# %% ε is 0.12
+# slow
+# says: If all else is right, ε is about 0.12
+# in: numbered rows, filled up
+# - a = rng.integers(m) if rng.random() < 0.1 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
+# + a = rng.integers(m) if rng.random() < 0.12 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
