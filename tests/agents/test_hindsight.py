@@ -161,7 +161,7 @@ def test_what_fits_no_pairs_is_refused() -> None:
             kind.create(environment, **settings)
 
 
-@pytest.mark.parametrize("kind", [eg.HindsightQLearning, eg.HindsightDQN])
+@pytest.mark.parametrize("kind", [eg.HindsightQLearning, pytest.param(eg.HindsightDQN, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(
     "hindsight", [eg.FutureGoals(2), *(pytest.param(other, marks=pytest.mark.slow) for other in STRATEGIES[:2])]
 )

@@ -102,7 +102,10 @@ def test_without_a_bonus_dyna_imagines_only_what_it_has_tried() -> None:
     ("steps", "given", "settings", "tolerance"),
     [
         (0, True, {"learning_rate": 1, "expected_updates": True}, 1e-8),
-        (50_000, False, {"learning_rate": 1, "expected_updates": True, "exploration": EpsilonGreedy(1)}, 0.03),
+        pytest.param(
+            *(50_000, False, {"learning_rate": 1, "expected_updates": True, "exploration": EpsilonGreedy(1)}, 0.03),
+            marks=pytest.mark.slow,
+        ),
         (0, True, {"learning_rate": 0.01, "planning_steps": 200}, 0.1),  # the model as a generator
     ],
 )

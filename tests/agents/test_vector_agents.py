@@ -140,7 +140,9 @@ AGENTS: dict[str, Callable[[Any], Any]] = {
 }
 
 
-@pytest.mark.parametrize("name", AGENTS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "Lagrangian")) for name in AGENTS]
+)
 def test_machine_code_does_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Tables, returns and episodes are those of the interpreter, bit for bit."""
     runs = []

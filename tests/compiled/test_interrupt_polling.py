@@ -16,7 +16,7 @@ EXPECTED = {
     "planning": ["Interrupted"],
     "evaluation": ["Interrupted 0"],
 }
-SLOW = ("in_threads", "vector", "evaluation")
+SLOW = ("in_threads", "vector", "planning", "evaluation")
 
 
 @pytest.mark.parametrize("how", [pytest.param(how, marks=[pytest.mark.slow] * (how in SLOW)) for how in EXPECTED])

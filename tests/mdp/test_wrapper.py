@@ -136,7 +136,9 @@ TASKS: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("make", TASKS.values(), ids=TASKS)
+@pytest.mark.parametrize(
+    "make", [pytest.param(make, id=name, marks=[pytest.mark.slow] * (name == "bins")) for name, make in TASKS.items()]
+)
 def test_machine_code_does_the_same(make: Any) -> None:
     """On random walks: rows, rewards, and the table of a hashed task."""
     one, other = make(), make()

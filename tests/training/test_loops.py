@@ -138,7 +138,10 @@ ARRAY = SWINGER.replace("return 0.5 *", "return np.array([0.5 *").replace("- 0.2
 ON_POLICY = ARRAY.replace("next_state):", "next_state, next_action):").replace("+= action[1]", "+= next_action[1]")
 
 
-@pytest.mark.parametrize("source", [SWINGER, ON_POLICY], ids=["tuples", "arrays, on-policy"])
+@pytest.mark.parametrize(
+    "source",
+    [pytest.param(SWINGER, id="tuples", marks=pytest.mark.slow), pytest.param(ON_POLICY, id="arrays, on-policy")],
+)
 def test_compiled_vectors_are_interpreted_ones(source: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """With observations and actions that are tuples or arrays of real numbers: the same sums."""
     one, other = agents = [cell(source)["Swinger"](np.zeros(4)) for _ in range(2)]

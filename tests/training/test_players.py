@@ -323,7 +323,7 @@ def test_who_is_exploited() -> None:
 @pytest.mark.parametrize(
     ("create", "settings"),
     [
-        (games.MinimaxQ.create, {}),
+        pytest.param(games.MinimaxQ.create, {}, marks=pytest.mark.slow),
         (q_learning, {"discount": 0.9, "initial_value": 1, "exploration": EpsilonGreedy(0.2)}),
     ],
 )

@@ -23,9 +23,7 @@ NO_SENTENCE = re.compile(
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
 LONG_REPORTS = {"several_agents", "search", "model_based"}
 """The lessons whose reports take eight seconds or more."""
-QUICK_CELLS = {
-    "objectives", "loop", "depth", "goals", "own_problem", "offline", "on_off_policy", "stochasticity"
-}  # fmt: skip
+QUICK_CELLS = {"objectives", "loop", "depth", "goals", "own_problem"}
 """The lessons whose cells take some four seconds or less."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
 BOUND = re.compile(
