@@ -1,17 +1,24 @@
-"""Fitted Q, with and without pessimism, by hand."""
+"""Fitted Q, with and without pessimism: by hand, against planning on what the data show, and against the truth."""
 
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from edugym import (
     Dataset,
+    FiniteModel,
+    collect,
     fitted_q_evaluation,
     fitted_q_iteration,
     pessimistic_q_iteration,
+    policy_evaluation,
+    value_iteration,
 )
-from tests.agents.offline import by_hand
+from tests.agents.offline import by_hand, going_on, random_data
+from tests.exact.tasks import random_model, value_of
 from tests.messages import named
 
 
@@ -44,6 +51,66 @@ def test_pessimism_by_hand() -> None:
     assert pessimistic_q_iteration(by_hand(), 1e6, -1.0, 0.5).V.tolist() == [-1, -1, -1]
     plain = pessimistic_q_iteration(by_hand(), 0.0, -9.0, 0.5)
     assert plain.Q.tolist() == fitted_q_iteration(by_hand(), 0.5, unseen=-9.0).Q.tolist()
+
+
+def shown_by(dataset: Dataset, unseen: float) -> FiniteModel:
+    """The task as the data show it: frequencies for probabilities; what is unseen pays that, and ends.
+
+    Rows are those of the dataset, and one more for the end.
+    """
+    n, m = dataset.n_states, dataset.n_actions
+    p, r = np.zeros((n + 1, m, n + 1)), np.zeros((n + 1, m, n + 1))
+    p[:, :, n] = 1.0
+    r[:n, :, n] = unseen
+    for s, a in np.argwhere(dataset.visits > 0):
+        here = (dataset.states == s) & (dataset.actions == a)
+        after = np.where(dataset.terminated[here], n, dataset.next_states[here])
+        p[s, a] = np.bincount(after, minlength=n + 1) / here.sum()
+        sums = np.bincount(after, dataset.rewards[here], n + 1)
+        r[s, a] = np.divide(sums, np.bincount(after, minlength=n + 1), out=np.zeros(n + 1), where=p[s, a] > 0)
+    states = tuple(range(n + 1))
+    ways = np.broadcast_to(np.arange(n + 1), p.shape).copy()
+    first = np.append(np.bincount(dataset.states[dataset.starts], minlength=n) / dataset.n_episodes, 0.0)
+    return FiniteModel(states, dict(enumerate(states)), first, np.arange(n + 1) == n, ways, p, r)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.integers(0, 10**6), st.sampled_from([0.5, 0.9]), st.integers(1, 20), st.sampled_from([-3.0, 0.0, 5.0]))
+def test_agrees_with_planning_on_what_the_data_show(seed: int, discount: float, n: int, unseen: float) -> None:
+    """To 1e-12: value iteration, and the linear equations of a policy, on a model of frequencies."""
+    _, target, _, dataset = random_data(seed, n)
+    model = shown_by(dataset, unseen)
+    found = fitted_q_iteration(dataset, discount, unseen=unseen, tolerance=1e-14)
+    planned = value_iteration(model, discount, tolerance=1e-14)
+    assert found.Q.ravel().tolist() == pytest.approx(planned.Q[:-1].ravel().tolist(), rel=1e-12, abs=1e-12)
+    assert found.start == pytest.approx(planned.start, rel=1e-12, abs=1e-12)
+    evaluated = fitted_q_evaluation(dataset, target, discount, unseen=unseen, tolerance=1e-14)
+    solved = value_of(model, np.vstack([target, np.full(3, 1 / 3)]), discount)
+    assert evaluated.V.tolist() == pytest.approx(solved[:-1].tolist(), rel=1e-12, abs=1e-12)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.integers(0, 10**6), st.floats(0, 5), st.floats(0, 5))
+def test_more_penalty_never_raises_a_value(seed: int, one: float, other: float) -> None:
+    """And no value is below the lowest."""
+    _, _, _, dataset = random_data(seed)
+    few, many = (pessimistic_q_iteration(dataset, penalty, -9.0, 0.9) for penalty in sorted((one, other)))
+    assert (many.Q <= few.Q + 1e-9).all()
+    assert many.Q.min() >= -9
+
+
+@pytest.mark.parametrize("seed", [0, 5])
+def test_with_many_data_the_optimum_comes_out(seed: int) -> None:
+    """And with the penalty too, which goes away with the square root."""
+    model = going_on(random_model(seed, n_actions=3))
+    dataset = collect(model, np.full((4, 3), 1 / 3), 30_000, seed=seed)
+    optimum = value_iteration(model, 0.9)
+    assert np.abs(fitted_q_iteration(dataset, 0.9).Q - optimum.Q)[:3].max() < 0.15
+    assert np.abs(pessimistic_q_iteration(dataset, 1.0, -20.0, 0.9).Q - optimum.Q)[:3].max() < 0.3
+    policy = fitted_q_iteration(dataset, 0.9).greedy_policy()
+    assert fitted_q_evaluation(dataset, policy, 0.9).start == pytest.approx(
+        policy_evaluation(model, policy, 0.9).start, abs=0.1
+    )
 
 
 def test_a_circle_that_pays_never_settles() -> None:

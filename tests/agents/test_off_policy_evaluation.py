@@ -1,4 +1,4 @@
-"""Importance sampling and doubly robust estimates: by hand, and against a second implementation."""
+"""Importance sampling and doubly robust estimates: by hand, against a second implementation, and against the truth."""
 
 from typing import Any
 
@@ -9,11 +9,16 @@ from hypothesis import strategies as st
 
 from edugym import (
     Dataset,
+    FiniteModel,
+    collect,
     doubly_robust,
+    fitted_q_evaluation,
     importance_sampling,
+    policy_evaluation,
 )
 from edugym.agents.off_policy_evaluation import METHODS
 from tests.agents.offline import by_hand, random_data
+from tests.exact.tasks import random_model
 from tests.messages import named
 
 TARGET = np.array([[0.25, 0.75], [1.0, 0.0], [0.5, 0.5]])
@@ -116,6 +121,76 @@ def test_agrees_with_a_second_implementation(seed: int, discount: float, n_episo
     found["robust"] = doubly_robust(dataset, target, Q, discount).value
     found["weighted robust"] = doubly_robust(dataset, target, Q, discount, weighted=True).value
     assert found == {name: pytest.approx(value, rel=1e-12, abs=1e-12) for name, value in expected.items()}
+
+
+def estimates(seed: int, repetitions: int, n_episodes: int) -> tuple[dict[str, Any], float]:
+    """Values and standard errors of all estimators over many datasets, and the truth.
+
+    Half of the time the target policy does what the behaviour policy does: with larger weights the standard error of a
+    single dataset would be too small.
+    """
+    model, target, behaviour, _ = random_data(seed)
+    target = 0.5 * target + 0.5 * behaviour
+    exact = policy_evaluation(model, target, 0.9, horizon=6)
+    found: dict[str, list[Any]] = {}
+    for number in range(repetitions):
+        dataset = collect(model, behaviour, n_episodes, max_steps=6, seed=number)
+        believed = np.random.default_rng(number).normal(size=(4, 3))  # nonsense, and no bias comes of it
+        made = {method: importance_sampling(dataset, target, 0.9, method=method) for method in METHODS}
+        made["robust"] = doubly_robust(dataset, target, believed, 0.9)
+        made["robust, fitted"] = doubly_robust(
+            dataset, target, fitted_q_evaluation(dataset, target, 0.9).Q, 0.9, weighted=True
+        )
+        for name, estimate in made.items():
+            found.setdefault(name, []).append(estimate[:2])
+    return {name: np.array(pairs) for name, pairs in found.items()}, exact.start
+
+
+@pytest.mark.parametrize("seed", [3, 11])
+def test_means_are_the_exact_value(seed: int) -> None:
+    """Those without bias to four standard errors; the weighted ones, whose bias is of order 1/n, to a little more."""
+    found, exact = estimates(seed, 200, 100)
+    for name, pairs in found.items():
+        values, errors = pairs.T
+        slack = 0.05 if "weighted" in name or "fitted" in name else 0.0
+        assert abs(values.mean() - exact) < 4 * values.std() / np.sqrt(len(values)) + slack, name
+        assert errors.mean() == pytest.approx(values.std(), rel=0.25), name
+    spread = {name: pairs[:, 0].std() for name, pairs in found.items()}
+    assert spread["robust, fitted"] < spread["per decision"] < spread["ordinary"]
+
+
+def test_true_values_leave_no_variance_where_there_is_no_chance() -> None:
+    """Doubly robust with the exact Q, in a task without chance."""
+    model = without_chance()
+    target, behaviour = np.random.default_rng(1).dirichlet(np.ones(2), (2, 4))
+    Q = policy_evaluation(model, target, 0.9).Q
+    found = doubly_robust(collect(model, behaviour, 50, seed=1), target, Q, 0.9)
+    assert found.value == pytest.approx(policy_evaluation(model, target, 0.9).start)
+    assert found.standard_error == pytest.approx(0.0, abs=1e-9)
+
+
+def without_chance() -> FiniteModel:
+    """From each state to the next, with a reward for each action, to the end."""
+    model = random_model(5)
+    rewards = np.random.default_rng(5).normal(size=(4, 2, 1))
+    rewards[-1] = 0.0
+    after = np.minimum(np.arange(4) + 1, 3)
+    return model._replace(
+        initial=np.eye(4)[0],
+        successors=np.repeat(after[:, None, None], 2, axis=1),
+        probabilities=np.ones((4, 2, 1)),
+        rewards=rewards,
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_on_its_own_data_a_policy_is_worth_what_it_gathered(method: str) -> None:
+    """Then all weights are 1, and every episode counts."""
+    model, _, behaviour, dataset = random_data(2)
+    found = importance_sampling(dataset, behaviour, 0.9, method=method)
+    assert found.value == pytest.approx(dataset.returns(0.9).mean())
+    assert found.effective_episodes == pytest.approx(dataset.n_episodes)
+    assert len(model.states) == dataset.n_states
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""UCT: its simulations by hand, and beside another implementation."""
+"""UCT: its simulations by hand, beside another implementation, and its choices beside the exact ones."""
 
 import math
 from types import SimpleNamespace
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import UCT, EpsilonGreedy, Greedy, finite_model, train
+from edugym import UCB, UCT, EpsilonGreedy, Greedy, finite_horizon, finite_model, make_mdp, train
 from edugym.agents.search_tree import OUTSIDE, ROOT
 from edugym.mdp.protocol import Random
 from tests.agents.walk import Walk
@@ -46,6 +46,16 @@ def test_three_simulations_by_hand() -> None:
     assert agent.tree.values[ROOT].tolist() == [-1.75, (0.5 + (-1 + (-1 - 1 / 2) / 2)) / 2]
     assert (agent.tree.values[2].tolist(), agent.tree.counts[2].tolist()) == ([0, -1.5], [0, 1])
     assert (agent.tree.n[0], agent.tree.states[:4].tolist(), agent.tree.first[2].tolist()) == (4, [0, 0, 1, 2], [-1, 3])
+
+
+def test_the_upper_bound_is_that_of_the_strategy() -> None:
+    """Q + c √(ln t / N): at c = 1 the action that was tried four times as often needs a lead of 0.77."""
+    agent = corridor(simulations=9)
+    agent.tree.plant(0)
+    for lead, chosen in ((0.6, 1), (0.8, 0)):
+        agent.tree.counts[ROOT], agent.tree.values[ROOT] = [4, 1], [lead, 0.0]
+        assert math.sqrt(math.log(6) / 1) - math.sqrt(math.log(6) / 4) == pytest.approx(0.669, abs=1e-3)
+        assert agent.select(ROOT, np.random.default_rng(0)) == chosen
 
 
 class Plain:
@@ -139,6 +149,24 @@ def test_another_implementation_gives_the_same(given: bool, depth: int, c: float
         assert [q for _, q in other.values()] == pytest.approx(agent.tree.values[ROOT], abs=1e-12)
 
 
+def test_with_many_simulations_it_finds_the_best_action() -> None:
+    """In every state, the values come near those of dynamic programming as many steps ahead; a few are far off."""
+    mdp = Walk(n=6)
+    model, rng = finite_model(mdp), np.random.default_rng(0)
+    exact = finite_horizon(model, 8, 0.7)[8].Q
+    far: list[float] = []
+    for simulations in (20, 2_000):
+        agent = UCT.create(mdp, model=model, simulations=simulations, depth=8, c=1, discount=0.7)
+        actions, errors = [], []
+        for state in range(1, 6):
+            actions.append(agent.greedy(state, rng))
+            assert agent.tree.counts[ROOT].sum() == simulations
+            errors.append(abs(agent.tree.values[ROOT].max() - exact[state].max()))
+        far.append(max(errors))
+    assert actions == exact[1:6].argmax(axis=1).tolist()
+    assert far[1] < 0.06 < far[0]
+
+
 def test_what_the_model_has_never_seen_is_worth_its_initial_value() -> None:
     """0 → 1 for -1 was seen, nothing else: there the simulation ends with 5, or with 5 at once by the other action."""
     agent = UCT.create((3, 2), simulations=50, initial_value=5.0, discount=0.5)
@@ -174,8 +202,28 @@ def test_act_explores_by_its_strategy_and_keeps_the_values_of_the_root() -> None
     assert {wild.act(0, np.random.default_rng(k)) for k in range(20)} == {0, 1}
 
 
+def test_it_shops_by_simulating() -> None:
+    """A few steps before the exit of the Supermarket, with nothing left to get, the way out is found."""
+    mdp = make_mdp("Supermarket")
+    agent = UCT.create(mdp, model=finite_model(mdp), simulations=400, depth=8, c=50)
+    state = 80 * 7 + 8 * 8 + 7  # two steps above the exit, with all three items
+    assert agent.greedy(state, np.random.default_rng(0)) == 1
+
+
 def test_fewer_simulations_than_actions_are_refused() -> None:
     """The root would have actions without a value."""
     with pytest.raises(ValueError, match=named("simulations", "at least 4", "actions", "3")):
         UCT.create((5, 4), simulations=3)
     assert UCT.create((5, 4), simulations=4).simulations == 4
+
+
+def test_it_selects_as_the_strategy_does() -> None:
+    """Which the tests of strategies compare with equation 2.10."""
+    agent = corridor(simulations=9, c=0.7)
+    strategy = UCB.create((4, 2), 0.7)
+    agent.tree.plant(0)
+    agent.tree.values[ROOT] = [0.3, 0.2]
+    one, other = np.random.default_rng(0), np.random.default_rng(0)
+    for _ in range(30):
+        assert agent.select(ROOT, one) == strategy.choose(agent.tree.values, ROOT, other)
+    assert agent.tree.counts[ROOT].tolist() == strategy.counts[ROOT].tolist()
