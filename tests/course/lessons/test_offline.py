@@ -84,7 +84,7 @@ def test_states_of_the_project_have_new_numbers_each_time() -> None:
 
 @pytest.mark.parametrize("riddle", riddles.RIDDLES, ids=lambda riddle: riddle.asks)
 def test_a_riddle_has_one_answer_for_whoever_is_careful(riddle: riddles.Riddle) -> None:
-    """It is the same for half and for twice the penalty, and for any lowest value that no return is below."""
+    """It is the same for small and for large penalties, and for any lowest value that no return is below."""
     for seed in range(3):
         book = riddles.log_book(riddle, np.random.default_rng(seed))
         states, actions, rewards, next_states, terminated = map(np.array, zip(*book.steps, strict=True))
@@ -102,6 +102,6 @@ def test_a_riddle_has_one_answer_for_whoever_is_careful(riddle: riddles.Riddle) 
             n_actions=riddles.N_ACTIONS,
         )
         assert data.returns().min() >= -90
-        for penalty, lowest in ((1.0, -90.0), (2.0, -90.0), (4.0, -90.0), (2.0, -1000.0)):
+        for penalty, lowest in ((0.3, -90.0), (2.0, -90.0), (5.0, -90.0), (2.0, -1000.0)):
             Q = pessimistic_q_iteration(data, penalty, lowest).Q
             assert Q[book.first].argmax() == riddle.right, (seed, penalty, lowest)

@@ -72,22 +72,16 @@ def _of_all_nights(n_rooms: int = 14) -> Riddle:
 
 RIDDLES = (
     Riddle(
-        ((79, ((FIRST, 2, 1.0),)), (1, ((FIRST, 1, 1.6),))),  # a penalty of 0.7 or more
+        ((79, ((FIRST, 2, 1.0),)), (1, ((FIRST, 1, 1.1),))),
         right=2,
-        shows="action 2 brought 1 in each of 79 nights, and action 1 brought 1.6 in one night",
-        asks=(
-            "what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps, and 2 for"
-            " one step"
-        ),
+        shows="action 2 brought 1 in each of 79 nights, and action 1 brought 1.1 in one night",
+        asks="what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps",
     ),
     Riddle(
-        ((70, ((FIRST, 0, 1.0),)), (10, ((FIRST, 1, 2.4),))),  # a penalty of 7 or less
+        ((70, ((FIRST, 0, 1.0),)), (10, ((FIRST, 1, 6.0),))),
         right=1,
-        shows="action 0 brought 1 in each of 70 nights, and action 1 brought 2.4 in each of 10",
-        asks=(
-            "what counts is the *mean* of the targets, not their sum or their number; a penalty of 2 is small beside"
-            " that"
-        ),
+        shows="action 0 brought 1 in each of 70 nights, and action 1 brought 6 in each of 10",
+        asks="what counts is the *mean* of the targets, not their sum or their number; a penalty is small beside that",
     ),
     Riddle(
         (

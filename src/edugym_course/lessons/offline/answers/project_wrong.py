@@ -22,7 +22,7 @@
 # + for s, a, *_ in steps:
 
 # %% imitation
-# says: what counts is the *mean* of the targets, not their sum or their number; a penalty of 2 is small beside that
+# says: what counts is the *mean* of the targets, not their sum or their number; a penalty is small beside that
 # in: sums and counts
 # - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
 # + Q = counts
@@ -77,7 +77,7 @@ my_program = [0, 1, 2]
 # says: ). But in another log-book
 # says: , and in the first state the program takes action
 # says: instead of
-# says: what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps, and 2 for one step
+# says: what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps
 # in: sums and counts
 # - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
 # + Q = np.where(counts > 0, np.maximum(lowest, sums / n), lowest)
@@ -173,15 +173,3 @@ def my_program(steps, n_states, n_actions, seed):
 # - for s, a, *_ in steps:
 # + steps = steps[:-10]
 # + for s, a, *_ in steps:
-
-# %% a tenth of the penalty
-# says: what rests on one step is little to go by
-# in: sums and counts
-# - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
-# + Q = np.where(counts > 0, np.maximum(lowest, sums / n - 0.2 / np.sqrt(n)), lowest)
-
-# %% ten times the penalty
-# says: a penalty of 2 is small beside that
-# in: sums and counts
-# - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
-# + Q = np.where(counts > 0, np.maximum(lowest, sums / n - 20.0 / np.sqrt(n)), lowest)
