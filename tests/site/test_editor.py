@@ -208,13 +208,7 @@ def test_of_another_task_no_game_is_shown() -> None:
     assert not any(map(len, games))
 
 
-@pytest.mark.parametrize(
-    "race",
-    [
-        pytest.param(race, id=race.environment, marks=[pytest.mark.slow] * (race.environment == "Supermarket"))
-        for race in RACES
-    ],
-)
+@pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
 def test_games_are_pictures_of_the_page(race: Race) -> None:
     """Every moment of a game is one that the page can draw."""
     mdp, where = race.mdp(race.strength.first), MAPS[race.environment]

@@ -24,7 +24,7 @@ NO_SENTENCE = re.compile(
 LONG_REPORTS = {"several_agents", "search", "model_based"}
 """The lessons whose reports take eight seconds or more."""
 QUICK_CELLS = {"objectives", "loop", "depth", "goals", "own_problem"}
-"""The lessons whose cells take some four seconds or less."""
+"""The lessons whose cells take some three seconds or less."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
 BOUND = re.compile(
     r"at (?:least|most) ([\d.]+)|up to ([\d.]+)(?=,|$)|within ([\d.]+) of each|([\d.]+) or more"
