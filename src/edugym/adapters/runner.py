@@ -25,8 +25,10 @@ from edugym.system.interrupts import SignalGuard
 Loop = Callable[..., int]
 REHEARSED = 100  # copies
 STORING = ("STORE_SUBSCR", "STORE_SLICE", "DELETE_SUBSCR")
-IN_PLACE = frozenset({"copyto", "fill", "partition", "place", "put", "put_along_axis", "putmask", "shuffle", "sort"})
-"""Functions and methods that change an array that they are given."""
+IN_PLACE = {"fill", "partition", "put", "shuffle", "sort"} | {
+    name for name, value in vars(np).items() if isinstance(value, np.ufunc)
+}
+"""Functions and methods that may change an array that they are given: a ufunc may be given one for its result."""
 MOST_CHANGES = 3  # so often is machine code rebuilt because the student's code changed
 
 
@@ -204,7 +206,7 @@ def _may_change_arrays(code: CodeType) -> bool:
     return any(
         instruction.opname in STORING
         or (instruction.opname == "BINARY_OP" and instruction.argrepr.endswith("="))
-        or instruction.argval in IN_PLACE
+        or (instruction.opname in ("LOAD_ATTR", "LOAD_METHOD") and instruction.argval in IN_PLACE)
         for instruction in dis.get_instructions(code)
     ) or any(_may_change_arrays(constant) for constant in code.co_consts if isinstance(constant, CodeType))
 
