@@ -393,9 +393,10 @@ for method in causes.methods:
 # </details>
 
 # %% [markdown]
-# The two reasons multiply. At a frontier of 40, one climb in eight gets back, and one visit in twenty takes the right
-# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips end the
-# climbs, and slips are what it needs at the frontier. (Exercise 3 mends both.)
+# So novelty stalls for two reasons, the way back and the grip, and they multiply. At a frontier of 40, one climb in
+# eight gets back, and one visit in twenty takes the right grip: that makes about 150 climbs after each wrong first try.
+# And the two pull in opposite directions: slips end the climbs, and slips are what it needs at the frontier. (Exercise
+# 3 mends both.)
 #
 # *Returning first* is not the only way: in exercise 2 an agent solves walls without it.
 
@@ -474,7 +475,7 @@ no_slips.measured(highest_visited(0.0))
 # **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: its highest position is about 1. After the first
 # wrong grip the untried one looks worse for ever, and there is no slip that would try it. The novelty reward pulls the
 # agent back to its frontier, and a random step takes it beyond. With values that start at 10 it needs no random step: then
-# it gets to the top of all walls even with $\varepsilon = 0$. Exercise 2 shows how far that idea carries.
+# its frontier gets to the top of all walls even with $\varepsilon = 0$. Exercise 2 shows how far that idea carries.
 # </details>
 
 # %% [markdown]
@@ -617,8 +618,8 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 # **Measured.** It is optimism. With $\alpha = 1$ it solves both walls, it first gets to the top sooner than Go-Explore, and
 # it is not behind in the evaluations: level with two grips, ahead with three. (With $\alpha = 0.5$, in your race above, it
 # rarely solves the high wall: each disappointment then takes only half of the optimism away.) We think that it is ahead
-# since it tries each grip as often as it needs to, where Go-Explore reaches for random ones, and so for some that it has
-# tried. With more grips both take longer: with four, neither gets to the top in 20 000 steps.
+# since Go-Explore reaches for random grips, and so also for some that it has tried. With more grips both take longer:
+# with four, neither gets to the top in 20 000 steps.
 # </details>
 #
 # <details><summary>A trap: values that are equal but for rounding</summary>
