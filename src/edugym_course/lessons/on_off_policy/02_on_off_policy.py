@@ -68,8 +68,8 @@ env.scene()
 # An episode *terminates* at the target, by a fall, and by a stall. After 50 steps it is *truncated*. The *return* is
 # the sum of the rewards.
 #
-# These methods are the environment. (`rng` draws random numbers, which the road does not need. `stop_zone` is 0 until
-# the end of the lesson.)
+# These methods are the environment. (`rng` draws random numbers, which the road does not need. `stop_zone` is 0,
+# except in the last aside.)
 
 # %%
 source(type(env.mdp), "transition", "reward", "terminal", "has_failed")
