@@ -666,8 +666,9 @@ off_policy.off_policy_sheet()
 # The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum. There are two remedies.
 #
 # - **Importance sampling** weights each target by a ratio that makes its mean right again. The price is a standard
-#   deviation as large as the optimum itself (exercise 2). In the left panel its line lies on that of cutting, at 0.
-# - **Cutting** the target at the first exploring action keeps the mean right and adds no variance (exercise 3).
+#   deviation even larger than the optimum itself (exercise 2). In the left panel its line lies on that of cutting, at 0.
+# - **Cutting** the target at the first exploring action, with the best value of that state at its end, keeps the mean
+#   right and adds no variance (exercise 3).
 
 # %% [markdown]
 # ## Predict, then check
@@ -697,7 +698,7 @@ suffers.measured(max(loss, key=loss.get))
 # **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
 # suffer. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*, and where it had passed
 # once, it passes in the end. So for Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$
-# it is something of both, as the first aside below counts.)
+# it is something of both.)
 # </details>
 #
 # Before you say "variance", or "exploration", take the runs apart. (The first aside below does so.)
@@ -727,8 +728,8 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All of them. Monte Carlo does not lose what it found. The others keep less of what they met: such a run has
-# typically passed once or twice (in brackets), and one pass moves the values of $n$ days only.
+# **Measured.** All of them. Monte Carlo does not lose what it found. The others lose some. A run that lost the
+# exam had typically passed it once or twice (in brackets), and one pass moves the values of $n$ days only.
 #
 # Why does one-step SARSA meet the exam in more runs? All values start at 0, and every action has a price, so what was
 # not tried looks better. One-step SARSA hands this back too: it goes where untried actions are (optimistic values, Sutton and
