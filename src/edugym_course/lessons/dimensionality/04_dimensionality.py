@@ -323,7 +323,7 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 #
 # The columns and the levels matter most. On five columns without noise every setting of the other three that we
 # tried came to 1 within 3 000 steps. One reason may be that only the column of the ball is random: an outcome that was
-# seen once stays true, so a large $\alpha$ does no harm there. With 16 levels it does some: $\alpha = 1$ ended at 0.71
+# seen once stays true, so a large $\alpha$ does no harm there. With 16 levels $\alpha = 1$ ended at 0.71
 # and $\varepsilon = 1$ at 0.70, instead of 0.81. (In 60 runs it was 0.68, 0.76 and 0.84.) </details>
 
 # %% [markdown] tags=["aside"]
@@ -514,8 +514,8 @@ for row in touched:
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
 # network on pixels shares much between boards that have most pixels in common, as with noise. But a ball in column 1
 # and a ball in column 2 light different pixels, so no weight that reads the ball is shared. Ball minus paddle shares
-# all that matters, and there a person has done the work. (So has whoever chose the CNN of an aside, in which no weight
-# belongs to a column: it catches the withheld balls.)
+# all that matters, and there a person has done the work. (A person also chose the form of the CNN in
+# an aside, in which no weight belongs to a column. It catches nearly all withheld balls.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the paddle goes instead
