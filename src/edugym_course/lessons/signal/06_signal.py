@@ -203,7 +203,7 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # </details>
 #
 # A player who obeys follows wrong words too, and so leaves needs that differ more: the lead of the most urgent one is
-# two to five times as large. So on *its* toy a word carries more. Move the noise, and see both counts on one axis.
+# two to five times as large. So on *its* toy a word carries more. Move the noise, and see the bits of both toys.
 
 # %%
 sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
@@ -281,7 +281,7 @@ Sheet("answers", [panels[:2], panels[2:]])
 # How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When
 # does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
 # ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
-# the same player). (10 repetitions of 200 000 steps. With fewer than four words some are *ambiguous*: they mean two
+# the same player). (10 repetitions of 200 000 steps. With $H$ below 4 some words are *ambiguous*: they mean two
 # needs or more. The two players then do not know which one either.)
 
 
