@@ -294,7 +294,7 @@ sliders(
 #
 # Up to about 0.0075 all three play alike. With $\beta = 5$ the averse player falls to 0.66, and the seeking player
 # gains nothing. With $\alpha = 1$ the averse player falls to 0.73 and the seeking one to 0.67; the neutral one stays at
-# 0.81. That is as the weight goes up to 2: with $\alpha = 1$ a value jumps beyond its target. With $\alpha = 0.5$ no
+# 0.81. The weight goes up to 2, so with $\alpha = 1$ a value can jump beyond its target. With $\alpha = 0.5$ no
 # step is so long, and the two earn 0.79 and 0.86.
 # </details>
 
@@ -540,7 +540,7 @@ for label, one in players.items():
 # All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the
 # other combinations. With one change alone, about two thirds of the runs take the risk. With longer training and one of
 # the other two it is as many. With good first values and smaller steps alone all runs do, but their mean is 0.85: they
-# are not done learning. So the price of noise is all three.
+# are not done learning. So it takes all three.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: "Risk-seeking pays"?
@@ -683,8 +683,8 @@ rate.measured(seen)
 # **Measured.** It hardly ever arrives. (The bands are wide, as there are 6 runs only.) With $\alpha = 1$ a value is the
 # *last* target, and not a mean. Where nothing is random, the last target is the best one. On slippery ice it is one
 # draw of a lottery, and the greedy action changes with every draw. A learning rate below 1 takes a mean, and that takes
-# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. With a constant learning rate chance
-# forces this exchange on a learner: fast, or accurate. (A rate that falls, such as one over the number of visits, is
+# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. Where there is chance, a learner
+# with a constant rate is fast or accurate, not both. (A rate that falls, such as one over the number of visits, is
 # fast first and accurate later; Sutton and Barto, section 2.5.)
 # </details>
 
