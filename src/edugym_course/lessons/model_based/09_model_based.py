@@ -178,9 +178,8 @@ source(PrioritisedSweeping, "plan")
 
 # %% [markdown]
 # ### See it spread
-# A shopper walks at random and finds the exit after 518 steps (here without the limit of 500), with an empty bag. Three
-# learners have seen that walk ($\alpha = 1$). Now the second plans with random updates, the third with prioritised
-# sweeping.
+# A shopper walks at random and finds the exit after 518 steps (here without the limit of 500), with an empty bag.
+# Q-learning, Dyna and prioritised sweeping have seen that walk ($\alpha = 1$). Now the last two plan.
 #
 # **Predict.** After 200 updates, who knows a way from the entrance to the exit?
 
@@ -406,8 +405,8 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # ## See inside: knowing and planning are two things
 #
 # Why do planners end lower? Perhaps they plan badly: their tables do not say what their models know. Or they know too
-# little. To tell, take the experience of a run and *plan with it until nothing changes any more*. What does the best
-# plan return that uses only actions which the run has tried?
+# little. To tell, take the experience of a run and *plan with it until nothing changes any more*. If a plan
+# may use only what the run has tried, what does the best one return?
 #
 # **Predict.** Dyna-10 ends with a return of about 83. What does the best plan by what it has seen return?
 
