@@ -20,6 +20,13 @@ IN_A_BROWSER = [
 ]
 
 
+def faults(driver: Any, axe: str) -> list[Any]:
+    """What on the open page, without those within it, breaks axe's rules, WCAG AA among them."""
+    driver.execute_script(axe)
+    found = driver.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
+    return [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+
+
 class Reader:
     """Somebody who uses the page."""
 

@@ -12,7 +12,7 @@ import pytest
 from races import BOULDER, RACES
 
 from tests.course.lab.browser import chromium, until
-from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader
+from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader, faults
 
 pytestmark = IN_A_BROWSER
 
@@ -25,8 +25,10 @@ def at(selector: str) -> str:
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("size", [WIDE, PHONE], ids=["wide", "phone"])
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
-def test_a_race_is_run_to_its_end(race: Any, size: tuple[int, int], theme: str, address: str, browser: Any) -> None:
-    """A reader bets and runs; a verdict follows; the picture has been drawn on."""
+def test_a_race_is_run_to_its_end(
+    race: Any, size: tuple[int, int], theme: str, address: str, browser: Any, axe: str
+) -> None:
+    """A reader bets and runs; a verdict follows; the picture has been drawn on. Nothing has a fault, also in folds."""
     reader = Reader(browser, f"{address}#task={race.environment}", size, theme)
     assert reader("document.documentElement.dataset.theme") == theme
     assert reader.text("#question") == race.question
@@ -42,6 +44,8 @@ def test_a_race_is_run_to_its_end(race: Any, size: tuple[int, int], theme: str, 
     reader.check()
     assert reader("window.shift") < 0.003  # opened and raced once: nothing moves
     reader.photograph(f"{race.environment}-{size[0]}-{theme}")
+    reader("document.querySelectorAll('details').forEach(fold => { fold.open = true })")
+    assert not faults(browser, axe)
 
 
 def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
@@ -125,8 +129,8 @@ def test_other_luck_is_other_luck(address: str, browser: Any) -> None:
 
 
 @pytest.mark.parametrize("race", RACES, ids=lambda race: race.environment)
-def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
-    """With keys and by clicks, to the end of a game; blind, the picture is hidden; and R begins anew."""
+def test_a_person_plays(race: Any, address: str, browser: Any, axe: str) -> None:
+    """With keys and by clicks, to the end of a game; blind, without the picture; R begins anew. Nothing has a fault."""
     from selenium.webdriver.common.keys import Keys
 
     reader = Reader(browser, f"{address}#task={race.environment}&play=true")
@@ -155,6 +159,7 @@ def test_a_person_plays(race: Any, address: str, browser: Any) -> None:
     assert reader.text("#seen").startswith(("The agent sees: ", "In numbers: "))
     assert all(name in reader.text("#seen") for name in race.numbers)
     body.send_keys(Keys.TAB)
+    assert not faults(browser, axe)
     reader.check()
 
 

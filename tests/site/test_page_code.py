@@ -7,7 +7,7 @@ import pytest
 from races import BOULDER, RACES
 
 from tests.course.lab.browser import until
-from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader
+from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader, faults
 
 pytestmark = IN_A_BROWSER
 
@@ -161,9 +161,7 @@ def test_a_reader_writes_with_keys(size: tuple[int, int], theme: str, address: s
     for _ in range(9):
         ActionChains(browser).key_down(Keys.CONTROL).send_keys("z").key_up(Keys.CONTROL).perform()
     assert reader(f"{FIELD}.text").startswith("class MyAgent")
-    browser.execute_script(axe)
-    found = browser.execute_async_script("axe.run().then(arguments[0])")
-    assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+    assert not faults(browser, axe)
     press(Keys.TAB)
     assert reader("document.activeElement.className") == "cm-content"
     press(Keys.ESCAPE, Keys.TAB)

@@ -18,6 +18,7 @@ import repository
 import versions
 
 from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
+from tests.site.reader import faults
 from tests.site.serving import served
 
 PAGES = [
@@ -208,9 +209,7 @@ def test_a_page_can_be_read_by_everybody(browser: Any, address: str, axe: str, p
     for width in WIDTHS[:2]:
         for theme in ("light", "dark"):
             opened(browser, address, page, width, theme)
-            browser.execute_script(axe)
-            found = browser.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
-            assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+            assert not faults(browser, axe)
 
 
 @needs_browser
@@ -221,9 +220,7 @@ def test_a_reader_of_an_old_version_finds_the_newest(browser: Any, published: Pa
             for theme in ("light", "dark"):
                 opened(browser, address, "0.0.1/environments/boulder", width, theme)
                 browser.execute_script("document.querySelector('details.versions').open = true")
-                browser.execute_script(axe)
-                found = browser.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
-                assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+                assert not faults(browser, axe)
                 asked = browser.execute_script("return performance.getEntries().map(entry => entry.name)")
                 assert not [name for name in asked if "://" in name and not name.startswith(address)]
         browser.execute_script("document.querySelector('.versions li:first-child a').click()")
@@ -251,9 +248,7 @@ def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: 
     browser.execute_script("speed.value = 9; speed.dispatchEvent(new Event('input')); run.click()")
     until(lambda: browser.execute_script("return run.textContent === 'Run'"), "the end of the race")
     until(lambda: browser.execute_script(hidden) == 0, "its height")
-    browser.execute_script(axe)
-    found = browser.execute_async_script("axe.run().then(arguments[0])")
-    assert not [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
+    assert not faults(browser, axe)
     browser.switch_to.default_content()
     assert browser.execute_script("return scrollY") == 0
 
