@@ -3,6 +3,7 @@
 import shutil
 import subprocess
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import playground
@@ -35,14 +36,20 @@ def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
     return (folder / "package" / "axe.min.js").read_text(encoding="utf-8")
 
 
-@pytest.fixture(scope="module")
-def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The whole playground, with the kernels that `make site` has left."""
     folder = tmp_path_factory.mktemp("playground")
     if (playground.BUILT / "kernels").exists():
         shutil.copytree(playground.BUILT / "kernels", folder / "kernels")
     playground.build(folder)
-    with served(folder) as address:
+    return folder
+
+
+@pytest.fixture(scope="module")
+def address(built: Path) -> Iterator[str]:
+    """The whole playground, served."""
+    with served(built) as address:
         yield address
 
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
-import playground
 import previews
 import pytest
 import repository
@@ -46,16 +45,15 @@ pytestmark = [
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The website; Sphinx's warnings are errors. Its playground is the one that `make site` has left, if any."""
+def site(built: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The website; Sphinx's warnings are errors."""
     import website
 
     folder = tmp_path_factory.mktemp("website")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", PendingDeprecationWarning)  # what Sphinx and MyST say to each other
         assert website.write_pages(folder, jobs=1) == 0
-    if (playground.BUILT / "data").exists():
-        shutil.copytree(playground.BUILT, folder / "html" / "playground")
+    shutil.copytree(built, folder / "html" / "playground")
     return folder / "html"
 
 
@@ -183,12 +181,6 @@ def opened(driver: Any, address: str, page: str, width: int = 1400, theme: str =
     until(lambda: driver.execute_script("return document.readyState === 'complete'"), "the page")
 
 
-def require_playground(driver: Any) -> None:
-    """Skip what needs the playground, where the website that is open was built without it."""
-    if driver.execute_script("return fetch('/playground/data/playground.json').then(answer => !answer.ok)"):
-        pytest.skip("there is no playground: make site")
-
-
 @needs_browser
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: str, page: str) -> None:
@@ -237,7 +229,6 @@ def test_a_reader_of_an_old_version_finds_the_newest(browser: Any, published: Pa
 def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: str, page: str, width: int) -> None:
     """It is as high as what it shows, before a race and after it; it moves no page around it, and has no fault."""
     opened(browser, address, page, width)
-    require_playground(browser)
     assert browser.execute_script("return document.querySelectorAll('iframe').length") == 1
     browser.execute_script("document.querySelector('iframe').loading = 'eager'")
     browser.switch_to.frame(browser.find_element("tag name", "iframe"))
@@ -257,7 +248,6 @@ def test_nothing_scrolls_within_the_playground(browser: Any, address: str, axe: 
 def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
     """Nothing of the race is loaded before it is opened; then its sliders set the task, and the agents learn it."""
     opened(browser, address, "lessons/01_exploration")
-    require_playground(browser)
     loaded = "return document.querySelector('.live iframe').contentDocument?.body?.childElementCount ?? 0"
     assert browser.execute_script(loaded) == 0
     browser.execute_script("const fold = document.querySelector('.live'); fold.open = true; fold.scrollIntoView()")
@@ -322,7 +312,6 @@ def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> Non
 def test_the_first_race_is_there_before_the_films(browser: Any, address: str) -> None:
     """What the first race needs is not behind a megabyte of films; they come when it shows its agents."""
     opened(browser, address, "index")
-    require_playground(browser)
     films = "document.querySelectorAll('.gallery img')"
     until(lambda: browser.execute_script(f"return [...{films}].every(film => film.naturalWidth)"), "the films")
     begun, there = browser.execute_script(
