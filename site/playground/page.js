@@ -1,7 +1,6 @@
 // The page: it puts together menu, race, settings, link and game. What it knows of tasks comes from data/, written by
 // the package; what it shows is in one `state`, which is what a link holds, and the reader's `bet`.
 
-import { Editor } from './editor.js'
 import { chart, short } from './chart.js'
 import { read, write } from './link.js'
 import { Lane } from './lane.js'
@@ -22,7 +21,9 @@ const SENT = 'The link holds this race as it was run'
 let state, aside, raced, written, race, task, bet = null, running = false, charted = 0
 const lanes = [0, 1, 2].map(k => new Lane(k, { onAgent, onBet, onLook }))
 const play = new Play(find)
-const editor = data.editor && new Editor(find, data, onCode) // where npm does not answer, the page is built without
+// Where npm does not answer, the page is built without an editor, and where the first race alone is shown, it needs none.
+const needed = data.editor && !('first' in document.documentElement.dataset)
+const editor = needed ? new (await import('./editor.js')).Editor(find, data, onCode) : null
 lanes.forEach(lane => find('lanes').append(lane.article))
 
 // Menus that do not depend on the task

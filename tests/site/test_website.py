@@ -1,7 +1,9 @@
 """The website as a reader gets it: built without a warning, whole, alone in the world, and readable by everybody."""
 
+import gzip
 import importlib.util
 import json
+import math
 import re
 import shutil
 import warnings
@@ -309,18 +311,25 @@ def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> Non
 
 
 @needs_browser
-def test_the_first_race_is_there_before_the_films(browser: Any, address: str) -> None:
-    """What the first race needs is not behind a megabyte of films; they come when it shows its agents."""
-    opened(browser, address, "index")
-    films = "document.querySelectorAll('.gallery img')"
-    until(lambda: browser.execute_script(f"return [...{films}].every(film => film.naturalWidth)"), "the films")
-    begun, there = browser.execute_script(
-        """const race = document.querySelector('iframe').contentWindow.performance
-           const of = (page, part) => page.getEntriesByType('resource').filter(({ name }) => name.includes(part))
-           return [Math.min(...of(performance, '.gif').map(({ startTime }) => startTime)) + performance.timeOrigin,
-                   of(race, 'data/').at(-1).responseEnd + race.timeOrigin]"""
-    )
-    assert there < begun
+def test_the_first_race_is_soon_there(site: Path) -> None:
+    """All that is asked for before the films, which wait for it, is below 100 kB; it is seen within a second."""
+    asked, times = list[str](), list[float]()
+    films = "return [...document.querySelectorAll('.gallery img')].every(film => film.naturalWidth)"
+    seen = """const { performance: race } = document.querySelector('iframe').contentWindow
+              const drawn = race.getEntriesByName('first-contentful-paint')[0] // all is hidden until it is there
+              return drawn && drawn.startTime + race.timeOrigin - performance.timeOrigin"""
+    with served(site, asked) as address, chromium() as driver:
+        opened(driver, address, "index")
+        until(lambda: driver.execute_script(films), "the films")
+        paths = [urlsplit(path).path[1:] for path in asked]
+        before = {*paths[: [path.endswith(".gif") for path in paths].index(True)]}
+        driver.execute_cdp_cmd("Network.setCacheDisabled", {"cacheDisabled": True})
+        while min(times, default=math.inf) >= 1_000 and len(times) < 10:  # others need the processor too
+            opened(driver, address, "index")
+            times.append(until(lambda: driver.execute_script(seen), "the race"))
+    assert {path.rpartition(".")[2] for path in before} == {"html", "css", "js", "json", "wasm", "svg"}
+    assert sum(len(gzip.compress((site / path).read_bytes())) for path in before) < 100_000
+    assert min(times) < 1_000
 
 
 @needs_browser
