@@ -67,6 +67,8 @@ measured.
 
 {reference}
 """
+NO_RACE = "It is in no race of the playground."
+NO_VALUES = " The pictures there show what an agent expects of each action, and this one has preferences instead."
 SHOWN = ("learn", "act")
 """The methods that are the algorithm."""
 
@@ -99,7 +101,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         ladders=agent_profiles.with_ladders(),
         take=" ".join(_taken(name)),
         profile="\n\n".join(_fares(name)),
-        races="\n".join(_raced(kind)) or "It is in no race of the playground.",
+        races="\n".join(_raced(kind)) or NO_RACE + NO_VALUES * ("preferences" in kind._fields),
         lessons="\n".join(_used(name, lessons))
         or "No lesson uses it. Try it in one of them, in place of another agent.",
         reference=described(name, kind, docstring=summary(kind)),

@@ -41,6 +41,7 @@ USUAL = {
     edugym.NStepSARSA: ("n-step SARSA", "looks four rewards ahead"),
     edugym.TreeBackup: ("tree backup", "looks four steps ahead, without its slips"),
     edugym.QLambda: ("Q(λ)", "hands rewards back over many steps"),
+    edugym.SARSALambda: ("SARSA(λ)", "hands rewards back over many steps, slips included"),
     edugym.DynaQ: ("Dyna-Q", "replays ten old steps after each new one"),
     edugym.PrioritisedSweeping: ("prioritised sweeping", "replays old steps, those first that change most"),
     edugym.RMax: ("R-max", "expects wonders of all that it does not know"),
@@ -128,7 +129,7 @@ STUDY = Race(
         Agent("one step", "hands a reward back one day at a time", edugym.NStepSARSA, {**STUDYING, "n": 1}),
         Agent("five steps", "hands it back five days at once", edugym.NStepSARSA, {**STUDYING, "n": 5}),
         Agent("Monte Carlo", "hands it back to the first day at once", edugym.NStepSARSA, {**STUDYING, "n": math.inf}),
-        *usual(STUDYING, edugym.QLearning, edugym.QLambda, edugym.TreeBackup),
+        *usual(STUDYING, edugym.QLearning, edugym.QLambda, edugym.TreeBackup, edugym.SARSALambda),
     ),
     depth.N_STEPS,
     Strength("total_days", (6, 8, 10, 15, 20, 30), 2),
@@ -217,6 +218,8 @@ TRASHBOT = Race(
     is_finite=False,
     seeds=5,
     actions=tuple(f"arm {upper} hand {fore}" for upper in "↻·↺" for fore in "↻·↺"),
+    answer="The lesson also has an agent that names the angle itself. It does not race: the pictures here show what an "
+    "agent expects of each choice, and it has no choices.",
 )
 GOLFING = learning(stochasticity)
 GOLF = Race(
