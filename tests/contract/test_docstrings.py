@@ -65,3 +65,12 @@ def test_spaces(entry: Entry) -> None:
     env = entry.load()()
     for heading, space in (("Observation space", env.observation_space), ("Action space", env.action_space)):
         assert f"`{type(space).__name__}(" in sections(entry)[heading]
+
+
+@every_environment
+def test_end(entry: Entry) -> None:
+    """An episode that terminates at its step limit is not truncated, and the section on its end says so."""
+    end = sections(entry)["Episode end"]
+    assert "Terminated" not in end or re.search(
+        r"; else truncated\s+after|never\s+truncated|no episode\s+is truncated", end
+    )

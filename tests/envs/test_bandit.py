@@ -1,5 +1,6 @@
 """Bandit: pulls on paper, the best return, and arms that drift."""
 
+import re
 from math import nan
 
 import numpy as np
@@ -86,6 +87,14 @@ def test_drift() -> None:
     assert model.r == pytest.approx(np.full((3, 3), 0.3) + 0.4 * np.eye(3))
     assert model.observations().tolist() == [0, 0, 0]
     assert mdp.reward_threshold is None
+
+
+def test_the_layout_is_drawn_as_the_docstring_says() -> None:
+    """Whoever reads it knows the best arm."""
+    (drawn,) = re.findall(r"^ *`(numpy.*)`\.$", Bandit.__doc__ or "", re.MULTILINE)
+    for layout_seed, n_arms in ((0, 10), (7, 4), (10**9, 1000)):
+        best = eval(drawn, {"numpy": np, "layout_seed": layout_seed, "n_arms": n_arms})
+        assert Bandit.create(n_arms, layout_seed=layout_seed).first_best == best
 
 
 def test_layouts_differ() -> None:

@@ -52,6 +52,13 @@ def test_exploitability_by_hand(game: Any, policies: Any, returns: tuple[float, 
     assert games.exploitability(model, policies) == pytest.approx(gain, abs=1e-12)
 
 
+@pytest.mark.parametrize("kind", MatrixGame.__subclasses__())
+def test_a_docstring_numbers_the_actions(kind: Any) -> None:
+    """As they are numbered in the game."""
+    names = kind.create().action_names
+    assert f"Actions: {', '.join(f'{number} {name}' for number, name in enumerate(names))}." in (kind.__doc__ or "")
+
+
 def weights(n: int) -> st.SearchStrategy[Any]:
     """Policies of so many actions."""
     return st.lists(st.integers(0, 5), min_size=n, max_size=n).filter(any).map(lambda w: policy(*np.divide(w, sum(w))))

@@ -61,7 +61,8 @@ class Bandit(NamedTuple):
       at 1 the best arm always pays, and the others never do.
     - `drift` (0.0): the probability, at each step, that another arm becomes the best one; from 0 to 1.
     - `max_steps` (1000): the number of steps after which an episode is truncated, from 1 to 2^62.
-    - `layout_seed` (0): the seed from which the best arm of the start is drawn, uniformly; 0 or more.
+    - `layout_seed` (0): the seed from which the best arm of the start is drawn, uniformly; 0 or more. That arm is
+      `numpy.random.default_rng(layout_seed).integers(n_arms)`.
 
     ## Info
     - `best_arm`: the arm that is the best one now.

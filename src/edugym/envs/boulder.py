@@ -50,7 +50,7 @@ class Boulder(NamedTuple):
     The ground.
 
     ## Episode end
-    Terminated at the top; truncated after `max_steps` steps.
+    Terminated at the top; else truncated after `max_steps` steps.
 
     ## Parameters
     - `height` (10): H, the height of the wall, from 1 to one million. To reach the top, the climber must choose the

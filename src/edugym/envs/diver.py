@@ -60,7 +60,7 @@ class Diver(NamedTuple):
     At the surface in the first column: state 0.
 
     ## Episode end
-    Terminated when a treasure is picked up; truncated after `max_steps` steps.
+    Terminated when a treasure is picked up; else truncated after `max_steps` steps.
 
     ## Parameters
     - `concavity` (0.5): c, from 0 to 1.

@@ -66,7 +66,7 @@ class MemoryCorridor(NamedTuple):
     A corridor of length 1, whose only right door is marked.
 
     ## Episode end
-    Terminated by a wrong door; truncated after `max_steps` steps.
+    Terminated by a wrong door; else truncated after `max_steps` steps.
 
     ## Parameters
     - `num_doors` (3): at every place, from 2 to 1000; more doors make more states, but no more places to remember.

@@ -62,7 +62,7 @@ class Roadrunner(NamedTuple):
     At x = 0 with a speed of 0.
 
     ## Episode end
-    Terminated at T, by a fall, by a stall, or on coming to one of the `stop_zone` cells before T; truncated after
+    Terminated at T, by a fall, by a stall, or on coming to one of the `stop_zone` cells before T; else truncated after
     `max_steps` steps.
 
     ## Parameters

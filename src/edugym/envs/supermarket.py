@@ -67,7 +67,7 @@ class Supermarket(NamedTuple):
     At the entrance, (y, x) = (0, 1), with nothing collected.
 
     ## Episode end
-    Terminated at the exit, (y, x) = (9, 8), whatever has been collected; truncated after `max_steps` steps.
+    Terminated at the exit, (y, x) = (9, 8), whatever has been collected; else truncated after `max_steps` steps.
 
     ## Parameters
     - `step_timeout` (0.0): the minimum time in seconds between the end of one `reset` or `step` and the next step, from

@@ -55,8 +55,9 @@ class Switches(NamedTuple):
     `Discrete(n_switches)`: the switch to flip.
 
     ## State
-    The switches and the wanted pattern, both observed. The number of steps so far is not observed: near the step limit
-    the observation is not Markov, which does no harm to an agent that bootstraps at truncation.
+    `Panel(switches, goal)`: the switches and the wanted pattern, both observed, as the numbers s and g above. The
+    number of steps so far is not observed: near the step limit the observation is not Markov, which does no harm to an
+    agent that bootstraps at truncation.
 
     ## Dynamics
     The switch is flipped: on becomes off, and off becomes on. The wanted pattern stays the same during an episode.
@@ -71,7 +72,7 @@ class Switches(NamedTuple):
     The switches are drawn uniformly from the 2^n patterns, and the goal uniformly from the 2^n - 1 others.
 
     ## Episode end
-    Terminated when the switches show the wanted pattern; truncated after `max_steps` steps.
+    Terminated when the switches show the wanted pattern; else truncated after `max_steps` steps.
 
     ## Parameters
     - `n_switches` (6): n, how many switches there are, from 1 to 62.

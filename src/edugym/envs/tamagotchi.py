@@ -80,7 +80,7 @@ class Tamagotchi(NamedTuple):
     All variables and the hit points at 100; what the toy wants first is drawn uniformly.
 
     ## Episode end
-    Terminated when no hit points are left; truncated after `steps_per_episode` steps.
+    Terminated when no hit points are left; else truncated after `steps_per_episode` steps.
 
     ## Parameters
     - `tau` (0.0): the temperature, which is the noise of the message; 0 or more, may be infinite.

@@ -83,6 +83,8 @@ class PrisonersDilemma(MatrixGame):
     1. Who talks while the other keeps silent gets the temptation, and the other 0. The temptation is the strength:
     above 3, talking is better whatever the other does, and that is the dilemma; at 3 or below, silence is an
     equilibrium too.
+
+    Actions: 0 silent, 1 talk.
     """
 
     @property
@@ -105,6 +107,8 @@ class MatchingPennies(MatrixGame):
     """Player 0 wins 1 from the other if both show the same side of a coin, and player 1 if they do not.
 
     Challenge: whoever can be predicted loses. The only equilibrium is to toss the coin, and the value is 0.
+
+    Actions: 0 heads, 1 tails.
     """
 
     @property
@@ -122,6 +126,8 @@ class RockPaperScissors(MatrixGame):
     """Paper beats rock, scissors beat paper, and rock beats scissors; the winner gets 1 from the other.
 
     Challenge: whoever can be predicted loses. The only equilibrium is a third each, and the value is 0.
+
+    Actions: 0 rock, 1 paper, 2 scissors.
     """
 
     @property
@@ -141,6 +147,8 @@ class StagHunt(MatrixGame):
     Challenge: to trust. With both after the stag each gets 4, and alone after it 0. A hare is worth `hare`, whatever
     the other does: the strength. From 0 to 4 both pairs of equal actions are equilibria; above 2, whoever believes that
     the other tosses a coin hunts the hare.
+
+    Actions: 0 stag, 1 hare.
     """
 
     @property
@@ -165,6 +173,8 @@ class Chicken(MatrixGame):
     Challenge: somebody must give way, and nobody wants to. Going on while the other swerves is worth 1, to the other
     -1, and swerving together 0. A crash costs both `crash`: the strength. Above 1 the equilibria are that exactly one
     of them goes on, and a random one in which each goes on with the probability 1/crash; below 1 both go on.
+
+    Actions: 0 swerve, 1 go on.
     """
 
     @property

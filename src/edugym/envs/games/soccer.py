@@ -77,7 +77,7 @@ class Soccer(NamedTuple):
     is 0 by symmetry.
 
     ## Episode end
-    Terminated when a player has scored; truncated after `max_steps` steps.
+    Terminated when a player has scored; else truncated after `max_steps` steps.
 
     ## Parameters
     - `contact` (1.0): the probability that running into the other player costs the ball, from 0 to 1.
