@@ -17,6 +17,7 @@ from edugym import (
     policy_evaluation,
     value_iteration,
 )
+from edugym.mdp.protocol import Reals
 from tests.agents.offline import by_hand, going_on, random_data
 from tests.exact.tasks import random_model, value_of
 from tests.messages import named
@@ -74,16 +75,30 @@ def shown_by(dataset: Dataset, unseen: float) -> FiniteModel:
     return FiniteModel(states, dict(enumerate(states)), first, np.arange(n + 1) == n, ways, p, r)
 
 
+def pessimist(dataset: Dataset, discount: float) -> Reals:
+    """Sweeps over the same model, less 0.7 / √n, and never below -4."""
+    model, n = shown_by(dataset, -4.0), dataset.n_states
+    less, Q = 0.7 / np.sqrt(np.maximum(dataset.visits, 1)), np.zeros((n + 1, dataset.n_actions))
+    for _ in range(1_000):
+        means = (model.probabilities * (model.rewards + discount * Q.max(axis=1))).sum(axis=2)
+        Q[:n] = np.where(dataset.visits > 0, np.maximum(means[:n] - less, -4.0), -4.0)
+    return Q[:n]
+
+
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 10**6), st.sampled_from([0.5, 0.9]), st.integers(1, 20), st.sampled_from([-3.0, 0.0, 5.0]))
 def test_agrees_with_planning_on_what_the_data_show(seed: int, discount: float, n: int, unseen: float) -> None:
-    """To 1e-12: value iteration, and the linear equations of a policy, on a model of frequencies."""
+    """To 1e-12: value iteration, a pessimist's too, and the linear equations of a policy, on a model of frequencies."""
     _, target, _, dataset = random_data(seed, n)
     model = shown_by(dataset, unseen)
     found = fitted_q_iteration(dataset, discount, unseen=unseen, tolerance=1e-14)
     planned = value_iteration(model, discount, tolerance=1e-14)
     assert found.Q.ravel().tolist() == pytest.approx(planned.Q[:-1].ravel().tolist(), rel=1e-12, abs=1e-12)
     assert found.start == pytest.approx(planned.start, rel=1e-12, abs=1e-12)
+    feared = pessimistic_q_iteration(dataset, 0.7, -4.0, discount, tolerance=1e-14)
+    assert feared.Q.ravel().tolist() == pytest.approx(
+        pessimist(dataset, discount).ravel().tolist(), rel=1e-12, abs=1e-12
+    )
     evaluated = fitted_q_evaluation(dataset, target, discount, unseen=unseen, tolerance=1e-14)
     solved = value_of(model, np.vstack([target, np.full(3, 1 / 3)]), discount)
     assert evaluated.V.tolist() == pytest.approx(solved[:-1].tolist(), rel=1e-12, abs=1e-12)

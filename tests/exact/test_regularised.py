@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.special import logsumexp, softmax
 
 from edugym import (
     divergence,
@@ -42,6 +43,24 @@ def test_no_policy_is_worth_more_than_the_one_that_is_found(seed: int, penalty: 
     if policy.min() > 0:  # else an exponential has become 0
         assert worth(policy) == pytest.approx(values.start, abs=1e-7)
     assert worth(other) <= values.start + 1e-7
+
+
+@settings(max_examples=20, deadline=None)
+@given(SEEDS, PENALTIES, st.sampled_from([0.5, 0.9]))
+def test_agrees_with_a_second_implementation(seed: int, penalty: float, discount: float) -> None:
+    """To 1e-12 of the largest value: V(s) = β ln Σ_a π_ref(a|s) exp(Q(s, a) / β), again and again."""
+    model = random_model(seed, n_actions=3)
+    reference = np.random.default_rng(seed).dirichlet(np.ones(3), len(model.states))
+    Q = np.zeros_like(reference)
+    for _ in range(500):
+        V = np.where(model.terminal, 0.0, penalty * logsumexp(Q / penalty, axis=1, b=reference))
+        Q = model.r + discount * model.p @ V
+    found = regularised_iteration(model, reference, penalty, discount, tolerance=1e-14)
+    assert np.abs(found.V - V).max() <= 1e-12 * max(1.0, np.abs(V).max())
+    shares = softmax(Q / penalty + np.log(reference), axis=1)
+    assert np.abs(regularised_policy(found, reference, penalty) - shares)[~model.terminal].max() <= 1e-12 / min(
+        1.0, penalty
+    )
 
 
 @settings(max_examples=20, deadline=None)

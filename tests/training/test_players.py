@@ -82,6 +82,10 @@ told = st.tuples(
 )
 
 
+LARGE = 9 / (1 - 0.8)
+"""The largest value that there can be: with rewards up to 9 and a discount of 0.8."""
+
+
 @given(st.lists(told, max_size=30), st.integers(0, 1))
 def test_minimax_q_by_the_formula(steps: list[Any], player: int) -> None:
     """Q and V are those of the formula for two actions each, and the policy guarantees V."""
@@ -91,9 +95,9 @@ def test_minimax_q_by_the_formula(steps: list[Any], player: int) -> None:
         agent.learn(state=s, action=a, other_action=o, reward=float(reward), next_state=next_s, terminated=terminated)
         Q[s, a, o] = (1 - learning_rate) * Q[s, a, o] + learning_rate * (reward + 0.8 * V[next_s] * (not terminated))
         V[s], learning_rate = minimax(Q[s]), learning_rate * 0.9
-        assert np.min(agent.policy[s] @ Q[s]) == pytest.approx(V[s], abs=1e-9)
-    assert np.allclose(agent.Q, Q, atol=1e-9)
-    assert np.allclose(agent.V, V, atol=1e-9)
+        assert np.min(agent.policy[s] @ Q[s]) == pytest.approx(V[s], abs=1e-12 * LARGE)
+    assert np.allclose(agent.Q, Q, rtol=0, atol=1e-12 * LARGE)
+    assert np.allclose(agent.V, V, rtol=0, atol=1e-12 * LARGE)
 
 
 def test_fictitious_play_is_browns() -> None:
