@@ -9,6 +9,7 @@ import edugym
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import make_mdp, train
 from edugym.adapters.double_buffer import DoubleBuffer
+from edugym.adapters.fitting import tabular
 from edugym.checks.contract import is_on_policy, learner
 from edugym.compiled.execution import COMPILE_FROM
 from edugym.training import loops
@@ -26,7 +27,8 @@ def comparisons(quick: bool) -> list[Comparison]:
     """One for each agent; a few of them if it should be quick."""
     wanted = [*((name, 100.0) for name in ONE_STEP), *((name, 50.0) for name in (*SEVERAL_STEPS, *LINEAR))]
     made = [comparison(name, ratio) for name, ratio in (wanted[::7] if quick else wanted)]
-    others = comparison("SampleAverage", 50.0, "Bandit"), comparison("MaxminQLearning", 50.0, "Casino"), searches()
+    elsewhere = ("SampleAverage", "Bandit"), ("MaxminQLearning", "Casino"), ("HindsightQLearning", "Switches")
+    others = [*(comparison(name, 50.0, environment) for name, environment in elsewhere), searches()]
     return made if quick else [*made, *others, networks(), real_actions(), *policy_gradients()]
 
 
@@ -97,8 +99,9 @@ def compiled(name: str, create: Any) -> Work:
 
 
 def interpreted(name: str, create: Any) -> Work:
-    """The same loop in Python."""
+    """The same loop in Python. Who has a table sees the rows of it."""
     mdp = make_mdp(name)
+    mdp = tabular(mdp) if hasattr(create(mdp), "Q") else mdp
 
     def work(n: int) -> int:
         agent = create(mdp)

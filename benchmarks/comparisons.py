@@ -7,7 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from benchmarks import agents, catch, objectives, players, student
+from benchmarks import agents, catch, objectives, offline, players, student
 from benchmarks.contenders import copies, made, steps_of, unwrapped
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import EpsilonGreedy, QLearning, make_mdp, train
@@ -23,7 +23,7 @@ FROZEN_LAKE, CLIFF_WALKING, CART_POLE = (
 
 def comparisons(quick: bool = False) -> list[Comparison]:
     """All of them; only some of the agents if it should be quick."""
-    more = *catch.comparisons(), *players.comparisons(), *objectives.comparisons()
+    more = *catch.comparisons(), *players.comparisons(), *objectives.comparisons(), *offline.comparisons()
     return [*training(), *agents.comparisons(quick), *single_steps(), *vector_steps(), *more]
 
 

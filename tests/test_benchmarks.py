@@ -10,6 +10,7 @@ import pytest
 
 from benchmarks import solving
 from benchmarks.__main__ import solving_table
+from benchmarks.comparisons import comparisons
 from benchmarks.solving import OURS, TASKS, THEIRS, Solved
 
 ROOT = Path(__file__).parents[1]
@@ -48,6 +49,22 @@ def test_everything_is_measured_and_written_down(tmp_path: Path) -> None:
     assert all(list(solved["seconds_by_seed"]) == [OURS, THEIRS] for solved in results["times_to_solve"])
     assert list(results["import_seconds"]) == ["edugym", "gymnasium", "numpy"]
     assert all(spread(taken) for taken in results["import_seconds"].values())
+
+
+@pytest.mark.parametrize(
+    "of", ["Bandit", "Casino", "Switches", "Diver", "soccer", "fitted Q iteration", "preferences", "UCT"]
+)
+def test_each_challenge_has_a_speed(of: str) -> None:
+    """Of the lessons on what the paper leaves out, too."""
+    assert [one for one in comparisons() if of in one.name]
+
+
+@pytest.mark.parametrize("of", ["HindsightQLearning", "fitted Q", "preferences"])
+def test_the_speed_is_that_of_work_done(of: str) -> None:
+    """Each contender does roughly as many units as it is asked for, and says how many."""
+    (found,) = (one for one in comparisons() if of in one.name)
+    for contender in (found.ours, *found.others):
+        assert contender.prepare()(5_000) == pytest.approx(5_000, rel=0.5)
 
 
 def test_times_to_solve() -> None:
