@@ -164,13 +164,6 @@ def address(site: Path) -> Iterator[str]:
         yield address
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """A browser, which finds no other host."""
-    with chromium() as driver:
-        yield driver
-
-
 def opened(driver: Any, address: str, page: str, width: int = 1400, theme: str = "light") -> None:
     """Open a page as wide as a screen, light or dark."""
     screen = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
@@ -186,7 +179,7 @@ def opened(driver: Any, address: str, page: str, width: int = 1400, theme: str =
 @needs_browser
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: str, page: str) -> None:
-    """Also with all scripts run; nothing sticks out at the side, from a desk's screen to a small phone."""
+    """Also with all scripts run; nothing sticks out at the side, from a desk's screen to a small phone, or jumps."""
     for width in WIDTHS:
         opened(browser, address, page, width)
         asked = browser.execute_script("return performance.getEntriesByType('resource').map(entry => entry.name)")
@@ -194,6 +187,7 @@ def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: st
         assert not [name for name in asked if not name.startswith((address, "data:", "blob:"))]
         sticks_out = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
         assert browser.execute_script(sticks_out) <= 0
+        assert browser.execute_script("return window.shift") < 0.1
 
 
 @needs_browser
