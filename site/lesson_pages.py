@@ -128,7 +128,8 @@ def _opening(first: str, path: Path) -> str:
     )
     for race in _raced(path):
         place = f"../playground/index.html#task={race.environment}"
-        here += f' Or first <a href="{place}">race its agents in the playground</a>.'
+        here += f' Or first <a href="{place}">race its agents in the playground</a>, and'
+        here += f' <a href="{place}&amp;code=true">change an agent\'s code</a> there.'
     return f"{heading}\n\n:::{{container}} where\n{here}\n:::\n{rest}"
 
 

@@ -200,12 +200,13 @@ def test_asides_are_folded_and_are_not_projected(lessons: list[lesson_pages.Less
 
 
 def test_a_lesson_has_the_race_of_its_environment(lessons: list[lesson_pages.Lesson]) -> None:
-    """Once, below its first sliders; lessons whose environment has no race have none."""
+    """Once, below its first sliders, and its code on top; lessons whose environment has no race have none."""
     for lesson in lessons:
         raced = [race.environment for race in RACES if find(race.environment).lesson == number_of(lesson.name)]
         _, *found = lesson.text.split('<details class="live">')
         assert [re.findall("#task=([A-Za-z]+)", part)[0] for part in found] == raced, lesson.name
         assert "sliders(" in lesson.text.split('<details class="live">')[0]
+        assert re.findall(r"#task=(\w+)&amp;code=true", lesson.text) == raced
 
 
 def test_sliders_turn_pictures(lessons: list[lesson_pages.Lesson], monkeypatch: pytest.MonkeyPatch) -> None:
