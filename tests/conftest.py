@@ -3,6 +3,7 @@
 import gc
 import math
 import os
+import random
 import shutil
 import signal
 import sys
@@ -35,6 +36,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         default=math.inf,
         help="tests that have not begun by then, in seconds since 1970, are skipped, and the summary counts them",
     )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Where time is limited, take the files in another order each time, so that it is not always the same that wait."""
+    until = config.getoption("--begin-until")
+    if until < math.inf:
+        files = sorted({item.path for item in items})
+        random.Random(until).shuffle(files)  # the processes of pytest-xdist know the same time, and so the same order
+        items.sort(key=lambda item: files.index(item.path))
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

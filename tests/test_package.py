@@ -1,6 +1,7 @@
 """The package that is built for users has everything, and no solutions."""
 
 import importlib.util
+import itertools
 import re
 import subprocess
 import sys
@@ -51,8 +52,31 @@ def test_the_version_is_the_same_everywhere() -> None:
 
 def test_tests_that_begin_too_late_are_skipped() -> None:
     """So that a machine whose time is limited still says what has passed, and how much was not run."""
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/test_seeds.py"]
-    done = subprocess.run([*command, "--begin-until=5"], cwd=ROOT, capture_output=True, text=True, check=False)
+    out = _tested("tests/test_seeds.py", "--begin-until=5")
+    assert "the time for tests was over" in out
+    assert "passed" not in out
+
+
+def test_limited_time_begins_with_other_files() -> None:
+    """Each run of limited time takes files in another order, the same in all its processes, and whole."""
+    first, again, other = (
+        [
+            line.partition("::")
+            for line in _tested("tests/system", "--collect-only", *until).splitlines()
+            if "::" in line
+        ]
+        for until in (["--begin-until=1"], ["--begin-until=1"], ["--begin-until=2"])
+    )
+    assert first == again != other
+    assert sorted(first) == sorted(other)
+    for tests in (first, other):
+        files = [file for file, _ in itertools.groupby(tests, key=lambda test: test[0])]
+        assert len(files) == len(set(files)) > 2
+
+
+def _tested(*arguments: str) -> str:
+    """What pytest says that runs with these arguments."""
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
-    assert "the time for tests was over" in done.stdout
-    assert "passed" not in done.stdout
+    return done.stdout
