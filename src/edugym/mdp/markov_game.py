@@ -127,4 +127,9 @@ def table_shape(game: Any, player: int) -> tuple[int, int]:
         ValueError: `game` is no game, or `player` is neither 0 nor 1.
     """
     require_game(game)
-    return int(game.observation_space(a_player(player)).n), n_actions(game, player)
+    return sizes(game, a_player(player))
+
+
+def sizes(game: Any, player: int) -> tuple[int, int]:
+    """`table_shape` of what is known to be a game: its methods are not looked at again."""
+    return int(game.observation_space(player).n), n_actions(game, player)

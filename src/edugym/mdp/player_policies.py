@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from edugym.checks.parameters import in_short
-from edugym.mdp.markov_game import table_shape
+from edugym.mdp.markov_game import a_player, require_game, sizes, table_shape
 from edugym.mdp.protocol import Random, Reals
 
 
@@ -29,9 +29,19 @@ def checked_policy(game: Any, player: int, policy: Any, name: str = "policy") ->
         name: of the parameter that it was given for.
 
     Raises:
-        ValueError: it is something else.
+        ValueError: it is something else, or `game` is no game.
     """
-    shape = table_shape(game, player)
+    require_game(game)
+    return policy_within(game, a_player(player), policy, name)
+
+
+def policy_within(game: Any, player: int, policy: Any, name: str = "policy") -> Reals:
+    """`checked_policy` for what is known to be a game.
+
+    Raises:
+        ValueError: the policy is something else.
+    """
+    shape = sizes(game, player)
     try:
         table = np.asarray(policy, np.float64)
     except (ValueError, TypeError, OverflowError):
@@ -55,7 +65,7 @@ def checked_policy(game: Any, player: int, policy: Any, name: str = "policy") ->
 
 
 def checked_policies(game: Any, policies: Any) -> tuple[Reals, Reals]:
-    """The policies of both players, each checked as in `checked_policy`.
+    """The policies of both players in what is known to be a game, each checked as in `checked_policy`.
 
     Raises:
         ValueError: they are not two, or one of them is something else.
@@ -67,7 +77,7 @@ def checked_policies(game: Any, policies: Any) -> tuple[Reals, Reals]:
             f"policies must be a pair of tables, one of player 0 and one of player 1, but is {in_short(policies)}{hint}"
         )
     first, second = policies
-    return checked_policy(game, 0, first, "policies"), checked_policy(game, 1, second, "policies")
+    return policy_within(game, 0, first, "policies"), policy_within(game, 1, second, "policies")
 
 
 def draw_from(policy: Reals, observation: int, rng: Random) -> int:

@@ -9,18 +9,18 @@ from edugym.checks.contract import Contract
 from edugym.checks.parameters import whole_number
 from edugym.compiled.execution import executable
 from edugym.mdp.against import against
-from edugym.mdp.markov_game import table_shape
-from edugym.mdp.player_policies import checked_policy, uniform_policy
+from edugym.mdp.markov_game import a_player, require_game, sizes
+from edugym.mdp.player_policies import policy_within, uniform_policy
 from edugym.mdp.protocol import Reals
 from edugym.system.interrupts import deferring_signals
 from edugym.training.evaluated import actor
 from edugym.training.game_loops import count_actions
 from edugym.training.player_contract import player_contract
 
-MOST_DRAWS = 1_000_000
+DRAWS, MOST_DRAWS = 100, 1_000_000
 
 
-def learned_policy(game: Any, player: int, agent: Any, *, draws: int = 100, seed: int = 0) -> Reals:
+def learned_policy(game: Any, player: int, agent: Any, *, draws: int = DRAWS, seed: int = 0) -> Reals:
     """The policy of an agent as a player of a game: shape (n_observations, n_actions).
 
     If the agent has a `policy` (an array of that shape, such as that of `MinimaxQ`), it is this. Otherwise the agent is
@@ -37,11 +37,21 @@ def learned_policy(game: Any, player: int, agent: Any, *, draws: int = 100, seed
     Raises:
         ValueError: a parameter is not as above, or the agent's policy does not fit the game.
     """
-    contract, shape = player_contract(game, player, agent), table_shape(game, player)
-    draws = whole_number("draws", draws, 1, MOST_DRAWS)
-    rng = np.random.default_rng(whole_number("seed", seed, 0))
+    require_game(game)
+    contract = player_contract(game, a_player(player), agent)
+    draws, seed = whole_number("draws", draws, 1, MOST_DRAWS), whole_number("seed", seed, 0)
+    return policy_of(game, player, contract, draws, seed)
+
+
+def policy_of(game: Any, player: int, contract: Contract, draws: int = DRAWS, seed: int = 0) -> Reals:
+    """`learned_policy` of an agent that is known to fit what is known to be a game.
+
+    Raises:
+        ValueError: the policy that the agent has does not fit.
+    """
     if has_policy(contract):
-        return np.array(checked_policy(game, player, contract.agent.policy))
+        return np.array(policy_within(game, player, contract.agent.policy))
+    shape, rng = sizes(game, player), np.random.default_rng(seed)
     asked, counts = actor(contract), np.zeros(shape)
     if not contract.is_own:
         asked = checked_agent(asked, against(game, player, uniform_policy(game, 1 - player)), steps=0)

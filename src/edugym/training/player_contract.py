@@ -4,17 +4,17 @@ from typing import Any
 
 from edugym.checks.contract import IN_GAMES, Contract, contract_of, tables_of
 from edugym.checks.interfaces import class_name
-from edugym.mdp.markov_game import a_player, table_shape
+from edugym.mdp.markov_game import sizes
 
 
 def player_contract(game: Any, player: int, agent: Any) -> Contract:
-    """The contract of an agent that is a player of a game.
+    """The contract of an agent that is a player of what is known to be a game.
 
     Raises:
         ValueError: it is no agent, it learns from its next action, or its tables do not fit the game.
     """
-    own, contract = table_shape(game, a_player(player)), contract_of(agent, IN_GAMES)
-    joint = *own, table_shape(game, 1 - player)[1]
+    own, contract = sizes(game, player), contract_of(agent, IN_GAMES)
+    joint = *own, sizes(game, 1 - player)[1]
     if not contract.tabular:
         raise ValueError(f"player {player} must be an agent with tables, but is a {class_name(contract.agent)}")
     for name, table in tables_of(contract.agent).items():

@@ -23,7 +23,7 @@ from edugym.mdp.protocol import Integers, Reals
 from edugym.system.interrupts import Interrupted
 from edugym.system.packages import is_own
 from edugym.training.game_loops import GameLog, play, start
-from edugym.training.learned_policy import learned_policy
+from edugym.training.learned_policy import policy_of
 from edugym.training.player_contract import player_contract
 from edugym.training.steps import take_steps
 from edugym.training.trainers import NO_LIMIT, Chunk
@@ -187,9 +187,7 @@ class _Points:
 
     def add(self, steps: int, log: GameLog) -> None:
         """Note the policies of now, and the returns since the last point."""
-        first, second = (
-            learned_policy(self._game, player, contract) for player, contract in enumerate(self._contracts)
-        )
+        first, second = (policy_of(self._game, player, contract) for player, contract in enumerate(self._contracts))
         ended = int(log.episodes[0])
         means = log.returns / ended if ended else np.full(2, math.nan)
         self._points.append((steps, (first, second), means, ended))  # Ctrl-C cannot leave half a point
