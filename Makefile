@@ -6,7 +6,7 @@
 #                   EDUGYM_CACHE_DIR=FOLDER keeps their machine code, so that the next run takes less time)
 #   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
-#   make site       build the website in site/build/html; `make site-serve` also shows it at http://127.0.0.1:8000
+#   make site       build the website in site/build/html, and in a terminal show it at http://127.0.0.1:8000
 #   make bench      measure speed, against what one would use instead
 #   make dist       build the package from what is committed, and try it in an empty environment
 #   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
@@ -18,7 +18,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all test-lowest reproduce site site-serve bench dist grade clean
+.PHONY: lab test test-all test-lowest reproduce site bench dist grade clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -49,10 +49,7 @@ reproduce: .venv/lab.installed
 # The website with the playground, and where PYODIDE names a folder with a release of Pyodide, with the lessons in JupyterLite. Nothing of the lessons is executed; kernels that were compiled before are not compiled again.
 LITE := $(if $(PYODIDE),--pyodide "$(PYODIDE)")
 site: .venv/site.installed
-	.venv/bin/python site/website.py --jobs $(JOBS) $(LITE)
-
-site-serve: .venv/site.installed
-	.venv/bin/python site/website.py --jobs $(JOBS) $(LITE) --serve $(ARGS)
+	.venv/bin/python site/website.py --jobs $(JOBS) $(LITE) $(ARGS)
 
 # From a copy of what is committed, so that nothing of the working folder gets in.
 dist: .venv/dev.installed

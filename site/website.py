@@ -1,7 +1,7 @@
 """Build the website, from what stands in the checkout. Nothing is executed: figures come from the committed notebooks.
 
-    python site/website.py            build it, into site/build/html
-    python site/website.py --serve    build it and show it at http://127.0.0.1:8000
+    python site/website.py              build it, into site/build/html, and in a terminal show it at http://127.0.0.1:8000
+    python site/website.py --no-serve   build it only, which is also what happens where no terminal is
 
 Pages that stand nowhere else are in `pages`. All others are made from docs, notebooks, docstrings and the registry.
 """
@@ -10,6 +10,7 @@ import argparse
 import re
 import shutil
 import sys
+from contextlib import suppress
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -205,7 +206,12 @@ def _no_folders(folder: str, names: list[str]) -> list[str]:
 def main() -> int:
     """Run the command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--serve", action="store_true", help="show it in a browser on this machine")
+    parser.add_argument(
+        "--serve",
+        action=argparse.BooleanOptionalAction,
+        default=sys.stdout.isatty(),
+        help="show it on this machine, until Ctrl-C; by default where standard output is a terminal",
+    )
     parser.add_argument("--port", type=int, default=8000, help="where to show it")
     parser.add_argument("--jobs", type=int, default=2, help="how many processes write pages")
     parser.add_argument("--pyodide", type=Path, help="an unpacked release of Pyodide: adds the lessons in JupyterLite")
@@ -215,13 +221,21 @@ def main() -> int:
     except ValueError as error:
         parser.error(str(error))
     if status == 0 and options.serve:
-        handler = partial(SimpleHTTPRequestHandler, directory=BUILT / "html")
-        with ThreadingHTTPServer(("127.0.0.1", options.port), handler) as server:
-            print(f"The website is at http://127.0.0.1:{server.server_port}/ (Ctrl-C ends it)", flush=True)
-            server.serve_forever()
+        try:
+            serve(BUILT / "html", options.port)
+        except (OSError, OverflowError) as error:
+            parser.error(f"--port {options.port} cannot be used ({error}): take another one, or 0 for any that is free")
     elif status == 0:
-        print(f"The website is in {BUILT / 'html'}: make site-serve shows it.")
+        print(f"The website is in {BUILT / 'html'}: make site ARGS=--serve shows it.")
     return status
+
+
+def serve(folder: Path, port: int) -> None:
+    """Show a folder at a port of this machine, until Ctrl-C."""
+    handler = partial(SimpleHTTPRequestHandler, directory=folder)
+    with ThreadingHTTPServer(("127.0.0.1", port), handler) as server, suppress(KeyboardInterrupt):
+        print(f"The website is at http://127.0.0.1:{server.server_port}/ (Ctrl-C ends it)", flush=True)
+        server.serve_forever()
 
 
 if __name__ == "__main__":
