@@ -129,7 +129,8 @@ def index() -> str:
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
     new = (
         "Nine are those of the paper. Four are new: Switches for goals, Diver for several objectives, Casino for"
-        " maximisation bias, and Bandit, the simplest of all, for the beginning of exploration."
+        " maximisation bias, and Bandit, the simplest of all, for the beginning of exploration. Games of two"
+        " players, such as Soccer, are on the page on [several agents](../several-agents.md)."
     )
     more = f"For users of the original code: [what has changed]({ORIGINAL})."
     return "\n".join(["# The environments", "", new, "", *head, *rows, "", more, ""])

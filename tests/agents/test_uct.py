@@ -7,8 +7,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import UCB, UCT, EpsilonGreedy, Greedy, finite_horizon, finite_model, make_mdp, train
+from edugym import (
+    UCB,
+    UCT,
+    EpsilonGreedy,
+    Greedy,
+    finite_horizon,
+    finite_model,
+    games,
+    make_mdp,
+    train,
+    value_iteration,
+)
 from edugym.agents.search_tree import OUTSIDE, ROOT
+from edugym.envs.games.soccer import WEST
 from edugym.mdp.protocol import Random
 from tests.agents.walk import Walk
 from tests.messages import named
@@ -208,6 +220,22 @@ def test_it_shops_by_simulating() -> None:
     agent = UCT.create(mdp, model=finite_model(mdp), simulations=400, depth=8, c=50)
     state = 80 * 7 + 8 * 8 + 7  # two steps above the exit, with all three items
     assert agent.greedy(state, np.random.default_rng(0)) == 1
+
+
+def test_it_plays_soccer_by_simulating() -> None:
+    """Against an opponent that it knows, a thousand simulations find a best action everywhere, and five do not."""
+    runner = np.zeros((801, 5))
+    runner[:, WEST] = 1.0
+    mdp = games.against(games.Soccer.create(), 0, runner)
+    model = finite_model(mdp)
+    exact, seen = value_iteration(model, 0.9), model.observations()
+    rows, lost = np.flatnonzero(~model.terminal)[::3], {}
+    for n in (5, 1_000):
+        agent = UCT.create(mdp, model=model, simulations=n, discount=0.9)
+        actions = [agent.greedy(int(seen[row]), np.random.default_rng(row)) for row in rows]
+        lost[n] = (exact.V[rows] - exact.Q[rows, actions]).mean()
+    assert lost[1_000] == pytest.approx(0.0, abs=1e-9)
+    assert lost[5] > 0.005
 
 
 def test_fewer_simulations_than_actions_are_refused() -> None:

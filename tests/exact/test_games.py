@@ -144,23 +144,29 @@ def test_the_model_against_a_player_is_that_of_the_mdp(player: int) -> None:
     assert edugym.table_size(mdp) == ((4, 2), (16, 2))[player]
 
 
-def test_returns_are_those_of_play() -> None:
-    """Many episodes of two random players come to what the model expects, within 5 standard errors."""
-    game, rng, discount = Tag(3), np.random.default_rng(0), 0.5
-    policies = games.uniform_policy(game, 0), games.uniform_policy(game, 1)
+@pytest.mark.parametrize(("game", "discount"), [(Tag(3), 0.5), (games.Soccer.create(0.3), 0.9)])
+def test_returns_are_those_of_play(game: Any, discount: float) -> None:
+    """Many episodes of two random players come to what the model expects, within 5 standard errors.
+
+    Player 1 takes the first action or the last, so that its chances are not those of player 0.
+    """
+    rng, last = np.random.default_rng(0), game.action_space(1).n - 1
+    policies = games.uniform_policy(game, 0), np.zeros_like(games.uniform_policy(game, 1))
+    policies[1][:, [0, last]] = 0.5
     expected = games.expected_returns(games.game_model(game), policies, discount)
     returns = []
     for _ in range(2_000):
         state, total, weight = game.initial(rng), np.zeros(2), 1.0
-        while not game.terminal(state):
-            actions = int(rng.integers(2)), int(rng.integers(2))
+        while not game.terminal(state) and weight > 1e-6:
+            actions = int(rng.integers(game.action_space(0).n)), last * int(rng.integers(2))
             next_state = game.transition(state, actions, rng)
             total += weight * np.array(game.rewards(state, actions, next_state, rng))
             state, weight = next_state, weight * discount
         returns.append(total)
     error = np.std(returns, axis=0) / np.sqrt(len(returns))
     assert np.all(np.abs(np.mean(returns, axis=0) - expected) < 5 * error)
-    assert expected[0] == -expected[1] != 0
+    assert expected[0] == pytest.approx(-expected[1])
+    assert abs(expected[0]) > 8 * error[0]
 
 
 def test_the_picture_against_a_fixed_player() -> None:
