@@ -69,6 +69,11 @@ measured.
 """
 NO_RACE = "It is in no race of the playground."
 NO_VALUES = " The pictures there show what an agent expects of each action, and this one has preferences instead."
+WHY_NOT = {
+    "GaussianActorCritic": " The pictures there show what an agent expects of a few actions; its own are numbers.",
+    "HindsightDQN": " It is for more goals than a table holds, and the playground has no more than five switches.",
+    "UCT": " It learns nothing that could be watched: it searches anew before each action.",
+}
 SHOWN = ("learn", "act")
 """The methods that are the algorithm."""
 
@@ -101,7 +106,7 @@ def page(name: str, kind: Any, lessons: list[Lesson]) -> str:
         ladders=agent_profiles.with_ladders(),
         take=" ".join(_taken(name)),
         profile="\n\n".join(_fares(name)),
-        races="\n".join(_raced(kind)) or NO_RACE + NO_VALUES * ("preferences" in kind._fields),
+        races="\n".join(_raced(kind)) or NO_RACE + WHY_NOT.get(name, NO_VALUES * ("preferences" in kind._fields)),
         lessons="\n".join(_used(name, lessons))
         or "No lesson uses it. Try it in one of them, in place of another agent.",
         reference=described(name, kind, docstring=summary(kind)),

@@ -91,6 +91,20 @@ def race_noted(
     return race_off_policy(n_steps, n_episodes, training, evaluation, carry)
 
 
+def race_noted_on_policy(
+    n_steps: int, n_episodes: int, training: Training, evaluation: Evaluation, values: Any, carry: Any
+) -> Any:
+    """The same for agents that learn from the action that they will take next."""
+    if n_steps == SHOW:
+        write_values(training.mdp, values)
+        n_steps = 0
+    return race_on_policy(n_steps, n_episodes, training, evaluation, carry)
+
+
+NOTED = race_noted, race_noted_on_policy
+"""The loops of agents that have no row for a place."""
+
+
 def evaluate(n_episodes: int, evaluation: Evaluation) -> None:
     """Play so many episodes, if any."""
     if n_episodes > 0:
@@ -149,8 +163,8 @@ class _Opened(MDPTrainer):
         training = Training(*self._plain_arguments)
         notes = noted(training.mdp, places, clean, self._contract)
         values = np.zeros((notes.visits.size, int(training.mdp.action_space.n)))
-        evaluation = self._measuring(n_episodes, measured)
-        return Call(race_noted, (BEGIN, 0, training._replace(mdp=notes), evaluation, values, self._carry))
+        evaluation, loop = self._measuring(n_episodes, measured), NOTED[self._contract.is_on_policy]
+        return Call(loop, (BEGIN, 0, training._replace(mdp=notes), evaluation, values, self._carry))
 
     def _measuring(self, n_episodes: int, measured: Any) -> Evaluation:
         usual = Evaluation(*self._evaluation(n_episodes))

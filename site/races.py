@@ -149,6 +149,7 @@ CATCH = Race(
         Agent("table", "a list: one line for each picture that it met", edugym.QLearning, CATCHING, LISTED),
         Agent("weighted sum", "gives each dot points, and adds them up", edugym.LinearQLearning, ADDING, CHANGING),
         Agent("network", "finds out by itself what to look for (DQN)", edugym.DQN, NETWORK, CHANGING),
+        Agent("sum with slips", "the weighted sum, as SARSA learns it", edugym.SemiGradientSARSA, ADDING, CHANGING),
         Agent("table, steady light", "the list, where the light stays the same", edugym.QLearning, CATCHING, STEADY),
         Agent("network, steady light", "where the light stays the same", edugym.DQN, NETWORK, PIXELS),
         Agent("table of places", "is told where ball and paddle are", edugym.QLearning, CATCHING),

@@ -71,7 +71,7 @@ def in_python(call: kernels.Call, seed: int, steps: int, every: int) -> Outcome:
         episodes = int(log.episodes[0])
         curve.append([done, float(np.mean(returns)), float(log.returns[0] / episodes) if episodes else None])
         log.returns[0] = log.episodes[0] = 0
-    if call.loop is kernels.race_noted:
+    if call.loop in kernels.NOTED:
         carry = call.loop(kernels.SHOW, 0, *arguments, carry)
     states = [rng.bit_generator.state["state"]["state"] for rng in rngs]
     return Outcome(arrays_of((*arguments, carry)), states, curve, [])

@@ -67,7 +67,7 @@ NOTED = [
     pytest.param(race, agent, id=f"{race.environment}-{agent.label}")
     for race in RACES
     for agent in race.agents
-    if first_call(race, agent).loop is kernels.race_noted
+    if first_call(race, agent).loop in kernels.NOTED
 ]
 
 
