@@ -25,9 +25,9 @@ def test_preferences_by_hand() -> None:
 @pytest.mark.parametrize("prior", [0.1, 3.0])
 def test_one_comparison_by_hand(prior: float) -> None:
     """By symmetry the rewards are x and -x, and the gradient is 0 where 1 / (1 + exp(2 x)) = prior · x."""
-    x = brentq(lambda x: 1 / (1 + np.exp(2 * x)) - prior * x, 0, 10)
-    assert fit_rewards(*PAIR, [True], prior=prior).tolist() == [pytest.approx([x, -x])]
-    assert fit_rewards(*PAIR, [False], prior=prior).tolist() == [pytest.approx([-x, x])]
+    x = brentq(lambda x: 1 / (1 + np.exp(2 * x)) - prior * x, 0, 10, xtol=1e-15, rtol=1e-15)
+    assert fit_rewards(*PAIR, [True], prior=prior).tolist() == [pytest.approx([x, -x], rel=1e-12)]
+    assert fit_rewards(*PAIR, [False], prior=prior).tolist() == [pytest.approx([-x, x], rel=1e-12)]
 
 
 @settings(max_examples=25, deadline=None)
@@ -48,6 +48,10 @@ def test_agrees_with_an_optimiser(seed: int, n: int, prior: float, never_errs: b
     best = minimize(loss, np.zeros(6), method="BFGS", options={"gtol": 1e-9})
     assert found.ravel() == pytest.approx(best.x, abs=1e-4)
     assert loss(found.ravel()) <= best.fun + 1e-9
+    # The prior bends the loss everywhere, so the maximum is no farther away than the gradient divided by it.
+    w, rows = found.ravel().astype(np.longdouble), np.where(wins[:, None], difference, -difference)
+    gradient = (rows / (1 + np.exp(rows @ w))[:, None]).sum(axis=0) - prior * w
+    assert np.linalg.norm(gradient.astype(float)) / prior <= 1e-12 * max(1.0, np.abs(found).max())
 
 
 def test_what_no_comparison_tells_is_zero() -> None:
@@ -66,7 +70,7 @@ def test_what_no_comparison_tells_is_zero() -> None:
     [
         (lambda: preference(1.0, 0.0, noise=0.0), ("noise", 0, 0.0)),
         (lambda: preference("a", 0.0), ("first_return",)),
-        (lambda: fit_rewards(*PAIR, [True], prior=0.0), ("prior", 0, 0.0)),
+        (lambda: fit_rewards(*PAIR, [True], prior=0.0), ("prior", "1e-09", 0.0)),
         (lambda: fit_rewards(*PAIR, [True, False]), ("prefers_first", 1)),
         (lambda: fit_rewards(*PAIR, [0.3]), ("prefers_first", 1, 0.3)),
         (lambda: fit_rewards(*PAIR, None), ("prefers_first", 1, None)),

@@ -4,11 +4,17 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks.parameters import a_number, above, an_array, flags, in_short
+from edugym.checks.parameters import a_number, above, an_array, between, flags, in_short
 from edugym.mdp.protocol import Reals
 
 SETTLED = 1e-9
-"""Newton's method ends when no reward changes by more."""
+"""Newton's method ends when no reward changes by more, in units of 1 or of the largest reward."""
+MOST_ROUNDS = 100
+"""Newton's method needs some ten, and more with a weak prior."""
+LEAST_PRIOR = 1e-9
+"""A weaker one is lost in rounding."""
+ROUNDING = 1e-12
+"""A likelihood that is lower by such a share may be as high."""
 MOST_NUMBERS = 5_000
 """Of the table of rewards: Newton's method solves as many linear equations in each round."""
 
@@ -48,7 +54,7 @@ def fit_rewards(first: Any, second: Any, prefers_first: Any, *, prior: float = 0
     Args:
         first: shape (n, n_states, n_actions): the visits of the first piece of each comparison.
         second: the same shape: those of the second piece.
-        prior: how strongly rewards are kept near 0; greater than 0, up to one million. 0.1 is a normal distribution
+        prior: how strongly rewards are kept near 0; from one billionth to one million. 0.1 is a normal distribution
             with variance 10 for each of them.
         prefers_first: shape (n,): True where the teacher preferred the first.
 
@@ -61,7 +67,7 @@ def fit_rewards(first: Any, second: Any, prefers_first: Any, *, prior: float = 0
     References: Bradley and Terry (1952); Christiano et al. (2017), Deep reinforcement learning from human preferences,
     equation 1 (they fit a network, by gradient steps).
     """
-    above("prior", prior, 0, 1e6)
+    between("prior", prior, LEAST_PRIOR, 1e6)
     visits = an_array("first", first, ("n", "n_states", "n_actions"))
     others = an_array("second", second, visits.shape)
     preferred = flags("prefers_first", prefers_first, len(visits), "comparisons")
@@ -88,18 +94,17 @@ def most_likely(differences: Reals, prior: float) -> Reals:
     """
     rewards: Reals = np.zeros(differences.shape[1])
     likelihood = _log_likelihood(differences, rewards, prior)
-    step: Reals = np.full_like(rewards, np.inf)
-    while np.abs(step).max() > SETTLED:
-        surprise = _logistic(-(differences @ rewards))  # 1 - p of what the teacher preferred
+    for _ in range(MOST_ROUNDS):
+        surprise = np.exp(-np.logaddexp(0.0, differences @ rewards))  # 1 - p of what the teacher preferred
         gradient = differences.T @ surprise - prior * rewards
         curvature = (differences.T * (surprise * (1 - surprise))) @ differences + prior * np.eye(len(rewards))
         step = np.asarray(np.linalg.solve(curvature, gradient))
         # A whole step may go too far where the teacher never errs; then half of it, or a quarter, is tried.
-        while (then := _log_likelihood(differences, rewards + step, prior)) < likelihood:
+        while (then := _log_likelihood(differences, rewards + step, prior)) < (1 + ROUNDING) * likelihood:
             step /= 2
-            if np.abs(step).max() <= SETTLED:
-                return rewards
         rewards, likelihood = rewards + step, then
+        if np.abs(step).max() <= SETTLED * max(1.0, np.abs(rewards).max()):
+            break
     return rewards
 
 
