@@ -97,6 +97,9 @@ clean:
 	@echo "Installing EduGym and what it needs into .venv; this takes a minute or two."
 	test -x .venv/bin/python || $(PYTHON) -m venv .venv
 	$(RUN) pip install --quiet --no-compile --constraint constraints.txt --editable ".[$*]"
+	@# The tests try the wrappers of MO-Gymnasium, which asks for pygame: that must not lie beside pygame-ce, which does as well.
+	test $* != dev || $(RUN) pip install --quiet --no-compile --no-deps "mo-gymnasium>=1.3" || \
+		echo "MO-Gymnasium cannot be installed here: the test of its wrappers is skipped." >&2
 	@# pip would do this on one core. Some packages bring files for other versions of Python, which do not compile.
 	$(RUN) compileall -qq -j 0 .venv/lib 2>/dev/null || true
 	touch $@
