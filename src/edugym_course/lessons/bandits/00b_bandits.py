@@ -192,6 +192,21 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 # Optimism looks around at the beginning above all. In 94 % of the runs that is enough; in the others it ends with a worse arm. With a constant $\alpha$ its values never come to rest either, so now and then a worse arm looks best for a while.
 
+# %% [markdown] tags=["aside"]
+# ### Aside: a softmax of the means
+# `Softmax` draws every arm with a probability that grows with its mean, $\pi(a) \propto e^{Q(a)/\tau}$ (Boltzmann exploration). The temperature $\tau$ says which differences count: much larger ones decide, much smaller ones hardly matter.
+
+# %%
+print("temperature   regret   a late pull costs   with the true means   best arm in")
+for temperature in (0.02, 0.05, 0.1, 0.2):
+    one = methods.pulls(methods.softmax_of_means(temperature))
+    cost, known = one.between(half, whole).mean(), methods.softmax_slope(temperature)
+    print(f"{temperature:11} {one.regret().mean():8.0f} {cost:19.3f} {known:21.3f} {one.settled().mean():13.0%}")
+
+# %% [markdown]
+# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs what it would cost with the true means. With each of these temperatures
+# it pays more than ε-greedy (240). The formula asks how far two means differ, and not how well they are known. UCB and Thompson sampling ask both.
+
 # %% [markdown]
 # ## Your turn
 #

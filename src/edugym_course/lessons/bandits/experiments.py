@@ -6,7 +6,7 @@ Thompson sampling with σ = 0.5; the gradient bandit with learning rate 0.1. Wha
 exactly from the pulls. Beside the lesson's bandit there are one with 5 arms, and one with a gap of 0.4. Explore, then
 commit tries each arm 10, 30, 100 and 300 times. Gaps from 0.01 to 1; and arms that drift, where ε-greedy also learns
 with a constant learning rate of 0.1. 100 repetitions, each with another best arm; 1000 short ones for greedy,
-and 400 where rare runs count.
+and 400 where rare runs count. A softmax of the means has a temperature of a tenth of the gap, and of a half.
 """
 
 from collections.abc import Mapping, Sequence
@@ -37,6 +37,8 @@ from edugym_course.lessons.bandits.methods import (
     Pulls,
     pulls,
     slope,
+    softmax_of_means,
+    softmax_slope,
     stuck,
     tries_first,
 )
@@ -65,6 +67,8 @@ DRIFTING: Mapping[str, Settings] = MappingProxyType(
         "with 5 arms": {"drift": 0.001, "n_arms": 5},
     }
 )
+COLD, WARM = 0.1, 0.5
+"""Temperatures of a softmax of the means, in gaps."""
 HALF = N_PULLS // 2
 EARLY = 1_000
 
@@ -110,7 +114,15 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
         for name, settings in DRIFTING.items()
     }
     thompson = {gap: pulls(THOMPSON, gap=gap, **more).regret() for gap in TRIES}
-    return found, (tried, thompson), gaps, drift
+    soft = {
+        name: {share: pulls(softmax_of_means(share * _gap(settings)), **settings, **shared) for share in (COLD, WARM)}
+        for name, settings in SETTINGS.items()
+    }
+    return found, (tried, thompson), gaps, drift, soft
+
+
+def _gap(settings: Settings) -> float:
+    return float(settings.get("gap", GAP))
 
 
 MOVING = (SLIPS, STEADY, BOUNDS, THOMPSON, AT_FIRST)
@@ -121,12 +133,14 @@ def judge(
     tried: tuple[Mapping[float, Mapping[int, Reals]], Mapping[float, Reals]],
     gaps: Mapping[int, Mapping[str, Sequence[Reals]]],
     drift: Mapping[str, tuple[Mapping[str, Pulls], Mapping[str, Pulls]]],
+    soft: Mapping[str, Mapping[float, Pulls]],
 ) -> Report:
     """Return claims and figures."""
     claims = [claim for name, one in found.items() for claim in [*greedy_claims(name, one), *regret_claims(name, one)]]
     claims += tries_claims(*tried)
     claims += [claim for n_arms, one in gaps.items() for claim in gap_claims(n_arms, one)]
     claims += [claim for name, one in drift.items() for claim in drift_claims(name, *one)]
+    claims += [claim for name, one in soft.items() for claim in softmax_claims(name, one, found[name])]
     methods = {method: one for method, one in found[FIRST].methods.items() if method != GREEDY}
     moving, still = next(iter(drift.values()))
     bars = by_arm({method: methods[method] for method in (SLIPS, BOUNDS, THOMPSON)})
@@ -308,5 +322,29 @@ def drift_claims(name: str, moving: Mapping[str, Pulls], still: Mapping[str, Pul
             f"{REGRET}, less that of Thompson sampling",
             paired_difference(moving[AT_FIRST].regret(), moving[THOMPSON].regret()),
             Above(100),
+        ),
+    ]
+
+
+def softmax_claims(name: str, soft: Mapping[float, Pulls], found: Found) -> list[Claim]:
+    """Return the claims on a softmax of the means."""
+    settings = SETTINGS[name]
+    gap = _gap(settings)
+    late = softmax_slope(WARM * gap, settings.get("n_arms", N_ARMS), gap)
+    return [
+        *(
+            Claim(
+                f"A softmax of the means, {name}, has more regret than ε-greedy at a temperature of {share * gap:g}",
+                f"{REGRET}, less that of ε-greedy",
+                paired_difference(one.regret(), found.methods[SLIPS].regret()),
+                Above(200),
+            )
+            for share, one in soft.items()
+        ),
+        Claim(
+            f"A softmax of the means, {name}, goes on paying at a temperature of {WARM * gap:g}, as with true means",
+            f"regret of a pull in the second half, divided by {late:.4g}, what it would be with the true means",
+            mean_interval(soft[WARM].between(HALF, N_PULLS) / late),
+            Within(0.9, 1.1),
         ),
     ]

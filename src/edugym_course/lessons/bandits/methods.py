@@ -12,7 +12,7 @@ from edugym.adapters.registration import make_mdp
 from edugym.agents.gradient_bandit import GradientBandit
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sample_average import SampleAverage
-from edugym.agents.strategies import UCB, EpsilonGreedy, Greedy, ScheduledEpsilonGreedy
+from edugym.agents.strategies import UCB, EpsilonGreedy, Greedy, ScheduledEpsilonGreedy, Softmax
 from edugym.agents.tables import greedy_action
 from edugym.agents.thompson_sampling import ThompsonSampling
 from edugym.checks.contract import LEARN_PARAMETERS, contract_of, learner
@@ -113,6 +113,11 @@ IN_THE_FIGURE = (GREEDY, SLIPS, DECAY, HOPE, BOUNDS, THOMPSON, GRADIENT)
 def tries_first(tries: int) -> Callable[[Any], Any]:
     """Return what makes an agent that tries every arm so often, and then stays with the best mean."""
     return averages(lambda mdp: TryFirst(np.zeros((1, mdp.n_arms), np.int64), tries))
+
+
+def softmax_of_means(temperature: float) -> Callable[[Any], Any]:
+    """Return what makes an agent that draws arms by a softmax of their means."""
+    return averages(lambda mdp: Softmax(temperature))
 
 
 def agent_of(method: str | Callable[[Any], Any], mdp: Any) -> Any:
@@ -224,3 +229,8 @@ def stuck(n_arms: int = N_ARMS, gap: float = GAP) -> float:
 def slope(epsilon: float, n_arms: int = N_ARMS, gap: float = GAP) -> float:
     """The regret of a pull that is random with probability ε, and else the best arm: ε Δ (n - 1)/n."""
     return epsilon * gap * (n_arms - 1) / n_arms
+
+
+def softmax_slope(temperature: float, n_arms: int = N_ARMS, gap: float = GAP) -> float:
+    """The regret of a pull that is drawn by a softmax of the true means: Δ (n - 1) / (n - 1 + exp(Δ/τ))."""
+    return gap * (n_arms - 1) / (n_arms - 1 + float(np.exp(gap / temperature)))
