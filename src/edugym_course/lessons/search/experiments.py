@@ -8,8 +8,8 @@ number. More actions stand still, or repeat the four directions.
 The worth of looking some steps ahead is computed exactly, in the right model and in wrong ones: an old map of the shop,
 which shows a door where there is a wall; soccer against an opponent who does not play as one thinks; and rewards with
 errors, drawn 100 times. What holds UCT back is tried by telling it, in place of roll-outs, what new nodes are
-worth, exactly, and with c = 1. Q-learning (learning rate 1, ε = 0.1) takes as many steps as UCT simulates before one
-step.
+worth, exactly, and with c = 1. In soccer UCT (c = 1) knows the opponent; 400 games. Q-learning (learning rate 1,
+ε = 0.1) takes as many steps as UCT simulates before one step.
 """
 
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.experiments.results.claims import Above, Below, Claim
+from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.experiments.results.statistics import exactly, mean_interval, paired_difference
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.search.figures import COPIES, IDLE, ROLL_OUTS, TREE, over_branches, over_depth
@@ -45,6 +45,7 @@ from edugym_course.lessons.search.plans import (
     in_the_shop,
     mending,
     random_play,
+    simulated_in_soccer,
     with_errors,
 )
 from edugym_course.report import Report
@@ -76,6 +77,8 @@ USELESS = (7, 6)
 CONTACTS = (1.0, 0.75, 0.5)
 SMALL_C = 1.0
 """With it what is seldom tried counts little."""
+SOCCER_NUMBERS = (5, 300)
+"""Of simulations before each step of soccer."""
 SHALLOW, DEEP = 8, 20
 SOCCER_SHALLOW, SOCCER_DEEP = 3, 8
 
@@ -116,7 +119,9 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     held_back["old map"] = told("well", door=DOOR, **shared)
     numbers = range(1, 1 + how.repetitions)
     held_back["no step pays"] = np.array([with_errors(number, (SHALLOW,), steps_pay=False)[0] for number in numbers])
-    return simulated, short, branching, on_maps, np.array(errors), learned(**shared), held_back
+    more = {**shared, "repetitions": 4 * how.repetitions}
+    played = {contact: {n: simulated_in_soccer(n, contact, **more) for n in SOCCER_NUMBERS} for contact in CONTACTS}
+    return simulated, short, branching, on_maps, np.array(errors), learned(**shared), held_back, played
 
 
 def judge(
@@ -127,6 +132,7 @@ def judge(
     errors: Reals,
     learners: Reals,
     held_back: Mapping[str, Reals],
+    played: Mapping[float, Mapping[int, Reals]],
 ) -> Report:
     """Return claims and figures."""
     claims = [claim for name, found in simulated.items() for claim in simulation_claims(name, found)]
@@ -137,6 +143,7 @@ def judge(
     claims += [claim for contact in CONTACTS for claim in soccer_claims(contact)]
     claims += [error_claim(errors), *searching_claims(on_maps), learning_claim(learners, on_maps[None])]
     claims += held_back_claims(held_back)
+    claims += [claim for contact, games in played.items() for claim in played_claims(contact, games)]
     figure = {label: [*found.values()] for label, found in simulated[LESSON].items()}
     branches = {label: [*found.values()] for label, found in branching[LESSON].items()}
     return Report(claims, [simulations_figure(figure), over_branches(branches), over_depth()])
@@ -318,6 +325,26 @@ def soccer_claims(contact: float) -> list[Claim]:
             "smallest gain from one depth to the next, exactly",
             exactly(float(np.diff(knows).min())),
             Above(-1e-6),
+        ),
+    ]
+
+
+def played_claims(contact: float, games: Mapping[int, Reals]) -> list[Claim]:
+    """Return the claims on UCT in soccer."""
+    few, many = games.values()
+    best = float(in_soccer(True, contact)[-1])
+    return [
+        Claim(
+            f"In soccer with contact {contact:g}, UCT wins more with 300 simulations than with 5",
+            "return of a game, less that with 5",
+            paired_difference(many, few),
+            Above(0.1),
+        ),
+        Claim(
+            f"In soccer with contact {contact:g}, UCT with 300 simulations gets as much as the exact look-ahead",
+            f"return of a game, less {best:.2f}, what 20 steps of look-ahead are worth exactly",
+            mean_interval(many - best),
+            Within(-0.2, 0.2),
         ),
     ]
 

@@ -2,23 +2,28 @@
 
 from collections.abc import Sequence
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.agents.uct import UCT
 from edugym.envs.games.soccer import WEST, Soccer
 from edugym.envs.supermarket import Supermarket
 from edugym.exact.finite_horizon import finite_horizon
 from edugym.exact.game_model import game_model
+from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import greedy_actions
+from edugym.mdp.against import against
 from edugym.mdp.player_policies import uniform_policy
 from edugym.mdp.protocol import Reals
-from edugym_course.lessons.search.methods import DEPTH, DISCOUNT, DOOR, MAX_STEPS, OPTIMUM, model_of_map
+from edugym_course.lessons.search.methods import DEPTH, DISCOUNT, DOOR, MAX_STEPS, OPTIMUM, model_of_map, returns
 
 DEPTHS = (1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30)
 SOCCER_DEPTHS = (1, 2, 3, 4, 5, 6, 8, 10, 20)
+SOCCER_C = 1.0
+"""c in soccer, where a game brings -1, 0 or 1."""
 
 
 def looking_ahead(
@@ -143,12 +148,25 @@ def opponents(contact: float = 1.0) -> Opponents:
     """Return soccer against the opponent that one thinks to have, and against the real one."""
     game = Soccer.create(contact)
     model = game_model(game)
-    random, runner = uniform_policy(game, 1), np.zeros_like(uniform_policy(game, 1))
-    runner[:, WEST] = 1.0
-    return Opponents(model.against(0, random), model.against(0, runner))
+    return Opponents(model.against(0, uniform_policy(game, 1)), model.against(0, runner(game)))
+
+
+def runner(game: Soccer) -> Reals:
+    """Return the policy of player 1 who always runs towards the goal in which it scores."""
+    policy = np.zeros_like(uniform_policy(game, 1))
+    policy[:, WEST] = 1.0
+    return policy
 
 
 def in_soccer(knows: bool, contact: float = 1.0, depths: Sequence[int] = SOCCER_DEPTHS) -> Reals:
     """Return what looking ahead is worth against the runner, for one who knows it and for one who does not."""
     thought, real = opponents(contact)
     return looking_ahead(real if knows else thought, real, depths)
+
+
+def simulated_in_soccer(simulations: int, contact: float = 1.0, **how: Any) -> Reals:
+    """Return what UCT gets in games against the runner, whom it knows; other arguments as in `returns`."""
+    game = Soccer.create(contact)
+    mdp = against(game, 0, runner(game))
+    settings: dict[str, Any] = {"simulations": simulations, "depth": DEPTH, "c": SOCCER_C, "discount": DISCOUNT}
+    return returns(mdp, UCT.create(mdp, model=finite_model(mdp), **settings), **how)
