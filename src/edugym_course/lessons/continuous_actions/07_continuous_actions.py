@@ -22,7 +22,7 @@ import numpy as np
 from edugym import REINFORCE, GaussianActorCritic, TileCoding, make_mdp, paired_difference, repeat, train
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from edugym.agents.tables import greedy_action
-from edugym.deep.ppo import clipped_gain
+from edugym.deep.ppo import advantages_of, clipped_gain
 from edugym.envs.trashbot.task import TrashbotInBins
 from edugym.experiments.figures import Sheet
 from edugym.experiments.results.tables import joined
@@ -503,8 +503,19 @@ figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 source(clipped_gain)
 
 # %% [markdown]
-# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `advantage` is what stands for $\delta$ (GAE: the mean of
-# the $n$-step errors of all depths, weighted by $\lambda = 0.95$ as in the λ-return of lesson 3), and `clip` is 0.2.)
+# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `clip` is 0.2, and `advantage` is what stands for $\delta$.) One step of look-ahead or many? Here is the
+# answer of lesson 3 again, all at once: later errors of the critic count too, each $\gamma \lambda$ times as much as the one before it (generalised advantage estimation, GAE; $\lambda = 0.95$):
+#
+# $$
+# \hat A_t = \delta_t + \gamma \lambda\, \delta_{t+1} + (\gamma \lambda)^2\, \delta_{t+2} + \dots
+# $$
+#
+# $\lambda = 0$ is the one-step error of the actor-critic above, and $\lambda = 1$ the return of the rest of the round, less the baseline, much as in REINFORCE.
+
+# %%
+source(advantages_of)
+
+# %% [markdown]
 # With bins the network puts out a softmax for each joint, without bins the mean of a Gaussian, and $\sigma$ is learned
 # too. *All the rest is the same*: networks, learning rate 0.001 (falling to 0), $\gamma = 0.999$, 128 copies, rounds of
 # 64 steps, 6 epochs of 8 minibatches, 393 216 steps. A run takes several seconds, so these are stored results of ten
