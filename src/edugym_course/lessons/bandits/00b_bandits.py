@@ -7,7 +7,7 @@
 # **You will be able to** say what regret is, and compute it exactly; say what each of seven agents pays while it learns, and why; and
 # write upper confidence bounds and the gradient bandit.
 #
-# **Time.** {time} **Before you start.** You need nothing but the mean of some numbers, and a little Python. This is chapter 2 of Sutton and
+# **Time.** {time} **Before you start.** You need means, logarithms and the normal distribution, and a little Python. This is chapter 2 of Sutton and
 # Barto, 2nd edition. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
@@ -37,7 +37,7 @@ from edugym_course.notebook import play, predict, sliders, source
 #
 # | | | in words |
 # |---|---|---|
-# | states | one | nothing changes from pull to pull |
+# | states | one | nothing changes from pull to pull (in the code the number `state` is the best arm, which no agent sees) |
 # | actions | $a \in \{0, \dots, n - 1\}$ | the arm to pull; $n = 10$ |
 # | reward | $R \in \{0, 1\}$ | the best arm pays 1 with probability $(1 + \Delta)/2$, every other one with $(1 - \Delta)/2$ |
 # | gap | $\Delta = 0.2$ | so the best arm pays in 60 % of the pulls, and the others in 40 % |
@@ -105,7 +105,7 @@ finds.measured(100 * settled)
 # - **ε-greedy**: with probability $\varepsilon$ pull a random arm, else the one with the largest mean.
 # - **A falling ε**: the same with $\varepsilon_t = \min(1, 200/t)$ at pull $t$.
 # - **Optimistic values**: be greedy, but begin with $Q(a) = 1$, as if every arm always paid, and learn with a constant rate $\alpha$. (With $1/N(A)$,
-#   which is 1 at the first pull, nothing of the first value would be left.) Each arm disappoints until it has been tried several times.
+#   which is 1 at the first pull, nothing of the first value would be left.) Each arm must be tried several times before its value comes down.
 # - **Upper confidence bounds** (UCB): take the largest value that an arm may plausibly have. It is above the mean, the more so the fewer pulls the arm has had. At pull $t$, with a constant $c$ that says how much this counts:
 #
 # $$
@@ -145,6 +145,7 @@ source(GradientBandit, "learn")
 # | bandit | $n = 10$ arms, gap $\Delta = 0.2$ |
 # | methods | $\varepsilon = 0.1$; UCB $c = 0.7$; Thompson sampling $\sigma = 0.5$; $\alpha = 0.1$ for optimistic values and the gradient bandit |
 # | repetitions | 100, each with a best arm of its own; bands are 95 % intervals |
+# | "best arm in" | the share of runs in which it gets more than half of the last tenth of the pulls |
 #
 # How little regret is possible? Lai and Robbins proved that a strategy which is good on *every* bandit cannot do better, in the long run, than $C \ln t$ with
 #
@@ -190,7 +191,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # %% [markdown]
 # On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
 # Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
-# Optimism looks around at the beginning above all. In 94 % of the runs that is enough; in the others it ends with a worse arm. With a constant $\alpha$ its values never come to rest either, so now and then a worse arm looks best for a while.
+# Optimism looks around at the beginning above all. In the end 94 % of the runs pull the best arm. Nearly all of the others had found it, too, and lost it again: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best for a while.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -249,7 +250,7 @@ for method, one in shown.items():
 agent = methods.agent_of("UCB", mdp)
 train(mdp, agent, methods.N_PULLS, seed=1)
 N, Q = agent.counts[0], agent.Q[0]
-bonus = methods.C * np.sqrt(np.log(N.sum()) / N)
+bonus = methods.C * np.sqrt(np.log(1 + N.sum()) / N)
 print("arm   pulls   mean   bonus   upper bound")
 for arm in np.argsort(-N):
     print(f"{arm:3} {N[arm]:7} {Q[arm]:6.2f} {bonus[arm]:7.2f} {Q[arm] + bonus[arm]:10.2f}")

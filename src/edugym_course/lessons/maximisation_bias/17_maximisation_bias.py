@@ -134,7 +134,7 @@ source(MaxminQLearning, "learn")
 # The dashed line is the best policy that takes a random action in a share $\varepsilon$ of its steps: it enters the casino in 1 % of the episodes. Expected
 # SARSA (section 6.6 of the book) learns from the mean over what its $\varepsilon$-greedy policy does next.
 #
-# **Predict.** In which order, from the most visits to the fewest, are the three in episodes 31 to 100?
+# **Predict.** In which order, from the most visits to the fewest, are Q-learning, expected SARSA and double Q-learning in episodes 31 to 100?
 
 # %%
 order = predict(
@@ -164,7 +164,7 @@ order.measured(order.options[0 if q > expected + 0.05 > double + 0.1 else 1 if e
 # **Measured.** Q-learning, expected SARSA, double Q-learning: 71 %, 46 % and 9 %. At first nobody knows the casino, and all go in by chance, in one of ten episodes. Then some machine has paid.
 # Q-learning believes it, goes in, and plays it until it has lost enough. Then it believes the next one. In the last 100 episodes it
 # seldom goes in: 3 %. The target of expected SARSA is 0.9 of the maximum and 0.1 of the mean. In episodes 31 to 100 maxmin Q-learning with two
-# tables goes in less often than Q-learning, too: 11 %. In the last 100 episodes it goes in more often: 13 %.
+# tables goes in less often than Q-learning, too: 11 %. In the last 100 episodes it goes in more often than Q-learning: 13 %.
 # </details>
 
 # %% [markdown]
@@ -187,7 +187,7 @@ sliders(one_setting, n_machines=[2, 5, 10, 20], noise=[0.5, 1.0, 2.0], n_tables=
 #
 # The more machines there are, the more often Q-learning goes in, over all 200 episodes, although by chance one goes in the less often: in
 # one of $k$ episodes.
-# With one table maxmin Q-learning is Q-learning (with other random numbers). With four it seldom goes in more often than by chance.
+# With one table maxmin Q-learning is Q-learning (with other random numbers). With four it goes in about as often as by chance with 10 or 20 machines, and less often with 2 or 5.
 # </details>
 
 # %% [markdown]
@@ -228,7 +228,7 @@ quiet = predict("Without noise it goes in ...", unit="% of the time")
 quiet
 
 # %%
-for name, change in (("no noise", {"noise": 0.0}), ("one machine", {"n_machines": 1})):
+for name, change in methods.WITHOUT.items():
     usual, fast = (
         methods.walks("Q-learning", 100, learning_rate=alpha, **change).share().mean() for alpha in (0.1, 0.3)
     )
@@ -240,8 +240,8 @@ quiet.measured(100 * methods.walks("Q-learning", 100, noise=0.0).share().mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 9 %, about what chance gives (10 %). Until all ten machines have been tried, the largest value in the casino is 0, the
-# first value of a machine that was not tried; so home and casino seem equally good. One noisy machine is not enough either: 9 %. (With one machine there are two actions, in or home. So by chance one goes in
-# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) It takes noise *and* a choice. A learning rate of 0.3 makes little of a difference: 9 % without noise, 8 % with one
+# first value of a machine that was not tried; so home and casino seem equally good. One noisy machine makes little of it: 9 %, and 5 % without noise. (With one machine there are two actions, in or home. So by chance one goes in
+# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) For most of the 71 % it takes noise *and* a choice. A learning rate of 0.3 makes little of a difference: 9 % without noise, 8 % with one
 # machine. With 20 machines and no noise it is 5 %, again what chance gives.
 # </details>
 
@@ -330,7 +330,7 @@ for n_machines in (2, 5, 10, 20):
 
 # %% [markdown]
 # The truth is −0.10 everywhere. One table promises too much, and eight promise too little. With four the bias is nearly gone, *for ten equal machines*. For two
-# machines two tables would be best, for twenty five.
+# machines two tables would be best, and for twenty machines five.
 
 # %% [markdown]
 # ## Exercises
@@ -497,7 +497,7 @@ check(project_17, my_program)
 # ### Limits
 # A table and an episode of two steps show the bias itself. In longer tasks it is carried back from state to state, and
 # a network spreads it to states that look alike; that is where double DQN comes from. Here $\alpha$ stays 0.1, so a value is no mean of all
-# tries: recent ones count more. The exact sums are for means. In the casino we chose, the bias only harms. It is also a reason to
+# tries: recent ones count more. The exact sums are for means. In a casino that does not pay, the bias only harms. It is also a reason to
 # try what is uncertain: lesson 1 has agents that are too hopeful on purpose.
 #
 # ### Further reading

@@ -66,6 +66,16 @@ class Walks(NamedTuple):
         return income
 
 
+WITHOUT: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "no noise": {"noise": 0.0},
+        "one machine": {"n_machines": 1},
+        "one machine, no noise": {"n_machines": 1, "noise": 0.0},
+    }
+)
+"""Casinos without noise, without a choice, and without both."""
+
+
 def agent_of(
     method: str,
     mdp: Any,

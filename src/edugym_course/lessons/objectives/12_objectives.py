@@ -34,7 +34,7 @@ env.scene()
 # | | | in words |
 # |---|---|---|
 # | states | $\mathcal{S}$: 54 cells | where the diver is |
-# | actions | $\mathcal{A}$: down, right | away from the shore, never back |
+# | actions | $\mathcal{A}$: down, right | away from the shore, never back; in the last column `right` does nothing |
 # | dynamics | $p(s' \mid s, a)$ | nothing is random |
 # | rewards | $\mathbf{r}(s, a, s')$, a *vector* of two numbers | the value of a treasure that is picked up, else 0; and $-1$ for the step |
 # | discount | $\gamma = 1$ | in the whole lesson |
@@ -204,7 +204,7 @@ who.measured(who.options[0 if rest and whole else 1 if whole else 2 if rest else
 # **Measured.** Only the whole dive: it picks up the closest one for 18 of 18 weights, all nine treasures. The rest of the dive does so for 5.
 # </details>
 #
-# Why? $\mathbf{Q}(s, a)$ are the returns from $s$ *on*, but $\mathbf{z}$ is what a whole dive could bring. After four steps these four are forgotten, and
+# Why? $\mathbf{Q}(s, a)$ are the returns from $s$ *on*, but $\mathbf{z}$ is what a whole dive could bring. After four steps $\mathbf{Q}$ knows nothing of these four, and
 # two more steps look as cheap as the first two. So the agent goes on where its own weights, at the start, would have
 # stopped. That it most often dives too deep fits this. It also explains the dives that stop too early, for weights of time from 12 to 22: by its own
 # values, going on would lead to a treasure that is too deep, and so it rather stops at once. (At concavity 0 and 1 the same came out; with the steps so
@@ -299,7 +299,7 @@ dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 els
 #
 # **Measured.** More than a third: 37.5 %. On average a dive takes 7.00 steps, so the limit is kept *on average*. But no single dive is
 # the one that was asked for. Five of eight pick up the first treasure at the shore, after one step; the other three go for the deepest, and take 17. Treasure 3, seven steps
-# and within the limit, is never picked up. The price goes up and down around 5, at which treasures 0 and 8 are worth the same.
+# and within the limit, is not picked up once in the second half. The price goes up and down around 5, at which treasures 0 and 8 are worth the same.
 # </details>
 #
 # Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. `constrained_optimum` computes it: if only the average must keep the
@@ -337,7 +337,7 @@ costs.measured(costs.options[0 if change < 0.2 else 1 if change < 0.75 else 2])
 # **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30.
 # </details>
 #
-# Why does a high price save so little? There may be two causes. The first values are too high, so they lead the agent everywhere once. And a price
+# Why do so many dives take too long, whatever the first price? There may be two causes. The first values are too high, so they lead the agent everywhere once. And a price
 # of 0 rises by small steps. To tell them apart, let the agent begin with the values of an earlier training, so that only the price is new.
 
 # %%
@@ -452,7 +452,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no
 # price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. From the same
-# start every way to a cell takes the same number of steps, so it also says how many steps the dive took so far. In a seventh sea the diver begins one cell
+# start every way to a cell takes the same number of steps (but in the last column, where `right` only costs a step; it is too far anyway), so it also says how many steps the dive took so far. In a seventh sea the diver begins one cell
 # away from the shore, so each cell is one step nearer; there the check only looks whether the dive takes too long.
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? The check sees only the steps that your program takes and

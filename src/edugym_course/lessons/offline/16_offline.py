@@ -92,7 +92,7 @@ for k in range(8):
 #
 # ### Correct what you believe
 # The *doubly robust* estimate begins with values $Q$ that somebody believes in, and lets the data correct them. From the end of each
-# night to its start, with $\rho$ of one step and $V(s) = \sum_a \pi(a \mid s)\, Q(s, a)$:
+# night to its start, with $V_{\text{DR}} = 0$ at the end, $\rho$ of one step and $V(s) = \sum_a \pi(a \mid s)\, Q(s, a)$:
 #
 # $$
 # V_{\text{DR}} \leftarrow V(S) + \rho\, \bigl( R + V_{\text{DR}} - Q(S, A) \bigr)
@@ -124,7 +124,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 #
 # ### Be pessimistic
 # A mean of $n$ targets is off by about their spread over $\sqrt{n}$. And what was never tried may be as bad as can be. The pessimist
-# takes both into account:
+# takes both into account. No night brings less than the *lowest* return, which it must know beforehand:
 #
 # $$
 # Q(s, a) \leftarrow \max\!\left( \text{lowest},\ \text{mean of the targets} - \frac{c}{\sqrt{n(s, a)}} \right),
@@ -230,7 +230,7 @@ print(f"promised {learned.start:.1f}, kept {policy_evaluation(model, learned.gre
 # %% [markdown]
 # At $(6, 2)$ the good clock has always chimed. Its value is −0.7 by the data (in truth it is lower still). Nobody has tried to stay quiet or to ring there, so both keep
 # their 0, and 0 is more. The maximum takes it. At $(5, 2)$ somebody stayed quiet once, and got 2; the target adds the 0 of the
-# next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps.
+# next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps in most nights.
 #
 # Could the estimates from above have warned? Let us ask them what the learned policy is worth:
 
@@ -241,7 +241,7 @@ for method in ("ordinary", "per decision", "doubly robust"):
     print(f"{method:13} {found.value:5.2f} ± {found.standard_error:.2f}, as from {found.effective_episodes:.0f} nights")
 
 # %% [markdown]
-# They cannot. The condition holds, since $b$ takes every action now and then; but nights as this policy plays them are so rare that these 300 contain none. The doubly robust estimate even
+# They cannot. The condition of no bias holds, since $b$ takes every action now and then; but nights as this policy plays them are so rare that these 300 contain none. The doubly robust estimate even
 # repeats the promise, with a standard error of 0, since no step of the data corrects the values it was given. But one number does warn: these
 # estimates rest on *no* whole night. Look at the effective number before you look at the estimate.
 
@@ -270,14 +270,14 @@ no_zero.measured(good.kept["unseen is worst"].mean())
 # once or twice has a value that is too high or too low by chance, and the maximum looks for the one that is too high (the
 # maximisation bias of Sutton and Barto, section 6.7).
 #
-# The same came out on a longer morning and on Roadrunner, where the runner falls off the cliff: promised −0.7, kept −77. On Boulder, where no
+# The same came out on a longer morning and on Roadrunner, where the runner falls off the cliff: promised −0.7, kept −77 (from 100 episodes). On Boulder, where no
 # return is below 0, the zero does no harm: there it *is* the lowest value. With a network in the place of the table an untried action has whatever value
 # the network makes up for it.
 # </details>
 
 # %% [markdown]
 # ### Do more nights help?
-# In 300 nights the nearly perfect clock has pressed 72 buttons at random: 3 of 100, in nights of 8 steps. In 1 000 nights it has
+# In 300 nights the nearly perfect clock has pressed about 72 buttons at random: 3 of 100, in nights of 8 steps. In 1 000 nights it has
 # pressed 240.
 #
 # **Predict.** Fitted Q as it is, from 1 000 nights of the nearly perfect clock, learns a clock that is ...

@@ -101,8 +101,8 @@ for noise in (0.1, 1.0, 10.0):
 # where $y$ is 1 if she preferred the first night and else 0, $p$ is what the table says about that (with $\tau = 1$: rewards are
 # learned in units of the noise), and $n_1$, $n_2$ count how often
 # each night took action $a$ in state $s$. It reads like the updates that you know: a rate, an error, and where to put it.
-# What surprises most is learned most. The package does the same for all comparisons at once, by Newton's method. A *prior* $\lambda$ takes
-# $\frac{\lambda}{2} \sum \hat r^2$ off the likelihood, so that all rewards shrink a little, and those that nothing is known of stay 0. These are the lines that do it:
+# What surprises most is learned most. The package makes the logarithm of the likelihood of all comparisons as large as possible, by Newton's method. A *prior* $\lambda$ takes
+# $\frac{\lambda}{2} \sum \hat r^2$ off it, so that all rewards shrink a little, and those that nothing is known of stay 0. These are the lines that do it:
 
 # %%
 source(most_likely)
@@ -208,7 +208,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 #
 # From its highest point the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
-# was smaller. With $\tau = 3$ it fell by 2 to 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever.
+# was smaller. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better, even with $\tau = 10$.
 # </details>
 
 # %% [markdown]
@@ -249,7 +249,7 @@ print(f"without luck, the gain that is promised of the best clock: {promised:.1f
 # ### Is it the teacher's fault?
 # Many would say: the teacher errs, so her reward is wrong. Then a teacher who never errs, $\tau = 0$, would cure it.
 #
-# **Predict.** A hundred comparisons, none of them wrong. How large is the fall of the meant return?
+# **Predict.** A hundred comparisons, none of them wrong. How large is the fall of the meant return (with $\beta = 0.5$, less with $\beta = 0$)?
 
 # %%
 never_wrong = predict(
@@ -269,7 +269,7 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 #
 # **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers (22 states, three actions). What a
 # comparison says is which night was better *as a whole*, and not which of its steps made it so. Errors of the teacher make
-# it worse, if there are many (the sliders show $\tau = 10$); but without any it is still there. On a longer morning and with other costs the
+# the fall larger, if there are many (the sliders show $\tau = 10$); but without any the return still falls. On a longer morning and with other costs the
 # same came out.
 # </details>
 
@@ -435,7 +435,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # %% [markdown]
 # ### From a blank file
 # Until now the package played the nights and learned the rewards. Now write all of it, from an empty cell, with NumPy and
-# Gymnasium alone: some 45 lines.
+# Gymnasium alone: some 40 lines.
 #
 # **What it must do.** `my_program(environment, compare, n_comparisons, seed)` returns a policy, a function from an observation to
 # an action, always the same one for an observation.

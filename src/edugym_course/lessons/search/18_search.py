@@ -74,7 +74,7 @@ for action, name in enumerate(shop.action_names):
 #    $$
 #    Q(\text{node}, a) + c \sqrt{\frac{\ln N(\text{node})}{N(\text{node}, a)}},
 #    $$
-#    but an action that was never tried comes before all others. The bonus $c \sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node.
+#    but an action that was never tried comes before all others. The bonus $c \sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node, the present one included.
 # 2. **Expand.** The first state that is not in the tree becomes a new node.
 # 3. **Roll out.** From there on, act at random until the end, or until step $d$.
 # 4. **Back up.** From the last node to the root: $G \leftarrow R + \gamma G$, count the action, and
@@ -139,7 +139,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains clearly only with 20 steps and 1000 simulations.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains clearly only with 20 steps, 1000 simulations and $c = 10$.
 # With $c = 0$ UCT stays with what looked good first, and gets much less. With $c = 100$ it gets about what plain roll-outs get.
 # </details>
 
@@ -198,12 +198,15 @@ for name, told in judges.items():
     large, small = (search(c=c, repetitions=20).mean() for c in (10.0, 1.0))
     print(f"{name:27} {large:7.0f} {small:7.0f}")
 longer = [methods.told(told, simulations=10_000, repetitions=5).mean() for told in ("at random", "well")]
+print("told the value of good play, tries at the entrance (up, right, down, left):")
+for c in (10.0, 1.0):
+    print(f"c = {c:g}: {methods.tries_at_entrance('well', c)}")
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 
 # %% [markdown]
-# Both do, and only without both it gets 95. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$, as the root above shows, a wall is tried nearly as often as the way, and a
+# Both do: without roll-outs and with a small $c$ it gets 95, and with one of these changes alone it does not. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A
 # value is the mean over all tries. With $c = 1$ and roll-outs it gets 65. Told the value of random play without errors, UCT gets
-# 59, no more than plain roll-outs, and 10 000 simulations change neither 59 nor 78. So here even the errors of the roll-outs help.
+# 59, as plain roll-outs do in the long run, and 10 000 simulations change neither 59 nor 78. So here even the errors of the roll-outs help.
 
 # %% [markdown]
 # ## Predict, then check
@@ -223,14 +226,17 @@ for n_actions, got in crowds.items():
     print(f"{n_actions:2} actions: {got.mean():4.0f}   less than 0 in {(got < 0).sum():2} of {len(got)} episodes")
 repeating = methods.in_crowd(16, copies=True, repetitions=20).mean()
 print(f"16 actions, of which 12 repeat the four directions: {repeating:.0f}")
+for where in ("tree", "roll-outs"):
+    alone = methods.in_crowd_of_one(where, repetitions=20).mean()
+    print(f"16 actions, of which 12 stand still, only in the {where}: {alone:.0f}")
 crowded.measured(crowds[16].mean())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). You may think that the tree is to blame, for it has 16 branches at each node now. But where the
-# twelve actions *repeat* the four directions, the tree has as many branches, and UCT still gets 67. So mostly the *roll-outs* are to blame: of their 20 steps 15 stand
-# still, and they seldom get anywhere. (The same with a discount of 0.9, and with 30 steps.) This is one reason why programs that play well seldom roll out at random: they
+# **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). Is the tree to blame, which has 16 branches at each node now? Or
+# the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. Branches that
+# *repeat* the four directions do little harm (67). (The same with a discount of 0.9. With 30 steps the harm is smaller: about 10, and 52 and 74 with one of the two.) This is one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
@@ -256,7 +262,7 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 # <details><summary>What was measured</summary>
 #
 # **Measured.** More. So the direction depends on what the values come to. And note: even with the right model the *shorter* look was the better
-# one for plain roll-outs, 78 against 59. Deeper is not better if what you see there is random play.
+# one for plain roll-outs, 78 against 59. If what you see there is random play, a deeper look is better only up to a point: here up to 8 to 10 steps.
 # </details>
 
 # %% [markdown]
@@ -285,8 +291,8 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
-# the same plan each time. The short look never sees what is behind the door. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. With another door, or a discount of 0.9, it came out the same.
+# the same plan each time. With 8 steps it never sees what is behind the door. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out the same with a discount of 0.9, and with a door in each of the two other cells of that wall. It depends on where the door is: in seven other walls it changes nothing, or costs the longer look less, or even costs the shorter look more.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
@@ -508,7 +514,7 @@ check(project_18, my_program)
 #
 # - Plain roll-outs come to the values of random play. With more simulations they got *worse* here: their limit, 59, can be computed.
 # - UCT got about 80 with 1000 simulations, and no more with 3000. Told the value of good play, and with a small c, it got 95; each of these alone was not enough.
-# - Twelve actions that stand still ruined UCT. Mostly the roll-outs were to blame, not the branches of the tree.
+# - Twelve actions that stand still ruined UCT. In the tree alone, or in the roll-outs alone, they cost much less.
 # - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with small errors in all rewards deeper was better.
 # - Nothing is kept. UCT simulates up to 20 000 steps before each of its own; value iteration asks the model about as often, once, and has the best way.
 #

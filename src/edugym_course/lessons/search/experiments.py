@@ -3,7 +3,7 @@
 UCT searches before each step in the exact model of Supermarket (1000 simulations of at most 20 steps, c = 10, discount
 0.95; episodes of at most 100 steps; the best return is 95). Plain roll-outs are the same without a tree. Beside these
 settings there are a discount of 0.9, and simulations of 30 steps. Returns are those of single episodes, 100 for each
-number. More actions stand still, or repeat the four directions.
+number. More actions stand still, also in the tree or in the roll-outs alone, or repeat the four directions.
 
 The worth of looking some steps ahead is computed exactly, in the right model and in wrong ones: an old map of the shop,
 which shows a door where there is a wall; soccer against an opponent who does not play as one thinks; and rewards with
@@ -34,6 +34,7 @@ from edugym_course.lessons.search.methods import (
     REPETITIONS,
     C,
     in_crowd,
+    in_crowd_of_one,
     learned,
     searched,
     told,
@@ -74,13 +75,13 @@ MAPS: Mapping[str, dict[str, Any]] = MappingProxyType(
 )
 USELESS = (7, 6)
 """A wall beside which a door would be no way to anything."""
-CONTACTS = (1.0, 0.75, 0.5)
-SMALL_C = 1.0
+CONTACTS, SMALL_C = (1.0, 0.75, 0.5), 1.0
 """With it what is seldom tried counts little."""
+PLACES = ("tree", "roll-outs")
+"""Where alone actions may stand still."""
 SOCCER_NUMBERS = (5, 300)
 """Of simulations before each step of soccer."""
-SHALLOW, DEEP = 8, 20
-SOCCER_SHALLOW, SOCCER_DEEP = 3, 8
+SHALLOW, DEEP, SOCCER_SHALLOW, SOCCER_DEEP = 8, 20, 3, 8
 
 
 def measure(how: SharedArguments) -> tuple[Any, ...]:
@@ -108,6 +109,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
             label: {n: in_crowd(n, copies=label == COPIES, **settings, **shared) for n in BRANCHES[not_all:]}
             for label in (IDLE, COPIES)
         }
+        | {where: {16: in_crowd_of_one(where, **settings, **shared)} for where in PLACES}
         for name, settings in SETTINGS.items()
         for not_all in (0 if name == LESSON else 2,)
     }
@@ -145,7 +147,7 @@ def judge(
     claims += held_back_claims(held_back)
     claims += [claim for contact, games in played.items() for claim in played_claims(contact, games)]
     figure = {label: [*found.values()] for label, found in simulated[LESSON].items()}
-    branches = {label: [*found.values()] for label, found in branching[LESSON].items()}
+    branches = {label: [*branching[LESSON][label].values()] for label in (IDLE, COPIES)}
     return Report(claims, [simulations_figure(figure), over_branches(branches), over_depth()])
 
 
@@ -235,6 +237,11 @@ def repeated(name: str) -> str:
     return f"Where twelve more actions repeat the four, {name}, UCT gets far more than where they stand still"
 
 
+def only_in(where: str, name: str) -> str:
+    """Return the claim on actions that stand still in one place only."""
+    return f"With twelve that stand still only in its {where}, {name}, UCT gets more"
+
+
 def branching_claims(name: str, crowds: Mapping[str, Mapping[int, Reals]], alone: Reals) -> list[Claim]:
     """Return the claims on the number of actions."""
     idle, copies = crowds[IDLE][16], crowds[COPIES][16]
@@ -244,8 +251,17 @@ def branching_claims(name: str, crowds: Mapping[str, Mapping[int, Reals]], alone
             "return, less that with four actions",
             paired_difference(idle, alone),
             Below(-40),
-            "the roll-outs seldom get anywhere",
-            (repeated(name),),
+            "they stand still both in its tree and in its roll-outs",
+            tuple(only_in(where, name) for where in PLACES),
+        ),
+        *(
+            Claim(
+                only_in(where, name),
+                "return, less that with twelve such actions in both",
+                paired_difference(crowds[where][16], idle),
+                Above(25),
+            )
+            for where in PLACES
         ),
         Claim(
             repeated(name),

@@ -8,6 +8,8 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.agents.q_learning import QLearning
+from edugym.agents.search_tree import ROOT
+from edugym.agents.tables import random_action
 from edugym.agents.uct import UCT
 from edugym.compiled.execution import executable
 from edugym.envs.supermarket import FLOOR, Supermarket
@@ -101,6 +103,39 @@ class KnownLeaves(UCT):
     def roll_out(self, state: int, steps: int, rng: Random) -> float:
         """The value that it was told."""
         return float(self.Q[state, 0])
+
+
+class FewInRollOuts(UCT):
+    """UCT whose roll-outs draw from the four directions only, whatever other actions there are."""
+
+    def roll_out(self, state: int, steps: int, rng: Random) -> float:
+        """The return of random directions."""
+        return rolled_out(self, 4, state, steps, rng)
+
+
+class ManyInRollOuts(UCT):
+    """UCT that has four actions, and whose roll-outs draw from sixteen, of which twelve stand still."""
+
+    def roll_out(self, state: int, steps: int, rng: Random) -> float:
+        """The return of random directions, and of standing still in three of four steps."""
+        return rolled_out(self, 16, state, steps, rng)
+
+
+def rolled_out(search: UCT, n_actions: int, state: int, steps: int, rng: Random) -> float:
+    """Return what random actions get, out of so many; those that the search does not have stand still, for -1."""
+    model, G, weight = search.model, 0.0, 1.0
+    for _ in range(steps, search.depth):
+        action = random_action(n_actions, rng)
+        if action >= search.Q.shape[1]:
+            G -= weight
+        else:
+            outcome = model.sample(state, action, rng)
+            G += weight * float(model.rewards[outcome])
+            if model.ends[outcome] == 1:
+                return G
+            state = int(model.next_states[outcome])
+        weight *= search.discount
+    return G
 
 
 def shop() -> Supermarket:
@@ -201,15 +236,36 @@ def worth(play: str, door: tuple[int, int] | None = None) -> Reals:
 def told(play: str, *, door: tuple[int, int] | None = None, **settings: Any) -> Reals:
     """Return what UCT gets that is told what new nodes are worth if one plays so; other arguments as in `searched`."""
     how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
+    return returns(shop(), told_search(play, door, **settings), **how)
+
+
+def told_search(play: str, door: tuple[int, int] | None = None, **settings: Any) -> KnownLeaves:
+    """Return UCT that is told what new nodes are worth if one plays so; other arguments as in `searcher`."""
     agent = KnownLeaves(*searcher(model_of_map(door), **settings))
     agent.Q[:] = worth(play, door)[:, np.newaxis]
-    return returns(shop(), agent, **how)
+    return agent
+
+
+def tries_at_entrance(play: str, c: float) -> list[int]:
+    """Return how often such a search tries each action at the entrance."""
+    agent = told_search(play, c=c)
+    agent.greedy(shop().initial(np.random.default_rng(0)), np.random.default_rng(1))
+    tries: list[int] = agent.tree.counts[ROOT].tolist()
+    return tries
 
 
 def in_crowd(n_actions: int, *, copies: bool = False, **settings: Any) -> Reals:
     """Return what a search gets where there are so many actions; arguments as in `searched`."""
     how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
     return returns(crowd(n_actions, copies), searcher(model_of_crowd(n_actions, copies), **settings), **how)
+
+
+def in_crowd_of_one(where: str, **settings: Any) -> Reals:
+    """Return what UCT gets if twelve actions that stand still are only in its "tree", or only in its "roll-outs"."""
+    how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
+    if where == "tree":
+        return returns(crowd(16), FewInRollOuts(*searcher(model_of_crowd(16), **settings)), **how)
+    return returns(shop(), ManyInRollOuts(*searcher(model_of_map(), **settings)), **how)
 
 
 def learned(

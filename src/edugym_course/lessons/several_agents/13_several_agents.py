@@ -158,7 +158,7 @@ source(games.MinimaxQ, "learn", "act")
 # ### Rock-paper-scissors
 # Two Q-learners play 2 000 games against each other. Each learns from its own rewards, as if it were alone.
 #
-# **Predict.** How exploitable are they in the end? Two who toss a fair die have 0; the worst is 1.
+# **Predict.** How exploitable are they in the end? Two who choose each action with probability 1/3 have 0; the worst is 1.
 
 # %%
 in_the_end = predict("After 2 000 games their exploitability is ...", ["0", "about 0.3", "1"])
@@ -191,7 +191,7 @@ in_the_end.measured(str(round(games.exploitability(model, run.policies[-1]))))
 # | learning rate | from 1 to 0.01, as Littman's, for Q-learning and minimax Q; 0.1 for fictitious play |
 # | training | 1 000 000 steps, 55 000 to 67 000 games |
 # | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play |
-# | repetitions | 3 here, 5 in the report; bands are 95 % intervals |
+# | repetitions | 3 here, 5 in the full experiment; bands are 95 % intervals |
 #
 # The dotted line is an equilibrium. Random players have an exploitability of 0.55.
 #
@@ -412,8 +412,8 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 #
 # **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and it
 # loses hardly anything to it. But in nearly half of the states its action is no best answer, not even to the teacher. The two seldom come there:
-# in two runs 3 and 5 % of their steps began in such a state, though these are 47 and 49 % of all states. A challenger leads it there, in 10 and 39 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
-# does not make a safe pupil.
+# in three runs 3 to 5 % of their steps began in such a state, though these are nearly half of all states. A challenger leads it there, in 9 to 42 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
+# does not make a safe pupil: in a world that stands still, too, the policy stays weak where it seldom comes.
 # </details>
 
 # %% [markdown]
