@@ -328,7 +328,7 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 
 # %% [markdown]
 # ### And a table?
-# Now a table with 'future'. With $\alpha = 1$ one look at a step is enough, since nothing is random. With four switches a table
+# Now a table with 'future'. With $\alpha = 1$ nothing needs to be averaged, since nothing is random. With four switches a table
 # learns all in 15 000 steps, with hindsight or without. With eight there are $4^8 = 65\,536$ pairs of a state and a goal,
 # and eight actions in each. All values start at 0.
 #
@@ -354,7 +354,7 @@ tabular.measured(both.final("future").mean())
 # $-8$: this table returns about −5.2 with 'future', and about −7.8 without hindsight.
 #
 # It is still far behind the network. It makes at most 75 000 updates for its 524 288 numbers, and each tells of one pair
-# alone. (With seven switches, and a quarter of the pairs, a table came to −3.3; the best is −2.5.) The network has
+# alone. (With 'future', seven switches, a quarter of the pairs and first values of −7, a table came to −3.3; the best is −2.5.) The network has
 # *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others are.
 # </details>
 

@@ -240,8 +240,8 @@ quiet.measured(100 * methods.walks("Q-learning", 100, noise=0.0).share().mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 9 %, about what chance gives (10 %). Until all ten machines have been tried, the largest value in the casino is 0, the
-# first value of a machine that was not tried; so home and casino seem equally good. One noisy machine makes little of it: 9 %, and 5 % without noise. (With one machine there are two actions, in or home. So by chance one goes in
-# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) For most of the 71 % it takes noise *and* a choice. A learning rate of 0.3 makes little of a difference: 9 % without noise, 8 % with one
+# first value of a machine that was not tried; so home and casino seem equally good. With one noisy machine it is 9 %, too, and 5 % without noise. (With one machine there are two actions, in or home. So by chance one goes in
+# every second time, and the best $\varepsilon$-greedy policy does 5 % of the time.) For most of the 71 % it takes noise *and* a choice. A learning rate of 0.3 changes little: 9 % without noise, 8 % with one
 # machine. With 20 machines and no noise it is 5 %, again what chance gives.
 # </details>
 

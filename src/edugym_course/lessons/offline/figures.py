@@ -20,7 +20,7 @@ from edugym_course.lessons.offline.methods import (
 PROMISED, KEPT, GATHERED = "promised", "kept", "mean night of the data"
 SHARES = (0.0, 0.3, 0.6, 0.8, 0.9, 0.97)
 """How often the clocks that collect data do what is best."""
-X_LABEL = "share of best steps in the data"
+X_LABEL = "share of the clock"
 TITLES = {AS_IT_IS: "fitted Q as it is", PESSIMISTIC: "with pessimism"}
 
 

@@ -61,7 +61,7 @@ play(Morning())
 # The clock comes from a factory. Half of the time it does what is best, half of the time it presses a button at random. This is
 # the *reference policy* $\pi_{\text{ref}}$. A language model that imitates texts is such a policy: not good enough, but
 # far better than chance. (We make it from the optimum, so it knows a part of what is meant. A penalty for leaving a
-# bad reference would help less.)
+# bad reference would help less (with random buttons as the reference it does not help at all).)
 
 # %%
 model = finite_model(Morning())
@@ -227,7 +227,7 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # the end the second promises half as much for these policies, and it *falls*, as the meant reward does. So the first reward
 # is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high
 # and some too low, and whoever looks for the highest return goes where they are too high. (So does Q-learning with its
-# maximum: the maximisation bias of Sutton and Barto, section 6.7. There, too, a second table is the cure.)
+# maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises to the end. (Both
 # promise only half of what is meant: the table sees actions only, and the luck of a night looks like noise to it. Let a teacher

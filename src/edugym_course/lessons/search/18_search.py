@@ -198,7 +198,7 @@ for name, told in judges.items():
     large, small = (search(c=c, repetitions=20).mean() for c in (10.0, 1.0))
     print(f"{name:27} {large:7.0f} {small:7.0f}")
 longer = [methods.told(told, simulations=10_000, repetitions=5).mean() for told in ("at random", "well")]
-print("told the value of good play, tries at the entrance (up, right, down, left):")
+print("told the value of good play, tries at the entrance (up, down, left, right):")
 for c in (10.0, 1.0):
     print(f"c = {c:g}: {methods.tries_at_entrance('well', c)}")
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
@@ -242,7 +242,7 @@ crowded.measured(crowds[16].mean())
 
 # %% [markdown]
 # ### Is it random play that misleads roll-outs?
-# Above, plain roll-outs got worse with more simulations. If the reason is that their values come to those of random play, it should not be so where random play is a better guide. In *shorter*
+# Above, plain roll-outs got worse from 300 to 3000 simulations. If the reason is that their values come to those of random play, it should not be so where random play is a better guide. In *shorter*
 # roll-outs it is one: with 10 steps the best action by its exact values gets 78, not 59.
 #
 # **Predict.** With roll-outs of 10 steps, what do 3000 simulations get, compared with 300?
@@ -291,8 +291,8 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
-# the same plan each time. With 8 steps it never sees what is behind the door. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out the same with a discount of 0.9, and with a door in each of the two other cells of that wall. It depends on where the door is: in seven other walls it changes nothing, or costs the longer look less, or even costs the shorter look more.
+# the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out the same with a discount of 0.9, and with a door in each of the two other cells of that wall. It depends on where the door is: of seven other cells, three change nothing, and in two only the longer look loses, and less. In the last two both looks lose about a hundred, and 20 steps still get more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
@@ -305,7 +305,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 errors = np.array([plans.with_errors(number, (8, 20)) for number in range(1, 31)]).mean(axis=0)
 print(f"rewards with errors: 8 steps {errors[0]:.0f}, 20 steps {errors[1]:.0f}")
 short = [np.array([plans.with_errors(k, (8,), steps_pay=pay)[0] for k in range(1, 31)]) for pay in (True, False)]
-for name, got in zip(("such models", "if no step seems to pay"), short, strict=True):
+for name, got in zip(("a step may seem to pay", "no step seems to pay"), short, strict=True):
     print(f"{name:23} 8 steps get {got.mean():3.0f}, and -100 in {(got == -100).sum()} of {len(got)} models")
 searching = [methods.searched(door=door, repetitions=20).mean() for door in (None, methods.DOOR)]
 print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
@@ -512,7 +512,7 @@ check(project_18, my_program)
 # %% [markdown]
 # ## What you saw
 #
-# - Plain roll-outs come to the values of random play. With more simulations they got *worse* here: their limit, 59, can be computed.
+# - Plain roll-outs come to the values of random play. From 300 to 3000 simulations they got *worse* here: their limit, 59, can be computed.
 # - UCT got about 80 with 1000 simulations, and no more with 3000. Told the value of good play, and with a small c, it got 95; each of these alone was not enough.
 # - Twelve actions that stand still ruined UCT. In the tree alone, or in the roll-outs alone, they cost much less.
 # - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with small errors in all rewards deeper was better.
