@@ -272,7 +272,7 @@ def longest_task(driver: Any) -> float:
     return float(max(one.get("tdur", 0) for one in pages)) / 1000
 
 
-@pytest.mark.parametrize("task", ["Golf", "Catch", "Switches"])
+@pytest.mark.parametrize("task", [race.environment for race in RACES])
 def test_the_page_is_free_while_agents_learn(task: str, address: str, traced: Any) -> None:
     """At the speed of the beginning and as fast as it goes, nothing keeps it busy for 50 milliseconds."""
     reader = Reader(traced, f"{address}#task={task}")
