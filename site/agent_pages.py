@@ -70,7 +70,8 @@ measured.
 NO_RACE = "It is in no race of the playground."
 NO_VALUES = " The pictures there show what an agent expects of each action, and this one has preferences instead."
 WHY_NOT = {
-    "GaussianActorCritic": " The pictures there show what an agent expects of a few actions; its own are numbers.",
+    "GaussianActorCritic": " The pictures there show what an agent expects of each of a few actions. Those of this one"
+    " are real numbers.",
     "HindsightDQN": " It is for more goals than a table holds, and the playground has no more than five switches.",
     "UCT": " It learns nothing that could be watched: it searches anew before each action.",
 }

@@ -85,20 +85,22 @@ def race_noted(
     n_steps: int, n_episodes: int, training: Training, evaluation: Evaluation, values: Any, carry: Any
 ) -> Any:
     """Like `race_off_policy` in a task with notes; if the number of steps is `SHOW`, write the values of all places."""
-    if n_steps == SHOW:
-        write_values(training.mdp, values)
-        n_steps = 0
-    return race_off_policy(n_steps, n_episodes, training, evaluation, carry)
+    return race_off_policy(after_showing(n_steps, training, values), n_episodes, training, evaluation, carry)
 
 
 def race_noted_on_policy(
     n_steps: int, n_episodes: int, training: Training, evaluation: Evaluation, values: Any, carry: Any
 ) -> Any:
     """The same for agents that learn from the action that they will take next."""
+    return race_on_policy(after_showing(n_steps, training, values), n_episodes, training, evaluation, carry)
+
+
+def after_showing(n_steps: int, training: Training, values: Any) -> int:
+    """The steps to take: none where the values of all places are asked for, and then written."""
     if n_steps == SHOW:
         write_values(training.mdp, values)
-        n_steps = 0
-    return race_on_policy(n_steps, n_episodes, training, evaluation, carry)
+        return 0
+    return n_steps
 
 
 NOTED = race_noted, race_noted_on_policy

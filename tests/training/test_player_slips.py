@@ -50,6 +50,22 @@ class Forgets(Plain):
         self.Q[state, action] = math.nan
 
 
+class Shrinks:
+    """Takes a smaller table in the middle of a run."""
+
+    def __init__(self) -> None:
+        """With one that fits."""
+        self.Q = np.zeros((4, 2))
+
+    def act(self, state: int, rng: Random) -> int:
+        """An action."""
+        return 0
+
+    def learn(self, reward: float) -> None:
+        """Learn."""
+        self.Q = np.zeros((4, 1))
+
+
 class Paid(Rooms):
     """It has one reward for both."""
 
@@ -93,6 +109,7 @@ def meet(first: Any, game: Any = None, n_steps: int = 20_000) -> Any:
         (lambda: meet(Late(1.0)), ("act", "Late", "0 to 1", 1.0)),
         (lambda: meet(Late(-1)), ("act", "Late", "0 to 1", -1)),
         (lambda: meet(Misspelt(np.zeros((4, 2)))), ("learn", "Misspelt", "'other_actoin'", "'other_action'")),
+        (lambda: meet(Shrinks(), n_steps=200), ("Q", "player 0", (4, 2), (4, 1))),
         (lambda: meet(Forgets(np.zeros((4, 2)))), ("learn", "Forgets", "Q", "nan")),
         (lambda: meet(q_learning(Rooms(), 0), Rooms("rewards", 5_000), 100_000), ("rewards", "Rooms", "finite", "nan")),
         (lambda: meet(q_learning(Rooms(), 0), Rooms("observation", 5_000)), ("observation", "Rooms", "Discrete(4)", 7)),

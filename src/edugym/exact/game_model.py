@@ -13,7 +13,7 @@ from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.markov_game import a_player, n_actions, require_game
-from edugym.mdp.player_policies import checked_policies, policy_within, uniform_policy
+from edugym.mdp.player_policies import checked_policies, fitting_policy, uniform_policy
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.system.packages import is_own
 
@@ -93,7 +93,7 @@ class GameModel:
         Raises:
             ValueError: a parameter is not as it must be, or what the player observes is random.
         """
-        table: Reals = policy_within(self.game, a_player(player), policy)[self._observations(player)]
+        table: Reals = fitting_policy(self.game, a_player(player), policy)[self._observations(player)]
         return table
 
     def by_observation(self, player: int, policy: Reals) -> Reals:

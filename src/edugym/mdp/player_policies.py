@@ -32,10 +32,10 @@ def checked_policy(game: Any, player: int, policy: Any, name: str = "policy") ->
         ValueError: it is something else, or `game` is no game.
     """
     require_game(game)
-    return policy_within(game, a_player(player), policy, name)
+    return fitting_policy(game, a_player(player), policy, name)
 
 
-def policy_within(game: Any, player: int, policy: Any, name: str = "policy") -> Reals:
+def fitting_policy(game: Any, player: int, policy: Any, name: str = "policy") -> Reals:
     """`checked_policy` for what is known to be a game.
 
     Raises:
@@ -77,7 +77,7 @@ def checked_policies(game: Any, policies: Any) -> tuple[Reals, Reals]:
             f"policies must be a pair of tables, one of player 0 and one of player 1, but is {in_short(policies)}{hint}"
         )
     first, second = policies
-    return policy_within(game, 0, first, "policies"), policy_within(game, 1, second, "policies")
+    return fitting_policy(game, 0, first, "policies"), fitting_policy(game, 1, second, "policies")
 
 
 def draw_from(policy: Reals, observation: int, rng: Random) -> int:

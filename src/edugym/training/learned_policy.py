@@ -10,7 +10,7 @@ from edugym.checks.parameters import whole_number
 from edugym.compiled.execution import executable
 from edugym.mdp.against import against
 from edugym.mdp.markov_game import a_player, require_game, sizes
-from edugym.mdp.player_policies import policy_within, uniform_policy
+from edugym.mdp.player_policies import fitting_policy, uniform_policy
 from edugym.mdp.protocol import Reals
 from edugym.system.interrupts import deferring_signals
 from edugym.training.evaluated import actor
@@ -38,19 +38,19 @@ def learned_policy(game: Any, player: int, agent: Any, *, draws: int = DRAWS, se
         ValueError: a parameter is not as above, or the agent's policy does not fit the game.
     """
     require_game(game)
-    contract = player_contract(game, a_player(player), agent)
     draws, seed = whole_number("draws", draws, 1, MOST_DRAWS), whole_number("seed", seed, 0)
-    return policy_of(game, player, contract, draws, seed)
+    return policy_of(game, a_player(player), agent, draws, seed)
 
 
-def policy_of(game: Any, player: int, contract: Contract, draws: int = DRAWS, seed: int = 0) -> Reals:
-    """`learned_policy` of an agent that is known to fit what is known to be a game.
+def policy_of(game: Any, player: int, agent: Any, draws: int = DRAWS, seed: int = 0) -> Reals:
+    """`learned_policy` in what is known to be a game.
 
     Raises:
-        ValueError: the policy that the agent has does not fit.
+        ValueError: the agent, or the policy that it has, does not fit.
     """
+    contract = player_contract(game, player, agent)
     if has_policy(contract):
-        return np.array(policy_within(game, player, contract.agent.policy))
+        return np.array(fitting_policy(game, player, contract.agent.policy))
     shape, rng = sizes(game, player), np.random.default_rng(seed)
     asked, counts = actor(contract), np.zeros(shape)
     if not contract.is_own:

@@ -249,7 +249,7 @@ print(f"without luck, the gain that is promised of the best clock: {promised:.1f
 # ### Is it the teacher's fault?
 # Many would say: the teacher errs, so her reward is wrong. Then a teacher who never errs, $\tau = 0$, would cure it.
 #
-# **Predict.** A hundred comparisons, none of them wrong. How large is the fall of the meant return (with $\beta = 0.5$, less with $\beta = 0$)?
+# **Predict.** A hundred comparisons, none of them wrong. How far does the meant return fall from $\beta = 0.5$ to $\beta = 0$?
 
 # %%
 never_wrong = predict(

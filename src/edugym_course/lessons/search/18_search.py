@@ -145,14 +145,14 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 
 # %% [markdown] tags=["aside"]
 # ### Aside: UCT plays soccer
-# Soccer (lesson 13) against an opponent who always runs towards the goal in which it scores. UCT knows that ($c = 1$, 200 games for each number). With a contact of 1, who runs into the other always loses the ball; with 0.5, every second time.
+# Soccer (lesson 13) against an opponent who always runs towards the goal in which it scores. UCT knows that ($c = 1$, 200 games for each number). With a contact of 1, who runs into the other with the ball always loses it; with 0.5, every second time.
 
 # %%
 print("simulations          " + "".join(f"{number:7}" for number in (5, 10, 30, 100, 300)) + "   exact look-ahead")
 for contact in (1.0, 0.5):
     got = [plans.simulated_in_soccer(number, contact, repetitions=200).mean() for number in (5, 10, 30, 100, 300)]
     exact = plans.in_soccer(True, contact)[-1]
-    print(f"goals, contact {contact:3}   " + "".join(f"{mean:7.2f}" for mean in got) + f"{exact:19.2f}")
+    print(f"return, contact {contact:3}  " + "".join(f"{mean:7.2f}" for mean in got) + f"{exact:19.2f}")
 
 # %% [markdown]
 # A hundred simulations are about as good as the exact look-ahead. In the shop, ten times as many were not (81 of 95). Our guess is that it helps to have the goal only a few steps away.
@@ -227,7 +227,7 @@ for n_actions, got in crowds.items():
 repeating = methods.in_crowd(16, copies=True, repetitions=20).mean()
 print(f"16 actions, of which 12 repeat the four directions: {repeating:.0f}")
 for where in ("tree", "roll-outs"):
-    alone = methods.in_crowd_of_one(where, repetitions=20).mean()
+    alone = methods.idle_only_in(where, repetitions=20).mean()
     print(f"16 actions, of which 12 stand still, only in the {where}: {alone:.0f}")
 crowded.measured(crowds[16].mean())
 

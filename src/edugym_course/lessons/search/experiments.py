@@ -33,8 +33,8 @@ from edugym_course.lessons.search.methods import (
     NUMBERS,
     REPETITIONS,
     C,
+    idle_only_in,
     in_crowd,
-    in_crowd_of_one,
     learned,
     searched,
     told,
@@ -75,13 +75,15 @@ MAPS: Mapping[str, dict[str, Any]] = MappingProxyType(
 )
 USELESS = (7, 6)
 """A wall beside which a door would be no way to anything."""
-CONTACTS, SMALL_C = (1.0, 0.75, 0.5), 1.0
+CONTACTS = (1.0, 0.75, 0.5)
+SMALL_C = 1.0
 """With it what is seldom tried counts little."""
 PLACES = ("tree", "roll-outs")
-"""Where alone actions may stand still."""
+"""The one place in which there are actions that stand still."""
 SOCCER_NUMBERS = (5, 300)
-"""Of simulations before each step of soccer."""
-SHALLOW, DEEP, SOCCER_SHALLOW, SOCCER_DEEP = 8, 20, 3, 8
+"""Numbers of simulations before each step of soccer."""
+SHALLOW, DEEP = 8, 20
+SOCCER_SHALLOW, SOCCER_DEEP = 3, 8
 
 
 def measure(how: SharedArguments) -> tuple[Any, ...]:
@@ -109,7 +111,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
             label: {n: in_crowd(n, copies=label == COPIES, **settings, **shared) for n in BRANCHES[not_all:]}
             for label in (IDLE, COPIES)
         }
-        | {where: {16: in_crowd_of_one(where, **settings, **shared)} for where in PLACES}
+        | {where: {16: idle_only_in(where, **settings, **shared)} for where in PLACES}
         for name, settings in SETTINGS.items()
         for not_all in (0 if name == LESSON else 2,)
     }

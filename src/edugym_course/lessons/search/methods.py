@@ -105,7 +105,7 @@ class KnownLeaves(UCT):
         return float(self.Q[state, 0])
 
 
-class FewInRollOuts(UCT):
+class FourInRollOuts(UCT):
     """UCT whose roll-outs draw from the four directions only, whatever other actions there are."""
 
     def roll_out(self, state: int, steps: int, rng: Random) -> float:
@@ -113,7 +113,7 @@ class FewInRollOuts(UCT):
         return rolled_out(self, 4, state, steps, rng)
 
 
-class ManyInRollOuts(UCT):
+class SixteenInRollOuts(UCT):
     """UCT that has four actions, and whose roll-outs draw from sixteen, of which twelve stand still."""
 
     def roll_out(self, state: int, steps: int, rng: Random) -> float:
@@ -260,12 +260,12 @@ def in_crowd(n_actions: int, *, copies: bool = False, **settings: Any) -> Reals:
     return returns(crowd(n_actions, copies), searcher(model_of_crowd(n_actions, copies), **settings), **how)
 
 
-def in_crowd_of_one(where: str, **settings: Any) -> Reals:
+def idle_only_in(where: str, **settings: Any) -> Reals:
     """Return what UCT gets if twelve actions that stand still are only in its "tree", or only in its "roll-outs"."""
     how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
     if where == "tree":
-        return returns(crowd(16), FewInRollOuts(*searcher(model_of_crowd(16), **settings)), **how)
-    return returns(shop(), ManyInRollOuts(*searcher(model_of_map(), **settings)), **how)
+        return returns(crowd(16), FourInRollOuts(*searcher(model_of_crowd(16), **settings)), **how)
+    return returns(shop(), SixteenInRollOuts(*searcher(model_of_map(), **settings)), **how)
 
 
 def learned(
