@@ -46,7 +46,7 @@ export function chart(place, agents, t, { steps, optimum, names }) {
   const key = names.map((name, k) => name && `<span><svg viewBox="0 0 30 8" aria-hidden="true"><path d="M0 4H30" stroke="var(--lane-${k})" stroke-width="3" stroke-dasharray="${DASHES[k]}"/></svg>${name}</span>`)
   if (low - margin > 0) key.push('<i>The scale does not begin at 0.</i>')
   if (ends[0] < low - margin) key.push('<i>Lines go on below the lower edge.</i>')
-  if (optimum === null) key.push('<i>The best possible is not drawn: to compute it, this task has too many states.</i>')
+  if (optimum === null) key.push('<i>Too many states to compute the best possible.</i>')
   place.innerHTML = `<p class="key">${key.join('')}</p><div></div>`
   place = place.lastElementChild
   const { clientWidth: width, clientHeight: height } = place
