@@ -6,6 +6,7 @@ from typing import Any
 import groups
 import mathematics
 import previews
+import projected_pages
 from repository import ROOT, documented
 
 project = "EduGym"
@@ -45,7 +46,8 @@ toc_object_entries_show_parents = "hide"
 
 
 def setup(app: Any) -> None:
-    """Formulas become MathML, which needs no script; each page says what it is, and its sidebar has headings."""
+    """Formulas become MathML, which needs no script; the head of a page and its sidebar say more than Sphinx writes."""
     app.add_html_math_renderer("mathml", (mathematics.visit_inline, None), (mathematics.visit_block, None))
     app.connect("html-page-context", previews.add)
+    app.connect("html-page-context", projected_pages.add_style)
     app.connect("html-page-context", groups.add, priority=900)  # after the theme has written the tree

@@ -1,13 +1,14 @@
 """One page a lesson to project in class: the challenge, the picture, the equations, a bet, and what was measured.
 
-All of it is taken from the lesson, by the headings and marks that every lesson has. `site.css` makes its letters large
-and hides what stands around it, and `site.js` turns to the next part of it when a key is pressed.
+All of it is taken from the lesson, by the headings and marks that every lesson has. `projected.css` makes its letters
+large and hides what stands around it, and `site.js` turns to the next part of it when a key is pressed.
 """
 
 import re
 from collections.abc import Iterator
 from functools import partial
 from itertools import pairwise
+from typing import Any
 
 from lesson_pages import EXPLANATION, FOLD, FOLD_ENDS, Lesson
 from panels import PANEL, panels, size
@@ -25,7 +26,7 @@ TALL = 1.3
 """A figure whose height goes into its width fewer times is as wide as the page, though one has to scroll."""
 LOW = 5
 """A legend is wider than so many times its height."""
-MARK = '<div class="projected"></div>'
+MARK = '<div class="projected"><button type="button" class="fill">Fill the screen</button></div>'
 PROGRAM = re.compile(r"^(`{3,})python\n.*?^\1$\n*", re.MULTILINE | re.DOTALL)
 
 
@@ -72,6 +73,12 @@ def figures(lessons: list[Lesson]) -> dict[str, bytes]:
             if len(several) > 1:
                 found |= {f"project/figures/{name}-{k}.png": panel for k, panel in enumerate(several, start=1)}
     return found
+
+
+def add_style(app: Any, page: str, template: str, context: dict[str, Any], doctree: Any) -> None:
+    """Add the style of these pages in the head of each, so that it is there before anything is drawn."""
+    if MARK in context.get("body", ""):
+        app.add_css_file("projected.css", priority=900)  # after `site.css`
 
 
 def _measured(lesson: Lesson) -> str:

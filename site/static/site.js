@@ -94,16 +94,12 @@ if (projected) {
     const longest = Math.max(...pre.textContent.split('\n').map(({ length }) => length))
     pre.style.fontSize = `clamp(.6em, ${140 / longest}vw, .9em)`
   }
-  const fill = document.createElement('button')
-  fill.type = 'button'
-  fill.className = 'fill'
-  fill.textContent = 'Fill the screen'
+  const fill = projected.querySelector('button')
   fill.addEventListener('click', () => {
     fill.blur() // or it takes the keys that turn
     if (document.fullscreenElement) document.exitFullscreen()
     else document.documentElement.requestFullscreen()
   })
-  projected.append(fill)
 }
 
 // A prediction: what was chosen is said there, and again beside what was measured.

@@ -191,6 +191,21 @@ def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: st
 
 
 @needs_browser
+@pytest.mark.parametrize("page", ["lessons/01_exploration", "project/01_exploration"])
+def test_a_page_that_arrives_slowly_does_not_jump(browser: Any, address: str, page: str) -> None:
+    """Its first lines are drawn long before its last ones and its scripts are there."""
+    slow = {"offline": False, "latency": 150, "downloadThroughput": 60_000, "uploadThroughput": 60_000}
+    browser.execute_cdp_cmd("Network.enable", {})
+    browser.execute_cdp_cmd("Network.clearBrowserCache", {})
+    browser.execute_cdp_cmd("Network.emulateNetworkConditions", slow)
+    try:
+        opened(browser, address, page)
+        assert browser.execute_script("return window.shift") < 0.1
+    finally:
+        browser.execute_cdp_cmd("Network.disable", {})
+
+
+@needs_browser
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_can_be_read_by_everybody(browser: Any, address: str, axe: str, page: str) -> None:
     """No violation of axe's rules, WCAG AA among them, wide and narrow, light and dark."""
