@@ -1,4 +1,4 @@
-"""Write the pages of the environments, `docs/environments/`, from the code.
+"""Write the pages of the environments, `docs/environments/`, from the code; the game Soccer has one, too.
 
 The text of a page is the docstring of the environment's class, its first line comes from the table of environments, and
 its parameters from the constructor, so that nothing is written twice. The environment draws the picture and a short
@@ -19,7 +19,7 @@ import numpy as np
 from gymnasium.spaces import Box, Discrete
 from PIL import Image, ImageDraw, ImageFont
 
-from edugym import EpsilonGreedy, QLearning, finite_model, train
+from edugym import EpsilonGreedy, QLearning, finite_model, games, train
 from edugym.adapters.playing.films import play_episode, record
 from edugym.adapters.playing.game import Frame
 from edugym.adapters.registration import ENVIRONMENTS, Entry, in_course_order
@@ -34,6 +34,8 @@ PAGES = Path(__file__).parent / "environments"
 LESSONS = Path(__file__).parents[1] / "src/edugym_course/lessons"
 ORIGINAL = "../coming-from-the-original-edugym.md"
 FRAMES = 31
+GAME_LESSON, GAME_DISCOUNT, MATCH = "13", 0.9, 7
+"""The lesson on games, the discount of their values, and the seed of the match that is shown."""
 MOST_STATES = 5_000
 """How many states the exact model looks at before it gives up."""
 
@@ -53,16 +55,17 @@ ACTORS: dict[str, Callable[[Any], Any]] = {
 }
 
 
-def parameters(entry: Entry) -> str:
-    """Return the parameters of an environment with their defaults, as in a call."""
-    signature = inspect.signature(entry.load())
+def parameters(create: Callable[..., Any]) -> str:
+    """Return the parameters of an environment or game with their defaults, as in a call."""
+    signature = inspect.signature(create)
     return ", ".join(f"{name}={p.default!r}" for name, p in signature.parameters.items() if name != "render_mode")
 
 
-def lesson_link(entry: Entry) -> str:
-    """Return a link to the lesson on an environment, or nothing if there is none."""
-    sources = [source for source in LESSONS.glob("*/[0-9]*_*.py") if number_of(source.stem) == entry.lesson]
-    links = [f" · lesson: [{without_number(source.stem)}](../../notebooks/{source.stem}.ipynb)" for source in sources]
+def lesson_link(lesson: str | None) -> str:
+    """Return a link to the lesson with a number, or nothing if there is none."""
+    sources = [source for source in LESSONS.glob("*/[0-9]*_*.py") if number_of(source.stem) == lesson]
+    names = [(without_number(source.stem).replace("_", " "), source.stem) for source in sources]
+    links = [f" · lesson: [{said}](../../notebooks/{stem}.ipynb)" for said, stem in names]
     return "".join(links)
 
 
@@ -93,7 +96,12 @@ def mdp_table(entry: Entry) -> list[str]:
         "Observation": f"{kind} numbers, shape {seen.shape}" if seen.shape else "one whole number",
         "Step limit": "none" if limit is None else f"{limit} steps",
     }
-    return ["| The MDP | at the defaults |", "|---|---|", *(f"| {name} | {text} |" for name, text in rows.items())]
+    return table("The MDP", rows)
+
+
+def table(of: str, rows: dict[str, str]) -> list[str]:
+    """Return a table of what is so at the defaults."""
+    return [f"| {of} | at the defaults |", "|---|---|", *(f"| {name} | {text} |" for name, text in rows.items())]
 
 
 def page(entry: Entry) -> str:
@@ -103,12 +111,12 @@ def page(entry: Entry) -> str:
         [
             f"# {entry.name}",
             "",
-            f"**{entry.challenge}** · `{entry.id}`{lesson_link(entry)}",
+            f"**{entry.challenge}** · `{entry.id}`{lesson_link(entry.lesson)}",
             "",
             f"![The picture of {entry.name}]({name}.svg) ![An episode of {entry.name}]({name}.gif)",
             "",
             "```python",
-            f'gymnasium.make("{entry.id}", {parameters(entry)})',
+            f'gymnasium.make("{entry.id}", {parameters(entry.load())})',
             "```",
             "",
             *mdp_table(entry),
@@ -119,18 +127,84 @@ def page(entry: Entry) -> str:
     )
 
 
+def game_table(game: games.Soccer) -> list[str]:
+    """Return a table of a zero-sum game at its defaults: its sizes, counted by the exact model, and its value."""
+    both = games.game_model(game)
+    solved, model = games.minimax_value_iteration(both, GAME_DISCOUNT), both.joint[0]
+    begins = [state for state, probability in zip(model.states, model.initial, strict=True) if probability > 0]
+    values = " or ".join(f"{solved.value(state):.3f}" for state in begins)
+    rows = {
+        "States": f"{len(model.states)} can be reached, {int(model.terminal.sum())} of them terminal",
+        "Start": f"one of {len(begins)} states",
+        "Next states": f"up to {int((model.probabilities > 0).sum(axis=-1).max())} for each state and pair of actions",
+        "Rewards of a step": "one for each player, together 0",
+        "Value": f"{values} for player 0, by the state at the start, with discount {GAME_DISCOUNT}",
+        "Actions": " and ".join(str(game.action_space(player).n) for player in (0, 1)),
+        "Observation": "one whole number, the same for both",
+        "Step limit": f"{game.max_steps} steps",
+    }
+    return table("The game", rows)
+
+
+def game_challenge(kind: type[Any]) -> str:
+    """Return the challenge of a game, as its docstring says it."""
+    return (kind.__doc__ or "").partition("Challenge: ")[2].partition(".")[0]
+
+
+def game_page(game: games.Soccer) -> str:
+    """Return the page of a game."""
+    kind = type(game)
+    name = kind.__name__
+    guide = "guide: [several agents](../several-agents.md)"
+    return "\n".join(
+        [
+            f"# {name}",
+            "",
+            f"**{game_challenge(kind)}** · `edugym.games.{name}`{lesson_link(GAME_LESSON)} · {guide}",
+            "",
+            f"![The picture of {name}]({name.lower()}.svg) ![A match of {name}]({name.lower()}.gif)",
+            "",
+            "```python",
+            f"games.{name}.create({parameters(kind.create)})",
+            "```",
+            "",
+            *game_table(game),
+            "",
+            inspect.cleandoc(kind.__doc__ or ""),
+            "",
+        ]
+    )
+
+
+def match(game: games.Soccer) -> tuple[Scene, list[Frame]]:
+    """Return a picture from the middle of a match between optimal players, and all frames of the match."""
+    policies = games.minimax_value_iteration(games.game_model(game), GAME_DISCOUNT).policies
+    chance = np.random.default_rng(MATCH)
+
+    def actor(observation: int) -> int:
+        return int(chance.choice(len(policies[0][observation]), p=policies[0][observation]))
+
+    frames = play_episode(games.against(game, 0, policies[1]), actor, seed=MATCH, max_steps=FRAMES)
+    picture = frames[len(frames) // 2].picture
+    assert isinstance(picture, Scene), "the game has a scene"
+    return picture, frames
+
+
+def row(name: str, challenge: str, called: str) -> str:
+    """Return a row of the table of all environments."""
+    page = f"{name.lower()}.md"
+    return f"| [![{name}]({name.lower()}.svg)]({page}) | [{name}]({page}) | {challenge} | `{called}` |"
+
+
 def index() -> str:
     """Return the page with the table of all environments."""
-    rows = [
-        f"| [![{e.name}]({e.name.lower()}.svg)]({e.name.lower()}.md) | [{e.name}]({e.name.lower()}.md) | {e.challenge} "
-        f"| `{parameters(e)}` |"
-        for e in in_course_order()
-    ]
+    rows = [row(e.name, e.challenge, parameters(e.load())) for e in in_course_order()]
+    rows.append(row("Soccer", game_challenge(games.Soccer), parameters(games.Soccer.create)))
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
     new = (
         "Nine are those of the paper. Four are new: Switches for goals, Diver for several objectives, Casino for"
-        " maximisation bias, and Bandit, the simplest of all, for the beginning of exploration. Games of two"
-        " players, such as Soccer, are on the page on [several agents](../several-agents.md)."
+        " maximisation bias, and Bandit, the simplest of all, for the beginning of exploration. Below is a game of two"
+        " players, Soccer; more games are on the page on [several agents](../several-agents.md)."
     )
     more = f"For users of the original code: [what has changed]({ORIGINAL})."
     return "\n".join(["# The environments", "", new, "", *head, *rows, "", more, ""])
@@ -138,7 +212,11 @@ def index() -> str:
 
 def pages() -> dict[Path, str]:
     """Return the text of every page."""
-    return {PAGES / "README.md": index(), **{PAGES / f"{e.name.lower()}.md": page(e) for e in ENVIRONMENTS}}
+    return {
+        PAGES / "README.md": index(),
+        **{PAGES / f"{e.name.lower()}.md": page(e) for e in ENVIRONMENTS},
+        PAGES / "soccer.md": game_page(games.Soccer.create()),
+    }
 
 
 def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
@@ -176,11 +254,11 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
     check = parser.parse_args().check
-    shown = {entry: episode(entry) for entry in in_course_order()}
-    pictures = {PAGES / f"{e.name.lower()}.svg": to_svg(picture, 240) for e, (picture, _) in shown.items()}
+    shown = {entry.name: episode(entry) for entry in in_course_order()} | {"Soccer": match(games.Soccer.create())}
+    pictures = {PAGES / f"{name.lower()}.svg": to_svg(picture, 240) for name, (picture, _) in shown.items()}
     texts = {**pages(), **pictures}
     if check:
-        films = [PAGES / f"{entry.name.lower()}.gif" for entry in ENVIRONMENTS]
+        films = [PAGES / f"{name.lower()}.gif" for name in shown]
         stale = [path for path, text in texts.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
         stale += [path for path in (*films, PAGES / "all.png") if not path.exists()]  # pixels differ between machines
         for path in stale:
@@ -189,9 +267,9 @@ def main() -> int:
     PAGES.mkdir(exist_ok=True)
     for path, text in texts.items():
         path.write_text(text, encoding="utf-8")
-    for entry, (_, frames) in shown.items():
-        record(frames, PAGES / f"{entry.name.lower()}.gif", frames_per_second=3.0)
-    montage({entry.name: picture for entry, (picture, _) in shown.items()}).save(PAGES / "all.png", optimize=True)
+    for name, (_, frames) in shown.items():
+        record(frames, PAGES / f"{name.lower()}.gif", frames_per_second=3.0)
+    montage({name: picture for name, (picture, _) in shown.items()}).save(PAGES / "all.png", optimize=True)
     return 0
 
 

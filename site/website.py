@@ -132,7 +132,7 @@ def _children(texts: dict[str, str], lessons: list[lesson_pages.Lesson]) -> dict
     return {
         folder: [
             called.get(page, page.partition("/")[2])
-            for page in sorted(texts, key=lambda page: (order.get(page, 0), page))
+            for page in sorted(texts, key=lambda page: (order.get(page, len(order)), page))
             if page.startswith(f"{folder}/") and page != f"{folder}/index"
         ]
         for folder in folders
