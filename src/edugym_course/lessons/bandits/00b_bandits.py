@@ -54,7 +54,7 @@ play(make_mdp("Bandit", n_arms=5, gap=0.4))
 # %% [markdown]
 # What counts is the *regret*: what you would have earned on average by pulling the best arm only, less what your arms pay on average. Every pull of a worse
 # arm adds $\Delta$ to it. It follows from the arms alone, whatever they happened to pay, so luck with the rewards does not count, and it never falls.
-# `action_gaps` and `regret` compute it from the exact model of the bandit:
+# `action_gaps` and `regret` compute it from the exact model of the bandit, which has one state (its row is `[0]`); here the best arm is arm 8:
 
 # %%
 mdp = make_mdp("Bandit")
@@ -122,7 +122,7 @@ finds.measured(100 * settled)
 # $$
 #
 # - **The gradient bandit** has no values. It has preferences $H(a)$, which make probabilities $\pi(a) \propto e^{H(a)}$. A reward above the mean $m$ of all rewards before it makes the
-#   arm likelier, and one below makes it rarer. $1\{a = A\}$ is 1 for the arm that was pulled, and 0 for the others:
+#   arm likelier, and one below makes it rarer (the first pull changes nothing). $1\{a = A\}$ is 1 for the arm that was pulled, and 0 for the others:
 #
 # $$
 # H(a) \leftarrow H(a) + \alpha \left( R - m \right) \left( 1\{a = A\} - \pi(a) \right) \quad \text{for all } a
@@ -191,7 +191,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # %% [markdown]
 # On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
 # Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
-# Optimism looks around at the beginning above all. In the end 94 % of the runs pull the best arm. Nearly all of the others had found it, too, and lost it again: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best for a while.
+# Optimism explores mostly at the beginning. In the end 94 % of the runs pull the best arm. Nearly all of the others had found it, too, and lost it again. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -285,12 +285,12 @@ dearest.measured(max(dearest.options, key=paid.get))
 # **Measured.** 0.05: regret first rises with the gap, and then falls. With a gap of 0.01 UCB cannot find the best arm in 10 000 pulls, but no pull costs more than 0.01: random pulls cost 90 in all, and UCB pays 86. With a large gap every mistake is dear, and
 # seen at once. In between, mistakes are dear enough to hurt and small enough to hide. The hardest problem to *solve* is not the one that costs most.
 # (The dashed line is what random pulls cost where the gap is small, and $C \ln t$ where it is large.)
-# It came out so with 5 and with 20 arms, and with Thompson sampling.
+# The rise and the fall came out with 5 and with 20 arms too (with 20, UCB pays most at 0.1), and with Thompson sampling.
 # </details>
 
 # %% [markdown]
 # ### First try all, then choose?
-# A fair test: pull each arm 100 times, which is a tenth of all pulls. Then be greedy.
+# A fair test: pull each arm 100 times, together a tenth of all pulls. Then be greedy.
 #
 # **Predict.** Thompson sampling had a regret of 108. What is it for this fair test?
 
@@ -499,11 +499,11 @@ check(project_0b, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. So an agent must go on looking, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
 # and pays at the same rate for ever. UCB and Thompson sampling try an arm the less, the less likely it is the best one: UCB by a bonus that shrinks with the number of pulls (optimism in the face of uncertainty), Thompson sampling
-# by a draw from what it believes. Nobody who is good on every bandit pays less than a logarithm of time. If the arms change, an agent must forget what is old, or go on putting it to the test.
+# by a draw from what it believes. No agent that learns on every bandit pays less, in the long run, than a logarithm of time. If the arms change, an agent must forget what is old, or go on putting it to the test.
 #
 # ### Limits
 # There is one state, and an arm changes nothing of what comes. In the next lessons an action also leads somewhere, and what is to be explored may be a hundred steps away: lesson 1
-# shows that random slips do not get there. All worse arms are equal here. Settings were not tuned for each method: another $c$, $\sigma$, $\varepsilon$ or $\alpha$ moves the numbers, and may change who is ahead of whom. The bound
+# shows that the random actions of $\varepsilon$-greedy do not get there. All worse arms are equal here. Settings were not tuned for each method: another $c$, $\sigma$, $\varepsilon$ or $\alpha$ moves the numbers, and may change who is ahead of whom. The bound
 # of Lai and Robbins holds for long runs.
 #
 # ### Further reading

@@ -53,13 +53,13 @@ env.scene()
 # from $g$), the best return is $-(d - 1)$, and with the discount $-(1 + \gamma + \dots + \gamma^{d-2})$. So we know
 # exactly what is best, and can look how far an agent is from it.
 #
-# In the code a pattern is a whole number, with a binary digit for each switch: 0110 is 6. `^` turns digits over.
+# In the code a pattern is a whole number, with a binary digit for each switch: 0110 is 6. `s ^ m` turns over the digits of s where m has a 1.
 
 # %%
 source(type(env.mdp), "transition", "reward", "terminal")
 
 # %% [markdown]
-# **Play it yourself.** For you it is easy: you compare the cards with the switches. An agent sees 16 digits (for a network, each as two numbers), and nobody has
+# **Play it yourself.** For you it is easy: you compare the cards with the switches. An agent sees 16 digits (a network sees each as two numbers: 1 0 or 0 1), and nobody has
 # told it that they belong together in pairs.
 
 # %%
@@ -161,7 +161,7 @@ print("and if the goal were what is there:", env.compute_reward(seen["achieved_g
 #
 # | setting | value |
 # |---|---|
-# | all | DQN with its defaults: 64 hidden units, Adam with learning rate 0.001, $\gamma = 0.99$, $\varepsilon = 0.1$ |
+# | all | DQN with its defaults: 64 hidden units, Adam with learning rate 0.001, $\gamma = 0.99$, $\varepsilon = 0.1$, a memory of the last 10 000 transitions |
 # | hindsight | none, 'final', or 'future' with $k = 4$ |
 # | training | 15 000 steps: some 1 900 episodes without hindsight, and some 2 500 with it |
 # | evaluation | 100 greedy episodes every 1 500 steps, each with another goal |
@@ -234,7 +234,7 @@ sliders(one_network, n_switches=(2, 9), hindsight=["no hindsight", "final", "fut
 # %% [markdown]
 # ## See inside: where are the rewards?
 #
-# DQN learns from what is in its memory. Here is the memory after the first 1 000 steps, before anything is learned. How many
+# DQN learns from what is in its memory. Here is the memory after 1 000 steps of agents that do not learn yet. How many
 # of its transitions reach their goal?
 
 # %%
@@ -256,9 +256,9 @@ for steps, results, strategy in ((15_000, eight, "future"), (60_000, longer, "fu
 
 # %% [markdown]
 # Without hindsight all is the same to the network, one flip from the goal or eight. (Its values lie below $-8$, the cost of a
-# whole episode. At a truncation the agent bootstraps, as it should, as if it could go on flipping.) With hindsight the
+# whole episode. At a truncation the agent bootstraps, as it should, as if it could go on flipping.) With 'future' the
 # network has learned a distance. It knows near goals best, and takes far ones for nearer than they are. Four times
-# as many steps later the values are nearly right, so it had not learned for long enough. Our guess why it takes so long: far goals
+# as many steps later the values are nearly right (one network), so it had not learned for long enough. Our guess why it takes so long: far goals
 # are rare in its memory. With 'final' they are less rare, and after 15 000 steps its value at distance 8 is nearly right.
 
 # %% [markdown]
@@ -297,8 +297,8 @@ at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2
 
 # %% [markdown]
 # ### Is it only more data?
-# With 'future' the memory has five times as many transitions. Perhaps their number helps, and not their goals? Take as $g'$ a
-# pattern that *another* episode achieved. The memory has as many transitions as with 'future', with honest rewards, and
+# With 'future' five times as many transitions go into the memory (the network makes hardly more updates). Perhaps their number helps, and not their goals? Take as $g'$ a
+# pattern that *another* episode achieved. As many transitions go into the memory as with 'future', with honest rewards, and
 # only the goals are others. (In the code a step before the episode has a negative number.)
 
 # %%
@@ -543,7 +543,7 @@ check(project_11, my_program)
 # ### Limits
 # Goals must have no part in the dynamics, the reward for any goal must be known, and the method must be off-policy. Hindsight
 # finds nothing that the agent never does: where random play stays near its start, as on the wall of lesson 1, so do the
-# goals that it learns. And for a goal it learns only from episodes that reached it: where luck
+# goals that it learns. And what it adds for a goal comes only from episodes that reached it: where luck
 # decides, it takes luck for skill. (None of this was measured here.)
 #
 # ### Further reading

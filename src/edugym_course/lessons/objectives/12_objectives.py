@@ -39,7 +39,7 @@ env.scene()
 # | rewards | $\mathbf{r}(s, a, s')$, a *vector* of two numbers | the value of a treasure that is picked up, else 0; and $-1$ for the step |
 # | discount | $\gamma = 1$ | in the whole lesson |
 #
-# An episode terminates at a treasure. So a policy has a *vector* of two returns, $\mathbf{v} = (v_1, v_2)$: the value that it brings
+# An episode terminates at a treasure, or is cut off after 100 steps. So a policy has a *vector* of two returns, $\mathbf{v} = (v_1, v_2)$: the value that it brings
 # home, and minus the number of its steps.
 
 # %%
@@ -60,7 +60,7 @@ play("Diver")
 # ### Which policies are good compromises?
 # Nobody can tell you how many steps a treasure is worth. But some things are beyond dispute. A policy that brings 20 in five steps is
 # worse than one that brings 30 in four. We say that $\mathbf{v}$ *dominates* $\mathbf{v}'$ if it is better in one objective and at least as good in all
-# others. What nothing dominates is *Pareto-optimal*, and the vectors of all these policies are the *Pareto front*.
+# others. Here a policy uses no chance: it always makes the same dive. What no other policy dominates is *Pareto-optimal*, and the vectors of all these policies are the *Pareto front*.
 #
 # Value iteration can compute it, if each state has a set of vectors and not one value: $\mathbf{V}(s)$ are the Pareto-optimal vectors among
 # $\mathbf{r}(s, a, s') + \mathbf{v}$, for all actions $a$ and all $\mathbf{v}$ in $\mathbf{V}(s')$.
@@ -88,10 +88,10 @@ figures.front(1.0, weights=(1.0, 4.0))
 
 # %% [markdown]
 # This is concavity 1, and for $w = 4$ the line touches treasure 8. A line steeper than the grey one will touch another point. Look at the hollow ones: they
-# lie in a *dent*, below the line from treasure 0 to treasure 8. However you turn the dashed line, will it ever touch one of them
-# last?
+# lie in a *dent*, below the line from treasure 0 to treasure 8. However you turn the dashed line, will one of them ever be the last point
+# that it touches?
 #
-# The strength of the environment, `concavity`, makes the dent deeper and wider. At 0 there is none. At 0.5 there is one, so shallow
+# The parameter `concavity` makes the dent deeper and wider. At 0 there is none. At 0.5 there is one, so shallow
 # that you hardly see it.
 
 # %% [markdown]
@@ -207,7 +207,7 @@ who.measured(who.options[0 if rest and whole else 1 if whole else 2 if rest else
 # Why? $\mathbf{Q}(s, a)$ are the returns from $s$ *on*, but $\mathbf{z}$ is what a whole dive could bring. After four steps $\mathbf{Q}$ knows nothing of these four, and
 # two more steps look as cheap as the first two. So the agent goes on where its own weights, at the start, would have
 # stopped. That it most often dives too deep fits this. It also explains the dives that stop too early, for weights of time from 12 to 22: by its own
-# values, going on would lead to a treasure that is too deep, and so it rather stops at once. (At concavity 0 and 1 the same came out; with the steps so
+# values, going on would lead to a treasure that is too deep, and so it rather stops earlier. (At concavity 0 and 1 the same came out; with the steps so
 # far added, the effect was gone each time.)
 #
 # A weighted sum does not have this trouble: what was paid before is the same number for all actions, and drops out of the comparison.
@@ -304,7 +304,7 @@ dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 els
 #
 # Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. `constrained_optimum` computes it: if only the average must keep the
 # limit, the best is to take treasure 0 five times of eight and treasure 8 three times. That brings 40 on average, and treasure 3 only
-# 35.31. It is a failure of the question. A diver does not survive a dive of 17 steps because the one before took one. A limit on the average
+# 35.31: on average this mixture dominates treasure 3, which no single dive does. It is a failure of the question. A diver does not survive a dive of 17 steps because the one before took one. A limit on the average
 # is right for costs that add up over many episodes, such as a bill; for air it is wrong. If each dive must keep the limit, find treasure 3 by a set of
 # vectors, by a distance, or by what you will write below.
 #
@@ -351,7 +351,8 @@ for label, settings in {
 
 # %% [markdown]
 # Either cause is enough. With known values and a first price of 30 there is neither, and no dive takes too long. With known values and a first price of 0
-# there is only the second: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. And with a first price of 30 and new values there is only
+# there is mainly the second: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. (A few first values of 100 are left, in cells where
+# the earlier training hardly went. So the first dive wanders for 100 steps, and raises the price quickly.) And with a first price of 30 and new values there is only
 # the first: those were the 65. (With new values and a first price of 0, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with
 # a limit of 5.)
 #
@@ -447,7 +448,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # ### From a blank file: seven steps, and not one more
 # Write a program that learns the most valuable dive of *at most seven steps*. No package of agents, only Gymnasium and NumPy.
 # `my_program(environment, n_steps, seed)` takes `n_steps` steps in all, episode after episode, and returns its policy: a function from a
-# state to an action.
+# state to an action. It calls `reset` only at the beginning and when an episode is over.
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no
@@ -506,12 +507,12 @@ check(project_12, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With several objectives a policy is Pareto-optimal if no other is better in one and at least
-# as good in all others. A weighted sum picks the point that a line touches last, so it finds the points of the convex hull and never one in a dent,
+# as good in all others (no other without chance, in this lesson). A weighted sum picks the point that a line touches last, so it finds the points of the convex hull and never one in a dent,
 # however fine you choose the weights. Distances and sets find them; but a distance must know what was earned before. A Lagrange multiplier is a
 # weight that is learned. It keeps a limit on average, by changing between policies if it must, and breaks it while it learns.
 #
 # ### Limits
-# Nothing was random here. With chance a policy has a *mean* vector, and it makes a difference whether you weigh means or what single episodes bring.
+# Nothing was random here. With chance a policy has a *mean* vector. For a weighted sum it is the same whether you weigh the mean or single episodes; for a distance or a limit it is not.
 # Pareto Q-learning as written here is for next states without chance. With many objectives a front has very many points. And there are other answers to
 # a limit, for each single episode or with a known model; none was tried here.
 #

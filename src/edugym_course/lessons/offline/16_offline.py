@@ -30,7 +30,7 @@ from edugym_course.notebook import play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: the morning, and its log-book
 #
-# The environment is the alarm clock of lesson 10. Every ten minutes from 7:10 on it stays quiet, chimes or rings. At 8:30 the
+# The environment is the alarm clock of lesson 10, which has to wake a sleeper, and to ring as seldom as it can. Every ten minutes from 7:10 on it stays quiet, chimes or rings. At 8:30 the
 # episode ends; here an episode is called a night.
 #
 # | | | in words |
@@ -45,7 +45,7 @@ from edugym_course.notebook import play, predict, sliders, source
 source(Morning, "transition", "reward")
 
 # %% [markdown]
-# **Play it yourself.** Play two nights. You may: the clocks below may not.
+# **Play it yourself.** Play two nights. You may try things out; whoever learns below may not.
 
 # %%
 play(Morning())
@@ -84,7 +84,7 @@ for k in range(8):
 # $$
 #
 # The probabilities of a night under $\pi$ and under $b$ have the same factors $p(s' \mid s, a)$, which cancel. The ordinary estimate has no bias if $b$ takes every action that
-# $\pi$ takes. The weighted one has a little, and often much less variance. A third one weighs each reward only by the actions *up to* it
+# $\pi$ takes, and if $\pi$ was not chosen by these nights. The weighted one has a little, and often much less variance. A third one weighs each reward only by the actions *up to* it
 # (*per decision*), since what is done later changes nothing of it.
 #
 # Our $b$ agrees with $\pi$ in two steps of three: in half of them on purpose, and else in one of three by luck. In all eight
@@ -99,7 +99,7 @@ for k in range(8):
 # $$
 #
 # Where $Q$ is right, what stands in the parentheses is 0 on average, and the weights have little to multiply. Where it is wrong, the data put
-# it right. Under the same condition as above it has no bias, whatever $Q$ is, if $Q$ does not come from the same nights.
+# it right. Under the same conditions as above it has no bias, whatever $Q$ is, if $Q$ does not come from the same nights.
 
 # %%
 for method in methods.ESTIMATORS:
@@ -123,8 +123,8 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 # in the beginning, 0. In the end $V$ of the first state is what the learned policy *promises*. What it *keeps* is its exact return.
 #
 # ### Be pessimistic
-# A mean of $n$ targets is off by about their spread over $\sqrt{n}$. And what was never tried may be as bad as can be. The pessimist
-# takes both into account. No night brings less than the *lowest* return, which it must know beforehand:
+# A mean of $n$ targets is off by about their spread over $\sqrt{n}$; we do not know the spread, and $c$ stands for it. And what was never tried may be as bad as can be. The pessimist
+# takes both into account. Neither a night nor the rest of one brings less than the *lowest* return, which it must know beforehand:
 #
 # $$
 # Q(s, a) \leftarrow \max\!\left( \text{lowest},\ \text{mean of the targets} - \frac{c}{\sqrt{n(s, a)}} \right),
@@ -241,7 +241,8 @@ for method in ("ordinary", "per decision", "doubly robust"):
     print(f"{method:13} {found.value:5.2f} ± {found.standard_error:.2f}, as from {found.effective_episodes:.0f} nights")
 
 # %% [markdown]
-# They cannot. The condition of no bias holds, since $b$ takes every action now and then; but nights as this policy plays them are so rare that these 300 contain none. The doubly robust estimate even
+# They cannot. $b$ takes every action now and then, but that promises no bias only for a policy that was chosen without a look at these nights, and this one was learned from them. And nights as
+# this policy plays them are so rare that these 300 contain none. The doubly robust estimate even
 # repeats the promise, with a standard error of 0, since no step of the data corrects the values it was given. But one number does warn: these
 # estimates rest on *no* whole night. Look at the effective number before you look at the estimate.
 
@@ -270,7 +271,7 @@ no_zero.measured(good.kept["unseen is worst"].mean())
 # once or twice has a value that is too high or too low by chance, and the maximum looks for the one that is too high (the
 # maximisation bias of Sutton and Barto, section 6.7).
 #
-# The same came out on a longer morning and on Roadrunner, where the runner falls off the cliff: promised −0.7, kept −77 (from 100 episodes). On Boulder, where no
+# The harm of the zero came out on a longer morning, too, and on two other tasks of this course it was as one should expect. On Roadrunner the runner falls off the cliff: promised −0.7, kept −77 (from 100 episodes). On Boulder, where no
 # return is below 0, the zero does no harm: there it *is* the lowest value. With a network in the place of the table an untried action has whatever value
 # the network makes up for it.
 # </details>
@@ -338,7 +339,7 @@ cost.measured(cost.options[(0 if gain > 0.15 else 3 if gain < -0.15 else 1) if l
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It keeps the same and promises less: 9.3 where 10.3 is kept. Where the data cover everything, pessimism gains nothing, and its
+# **Measured.** It keeps the same and promises less: 9.3 where 10.3 is kept. Where every action was tried often, pessimism gains next to nothing, and its
 # values are wrong, on purpose. A large penalty is worse: with $c = 10$, 300 random nights teach a clock that keeps 7 instead of 10. (A guess: with so large a penalty no action there was tried often enough.) Is it just imitation, then? The action that
 # the log-book has most often is as good (10.3) if a good clock wrote it, and keeps −9 if the buttons were random. A pessimist
 # imitates where nothing better is known, and improves where it is.
@@ -485,7 +486,7 @@ check(exercise_3, pessimistic_sweep, seed=1, quiet=True)
 # - There is no environment. You may not try anything out.
 #
 # The check works out exactly what your policy is worth, for five log-books, and compares the middle one with ours. Then it gives your
-# program a few log-books of other tasks, in which a careful reader has one choice only. They, too, have 80 nights of ten steps, and no
+# program a few log-books of other tasks, in which the data leave only one sensible choice. They, too, have 80 nights of ten steps, and no
 # return below −90.
 # <details><summary>A plan</summary>Make many sweeps of exercise 3, until nothing changes: first values of 0, a penalty of 2, and −90 for what
 # was never tried. Then take the best action.</details>
@@ -525,7 +526,7 @@ check(project_16, my_program)
 # - Fitted Q learned a better clock from random nights than from those of a nearly perfect clock, which leave many actions untried.
 # - It promised 13.4 and kept 5.8: the maximum takes what nobody has tried, as long as that looks better than it is.
 # - With the lowest value for what was never tried, and a penalty for what was tried seldom, it kept 10.3, more than the data gathered.
-# - Where the data covered everything, pessimism gained nothing and promised too little.
+# - Where every action was tried often, pessimism gained next to nothing and promised too little.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Data say something about a policy only where they do what it does. Importance

@@ -34,7 +34,7 @@ from edugym_course.notebook import play, predict, sliders, source
 # ## Meet the environment: the morning again, without its reward
 #
 # An alarm clock may stay quiet, chime or ring, every ten minutes from 7:10 on. At 8:30 the episode ends;
-# here an episode is called a night. The sleeper should sleep as long as possible, and be awake in the end.
+# here an episode is called a night. The sleeper is fast asleep at first. She should sleep as long as possible, and be awake in the end.
 #
 # | | | in words |
 # |---|---|---|
@@ -60,8 +60,8 @@ play(Morning())
 # %% [markdown]
 # The clock comes from a factory. Half of the time it does what is best, half of the time it presses a button at random. This is
 # the *reference policy* $\pi_{\text{ref}}$. A language model that imitates texts is such a policy: not good enough, but
-# far better than chance. (We make it from the optimum, so it knows a part of what is meant. A penalty for leaving a
-# bad reference would help less (with random buttons as the reference it does not help at all).)
+# far better than chance. (We make it from the optimum, so it knows a part of what is meant. With random
+# buttons as the reference a penalty does not help at all.)
 
 # %%
 model = finite_model(Morning())
@@ -230,18 +230,21 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises to the end. (Both
-# promise only half of what is meant: the table sees actions only, and the luck of a night looks like noise to it. Let a teacher
-# compare what the steps of a night bring *on average*, without luck. Then the best clock is promised nearly all of its gain of 10.1:)
+# promise only half of what is meant. The luck of a step shows in the state that comes next, which has a reward of its own in the table. But after the last step
+# none comes: whether she is awake at 8:30 looks like noise. Let a teacher compare nights in which the last step brings what it brings *on average*. Then the best clock is promised about
+# its whole gain of 10.1. If all *other* steps do, it is not:)
 
 # %%
-on_average = (model.probabilities * model.rewards).sum(axis=2)
-both = [methods.nights(model, reference, 3000, rng)[0] for _ in range(2)]
-without_luck = [(visits * on_average).sum(axis=(1, 2)) for visits in both]
-answers = rng.random(3000) < preference(*without_luck, noise=1.0)
-fair = with_rewards(model, fit_rewards(*both, answers))
+on_average = (model.probabilities * model.rewards).sum(axis=2, keepdims=True)
+last = np.array([time == 7 for time, _ in model.states])[:, None, None]
 best_clock = value_iteration(model).greedy_policy()
-promised = policy_evaluation(fair, best_clock).start - policy_evaluation(fair, reference).start
-print(f"without luck, the gain that is promised of the best clock: {promised:.1f}")
+for name, steps in {"the last step": last, "all steps but the last": ~last}.items():
+    paid = model._replace(rewards=np.where(steps, on_average, model.rewards))
+    (one, its_return), (other, other_return) = (methods.nights(paid, reference, 3000, rng) for _ in range(2))
+    answers = rng.random(3000) < preference(its_return, other_return, noise=1.0)
+    fair = with_rewards(model, fit_rewards(one, other, answers))
+    promised = policy_evaluation(fair, best_clock).start - policy_evaluation(fair, reference).start
+    print(f"without the luck of {name}, the gain that is promised of the best clock: {promised:.1f}")
 
 # %% [markdown]
 # ## Predict, then check
@@ -311,7 +314,7 @@ everywhere.measured(everywhere.options[2 if random.fall().mean() > 0.3 else 1 if
 
 # %% [markdown]
 # ### Ask again
-# That suggests another way to spend a hundred comparisons. Ask 25, learn a reward, tune the clock with $\beta = 0.5$; let
+# That suggests another way to spend a hundred comparisons. Ask 25, learn a reward from all answers so far, tune the clock with $\beta = 0.5$; let
 # *this* clock make the next 25 pairs; and so on, four times. Each round asks about what the clock does now.
 #
 # **Predict.** In four rounds, and followed with $\beta = 0.5$, the meant gain is ... (with all at once it is about 8.3).
@@ -331,7 +334,7 @@ in_rounds.measured(rounds.at(methods.MODEST).mean())
 #
 # **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth 0.8 more. The fall is
 # smaller and not gone. So four things helped here: more comparisons, comparisons of what the policy does now, a penalty for
-# leaving the reference, and a stronger prior. And a second reward, for which other answers must be paid, shows the fall.
+# leaving the reference, and a stronger prior. And a second reward, for which other answers must be paid, shows the fall in the mean over the runs (for a single clock it is a weak sign).
 # </details>
 
 # %% [markdown]
@@ -349,7 +352,7 @@ from edugym_course.lessons.preferences.exercises import exercise_1, exercise_2, 
 # Return the probability with which a teacher with noise $\tau$ (`noise`, above 0) prefers a night worth `first` to one worth `second`. It should
 # also give a number for nights that differ by 10 000.
 #
-# <details><summary>Hint</summary><code>np.exp(1000)</code> overflows, and <code>np.exp(-1000)</code> is 0. So write σ(x) in two ways, and take
+# <details><summary>Hint</summary><code>math.exp(1000)</code> is an error, <code>np.exp(1000)</code> is infinite, with a warning, and <code>np.exp(-1000)</code> is 0. So write σ(x) in two ways, and take
 # the one in which the exponent is negative.</details>
 
 
@@ -449,8 +452,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 #
 # How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is not enough.
 #
-# The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (We
-# plan with rewards from random nights; you may do better by asking in rounds.) Then it lets three *other* teachers answer, who want something
+# The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds.) Then it lets three *other* teachers answer, who want something
 # else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
@@ -522,7 +524,7 @@ check(project_14, my_program)
 # - Rewards can be learned from comparisons alone: a hundred of them took a clock from a return of 0.2 to more than 8.
 # - Followed too far, the learned return still rises and the meant one falls.
 # - A teacher who is never wrong did not cure it, nor did nights in which every action is tried as often. Thirty times as many comparisons did.
-# - A second reward, learned from other comparisons, saw the fall. The first one could not.
+# - A second reward, learned from other comparisons, saw the fall on average. The first one could not.
 # - The same number of comparisons, asked in rounds about what the policy does now, made a better clock.
 #
 # ### In one paragraph

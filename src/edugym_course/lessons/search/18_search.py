@@ -63,7 +63,7 @@ for action, name in enumerate(shop.action_names):
 # exact look-ahead gets in this shop. In a large task nobody can.
 #
 # ### Try some of it: roll-outs
-# So *sample*. Try each action in the model, go on at random until step $d$, and add up the discounted rewards. The mean of many such returns is
+# So *sample*. Try each action in the model, go on at random until step $d$, and add up the discounted rewards. The mean of many such returns is taken for
 # the value of the action. This costs $d$ steps of the model for each *simulation*, however many ways there are.
 #
 # ### Remember where it was good: UCT
@@ -140,12 +140,12 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # <details><summary>What to look for</summary>
 #
 # With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains clearly only with 20 steps, 1000 simulations and $c = 10$.
-# With $c = 0$ UCT stays with what looked good first, and gets much less. With $c = 100$ it gets about what plain roll-outs get.
+# With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ it gets about what plain roll-outs get.
 # </details>
 
 # %% [markdown] tags=["aside"]
 # ### Aside: UCT plays soccer
-# Soccer (lesson 13) against an opponent who always runs towards the goal in which it scores. UCT knows that ($c = 1$, 200 games for each number). With a contact of 1, who runs into the other with the ball always loses it; with 0.5, every second time.
+# Soccer (lesson 13) against an opponent who always runs towards the goal in which it scores. The model of UCT contains this opponent ($c = 1$, since a game brings −1, 0 or 1; 200 games for each number). With a contact of 1, who runs into the other with the ball always loses it; with 0.5, every second time.
 
 # %%
 print("simulations          " + "".join(f"{number:7}" for number in (5, 10, 30, 100, 300)) + "   exact look-ahead")
@@ -183,7 +183,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between it needs 3000 simulations to get far. Grey cells have no node, and neither have white cells with an item or the exit.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between it needs 3000 simulations to get far. Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
 
 # %% [markdown]
 # ### What holds UCT back?
@@ -204,8 +204,8 @@ for c in (10.0, 1.0):
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 
 # %% [markdown]
-# Both do: without roll-outs and with a small $c$ it gets 95, and with one of these changes alone it does not. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A
-# value is the mean over all tries. With $c = 1$ and roll-outs it gets 65. Told the value of random play without errors, UCT gets
+# Both of them do: without roll-outs and with a small $c$ it gets 95, and with one of these changes alone it does not. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A
+# value in the tree is the mean over all tries, those into walls too. With $c = 1$ and roll-outs it gets 65. Told the value of random play without errors, UCT gets
 # 59, as plain roll-outs do in the long run, and 10 000 simulations change neither 59 nor 78. So here even the errors of the roll-outs help.
 
 # %% [markdown]
@@ -236,7 +236,7 @@ crowded.measured(crowds[16].mean())
 #
 # **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). Is the tree to blame, which has 16 branches at each node now? Or
 # the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. Branches that
-# *repeat* the four directions do little harm (67). (The same with a discount of 0.9. With 30 steps the harm is smaller: about 10, and 52 and 74 with one of the two.) This is one reason why programs that play well seldom roll out at random: they
+# *repeat* the four directions do much less harm than that (67). (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 10, and 52 and 74 with one of the two.) This is one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
@@ -292,7 +292,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out the same with a discount of 0.9, and with a door in each of the two other cells of that wall. It depends on where the door is: of seven other cells, three change nothing, and in two only the longer look loses, and less. In the last two both looks lose about a hundred, and 20 steps still get more than 8.
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out the same with a discount of 0.9, and with a door in each of the two other cells of that wall. It depends on where the door is: of seven other cells, three change nothing, and in two only the longer look loses, and less. In the last two both looks lose 80 to 150, and 20 steps still get more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
@@ -314,7 +314,7 @@ print(f"UCT on the old map, if it knows what each place is worth there: {certain
 
 # %% [markdown]
 # There the deeper look is the better one, and the *short* one suffers: 17 instead of 59. Where an error makes
-# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 7 of 30 models. If what costs in truth costs at least a little in the model, too, this happens in 1 of them, and it gets 49.
+# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 7 of 30 models. If what costs in truth costs at least a little in the model, too, it gets −100 in only 1 of them (where a wall seems to cost next to nothing), and 49 on average.
 # And UCT, too, loses on the old map, though less than the exact look-ahead. That is because its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
 #
 # ### What does it cost?
@@ -524,7 +524,7 @@ check(project_18, my_program)
 # look trusts the model further. If the model is wrong there, the search finds what does not exist, and may go after it for ever.
 #
 # ### Limits
-# The shop is small, and nothing in it is random; so we can compute what a search should find, and so planning once is cheaper. We chose the old map so that its door
+# The shop is small, so we can compute what a search should find, and planning once is cheaper. Nothing in it is random. We chose the old map so that its door
 # matters: with other wrong models a deeper look is better. AlphaZero and MuZero keep what they learn: networks
 # for policy and value take the place of random roll-outs, and MuZero learns its model as well.
 #

@@ -150,7 +150,7 @@ source(games.MinimaxQ, "learn", "act")
 # `solve_state` solves the matrix game of one state, and writes the policy down. (`decay` lowers the learning rate a little after each step.)
 #
 # There is an older idea, *fictitious play* (Brown, 1951): count how often the other has taken each action, and answer as if it drew from
-# these shares. Each answer is a single action, but *on average* the player mixes them.
+# these shares. Each answer is a single action, but *on average* the player mixes them. (In soccer it counts in each state, and learns $Q(s, a, o)$.)
 
 # %% [markdown]
 # ## The experiment: two who learn
@@ -190,7 +190,7 @@ in_the_end.measured(str(round(games.exploitability(model, run.policies[-1]))))
 # | all | $\gamma = 0.9$, $\varepsilon = 0.2$, first values of 1 |
 # | learning rate | from 1 to 0.01, as Littman's, for Q-learning and minimax Q; 0.1 for fictitious play |
 # | training | 1 000 000 steps, 55 000 to 67 000 games |
-# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play |
+# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play, its random actions included |
 # | repetitions | 3 here, 5 in the full experiment; bands are 95 % intervals |
 #
 # The dotted line is an equilibrium. Random players have an exploitability of 0.55.
@@ -220,7 +220,7 @@ who.measured(who.options[options.get(close, 3)])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Minimax Q-learning only. The Q-learners differ widely from run to run, and the average of fictitious play
-# comes down slowly. (In zero-sum games of one move it is known to reach the equilibrium; this simple
+# comes down slowly. It includes random actions: with as many of them even safe policies have 0.19. (In zero-sum games of one move it is known to reach the equilibrium; this simple
 # form of it has no such guarantee in games of many steps.)
 #
 # Look at the returns, too: about 0 for all of them. Both learn, both get better, and what one wins the other
@@ -247,10 +247,10 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: both end up talking, and the
-# exploitability is 0 (close above 3 it takes them longer). Learning alone is harmless there. But it is not good: both get 1, and could
+# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: if they explore, both end up talking, and the
+# exploitability comes to 0 (at 3.5 that takes more than 1 000 games; without exploration some pairs stay silent). Learning alone is harmless there. But it is not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two of them without chance, both silent and both talking, and it depends on
-# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of these ten.
+# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (The lines begin with an estimate: what a player does whose values are all equal is drawn 100 times.)
 # </details>
 
 # %% [markdown]
@@ -290,10 +290,10 @@ for name, run in {"both learn": both_learn, "player 1 never learns": one_learns}
     print(f"{name}: in the second half {methods.changes(run):.1f} changes in 1 000 games")
 
 # %% [markdown]
-# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. They chase each other for ever, since each step of one makes
+# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. So it goes on for ever, since each step of one makes
 # the other's answer wrong. On the right the world stands still, and the learner comes to rest.
 #
-# The same from within: what do two Q-learners in matching pennies believe? Player 0 wants the same side of the coin as player 1, and player 1 another one.
+# The same from within: what do two Q-learners in matching pennies believe? Player 0 wants the same side of the coin as player 1, and player 1 the other side.
 
 # %%
 figures.cycle()
@@ -316,7 +316,7 @@ for action, safe, own in zip(soccer.action_names, methods.solution().policies[0]
 soccer.scene(state)
 
 # %% [markdown]
-# An opponent who knows what blue will do goes there, and takes the ball or stands in the way. A safe policy leaves it to chance where one
+# (Blue is in the top row: to go north is to stand still.) An opponent who knows what blue will do goes there, and takes the ball or stands in the way. A safe policy leaves it to chance where one
 # way alone can be blocked. In 56 of the 760 states every single action guarantees less than a random choice. And this is a game against the best answer to the same
 # Q-learner (blue):
 
@@ -381,8 +381,7 @@ for pair in learned.agents["Q-learning, each alone"].values():
 
 # %% [markdown]
 # Where they are safe everywhere else, 0.16 can still be won from each pair, in the 56 states: there a single action is never enough. From one pair hardly
-# more can be won. From the two others more can be won elsewhere, where a single action would be safe, and theirs is not. Of 15 such pairs, at most 0.03 more
-# can be won from 6, and 0.1 to 0.23 from the others.
+# more can be won. From the two others more can be won elsewhere, where a single action would be safe, and theirs is not.
 #
 # ### Is it that the other learns?
 # Two things are wrong for a Q-learner: its world moves, and its policy is without chance. Which of them makes it weak in soccer? Let us take the
@@ -414,7 +413,7 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 # loses hardly anything to it. But in nearly half of the states its action is no best answer, not even to the teacher. The two seldom come there:
 # in three runs 3 to 5 % of their steps began in such a state, though these are nearly half of all states. A challenger leads it there, in 9 to 42 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
 # does not make a safe pupil. That so many actions are wrong comes from states that it seldom sees: where each step began in a random state, 5 to 7 % were wrong. But such a pupil, too, lost 0.4 to 0.6: a challenger
-# needs only a few weak states.
+# needs only a few weak states. So a world that stands still did not help it: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions in states that it seldom sees.
 # </details>
 
 # %% [markdown]
@@ -521,7 +520,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 # - Take $\gamma = 0.9$, and a learning rate of about 0.2.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check lets your program learn six small games, and computes exactly what the best opponent wins from your policy in each place. It does not look
+# The check lets your program learn six small games, and computes exactly what the best opponent wins from your policy in each state. It may be 0.2 more than what a safe policy allows. It does not look
 # at your code. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
@@ -584,7 +583,7 @@ check(project_13, my_program)
 # ### Limits
 # Minimax Q-learning is for two players of whom one gets what the other loses. It needs to see the other's actions, and it solves a linear programme at every step. It is safe, and no more:
 # against a weak opponent it does not try to win as much as it could. In games that are not zero-sum there may be many equilibria, and to find a good one
-# together is another problem. Exploitability is exact here since the games are small.
+# together is another problem.
 #
 # ### Further reading
 # - Littman (1994), *Markov games as a framework for multi-agent reinforcement learning*: minimax Q-learning, and this game. He let Q-learning train a challenger for each of

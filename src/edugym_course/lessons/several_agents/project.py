@@ -187,12 +187,12 @@ RIDDLES = (
     ),
     Riddle(
         _alike,
-        "after the end a number is seen that other places have, too: what comes then is worth 0, so with `terminated`"
+        "after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated`"
         " the target is R alone",
     ),
     Riddle(
         _cut,
-        "its episodes are truncated, not terminated: the clock was stopped, and the next place still has its value, so"
+        "its episodes are truncated, not terminated: the clock was stopped, and the next state still has its value, so"
         " only `terminated` makes R alone the target",
     ),
 )
@@ -294,7 +294,7 @@ def _probabilities(policy: Callable[[int], Any], place: int) -> Reals:
     if wrong:
         one = ": that is one action, and the probability of each is asked" if found.ndim == 0 else ""
         raise WrongAnswer(
-            f"{call} should give {N_ACTIONS} probabilities that sum to 1, one for each action, but for place {place} it"
+            f"{call} should give {N_ACTIONS} probabilities that sum to 1, one for each action, but for state {place} it"
             f" gives {in_short(given)}{one}"
         )
     return found
@@ -322,8 +322,8 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> float:
     place = int(weak.argmax())
     why = "" if nobody_asks_why() else _cause(program, riddle, game, policy, place, seed)
     raise WrongAnswer(
-        f"in a riddle with {len(weak)} places, who knows the policy of {NAME} wins {weak[place]:.2f} more from it in"
-        f" place {place} than from a safe one. {why}"
+        f"in a small game with {len(weak)} states, who knows the policy of {NAME} wins {weak[place]:.2f} more from it"
+        f" in state {place} than from a safe one. {why}"
     )
 
 
@@ -356,7 +356,7 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
             f"After {LONGER * N_STEPS} steps it is safe, so it learns too slowly: is the learning rate, or the share of"
             " random actions, too small?"
         )
-    return f"Look at this place: {riddle.asks}"
+    return f"Look at this state: {riddle.asks}"
 
 
 def _require_reproducible(program: Any, seed: int) -> None:
@@ -378,4 +378,4 @@ def project_13(answer: Any, seed: int) -> str:
     """Check a program that trains two players and returns the policy of the first."""
     _require_reproducible(answer, seed)
     most = max(check_riddle(answer, riddle, seed) for riddle in RIDDLES)
-    return f"Right: in six riddles the best opponent wins at most {most:.2f} from it that it would not win anyway."
+    return f"Right: in six small games the best opponent wins at most {most:.2f} more from it than from a safe policy."

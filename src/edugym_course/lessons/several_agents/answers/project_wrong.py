@@ -1,8 +1,8 @@
 # %% the best action
 # slow
 # says: in a riddle with
-# says:  places, who knows the policy of
-# says:  more from it in place
+# says:  states, who knows the policy of
+# says:  more from it in state
 # says:  than from a safe one.
 # says: It has no chance in it: the best action against what the other does now is known to the other, too; the policy is that of the matrix game, as solve_zero_sum finds it. (It has none either where hardly any pair of actions was tried: are some moves random?)
 # in: all pairs at random
@@ -32,7 +32,7 @@
 
 # %% half at random
 # slow
-# says: Look at this place:
+# says: Look at this state:
 # says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] learned from every pair of actions, and is the policy returned without the random moves?
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
@@ -67,7 +67,7 @@
 
 # %% beyond the end
 # slow
-# says: after the end a number is seen that other places have, too: what comes then is worth 0, so with `terminated` the target is R alone
+# says: after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated` the target is R alone
 # in: all pairs at random
 # - if not terminated[me]:
 # -     target += 0.9 * value(int(seen[me]))
@@ -75,7 +75,7 @@
 
 # %% cut off is over
 # slow
-# says: its episodes are truncated, not terminated: the clock was stopped, and the next place still has its value, so only `terminated` makes R alone the target
+# says: its episodes are truncated, not terminated: the clock was stopped, and the next state still has its value, so only `terminated` makes R alone the target
 # in: all pairs at random
 # - if not terminated[me]:
 # + if not terminated[me] and not truncated[me]:
@@ -89,7 +89,7 @@
 # + Q[state, a, o] += 0.2 * (target - Q[state, a, o]) * (rng.random() < 0.07)
 
 # %% a number for a policy
-# says: probabilities that sum to 1, one for each action, but for place
+# says: probabilities that sum to 1, one for each action, but for state
 # says: : that is one action, and the probability of each is asked
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
