@@ -16,7 +16,7 @@ from rules import is_code
 
 from edugym_course.notebook.flipbook import fingerprint, flipbooks
 
-SECONDS = 600  # for all pictures of a slider, on a busy machine
+SECONDS = 1800  # for all pictures of a cell, on a busy machine
 KEEP = """\
 import pathlib
 import edugym_course.notebook.flipbook

@@ -99,7 +99,7 @@ def lesson(path: Path) -> Lesson:
             continue
         same, shown = outputs[cell["id"]]
         book = books.get(fingerprint(source, shown))
-        if book and book.others:
+        if book and (book.fixed or len(book.turns) > 1):
             text.append(slider_views.what_moves(book))
         text.append(_fenced(source, "python"))
         if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):

@@ -9,19 +9,20 @@ import json
 from accessibility import alternative
 from repository import ROOT
 
-from edugym_course.notebook.flipbook import Flipbook, flipbooks
+from edugym_course.notebook.flipbook import Flipbook, Turn, flipbooks
 
 FOLDER = ROOT / "notebooks" / "flipbooks"
 ONE_PANEL = 600
 """Pixels; what is wider cannot be read when it is as narrow as a phone, and is scrolled."""
-VIEW = """<div class="flipbook" data-pictures="{pictures}">
-<div class="turn"><label for="{name}">{parameter}</label>
-<input type="range" id="{name}" min="0" max="{last}" value="{start}" aria-valuetext="{value}" autocomplete="off"/>
-<output for="{name}" style="min-width: {longest}ch">{value}</output></div>
+VIEW = """<div class="flipbook">
+{turns}
 <div class="picture"><img{wide} src="{file}" alt="{alternative}" width="{width}" height="{height}" loading="lazy"/>
 </div>
 <p class="others">{says}</p>
 </div>"""
+TURN = """<div class="turn" data-pictures="{pictures}"><label for="{name}">{parameter}</label>
+<input type="range" id="{name}" min="0" max="{last}" value="{start}" aria-valuetext="{value}" autocomplete="off"/>
+<output for="{name}" style="min-width: {longest}ch">{value}</output></div>"""
 
 
 def views(lesson: str) -> dict[str, Flipbook]:
@@ -31,23 +32,13 @@ def views(lesson: str) -> dict[str, Flipbook]:
 
 def shown(book: Flipbook, lesson: str, name: str, heading: str) -> str:
     """Return a flipbook as HTML; `name` is its own on the page, and the heading is part of what screen readers say."""
-    files = [f"../notebooks/flipbooks/{lesson}/{file}" for file in book.files]
-    parameter = spoken(book.parameter)
-    alternatives = [
-        alternative(f"{heading}: {parameter} {value}" + (f"; {description}" if description else ""))
-        for value, description in zip(book.values, book.descriptions, strict=True)
-    ]
-    pictures = list(zip(book.values, files, alternatives, strict=True))
+    pictures = [_pictures(turn, lesson, heading) for turn in book.turns]
+    _, file, described = pictures[0][book.turns[0].start]
+    names = [f"{name}-{number}" for number in range(len(pictures))]
     return VIEW.format(
-        pictures=html.escape(json.dumps(pictures, ensure_ascii=False)),
-        name=name,
-        parameter=html.escape(parameter),
-        last=len(files) - 1,
-        longest=max(map(len, book.values)),
-        start=book.start,
-        value=html.escape(book.values[book.start]),
-        file=files[book.start],
-        alternative=html.escape(alternatives[book.start]),
+        turns="\n".join(map(_turn, book.turns, pictures, names)),
+        file=file,
+        alternative=html.escape(described),
         wide=' class="wide"' if book.size[0] > ONE_PANEL else "",
         width=book.size[0],
         height=book.size[1],
@@ -55,22 +46,62 @@ def shown(book: Flipbook, lesson: str, name: str, heading: str) -> str:
     )
 
 
+def _pictures(turn: Turn, lesson: str, heading: str) -> list[tuple[str, str, str]]:
+    """Return the value, file and alternative text of each picture of a slider."""
+    parameter = spoken(turn.parameter)
+    return [
+        (
+            value,
+            f"../notebooks/flipbooks/{lesson}/{file}",
+            alternative(f"{heading}: {parameter} {value}" + (f"; {description}" if description else "")),
+        )
+        for value, file, description in zip(turn.values, turn.files, turn.descriptions, strict=True)
+    ]
+
+
+def _turn(turn: Turn, pictures: list[tuple[str, str, str]], name: str) -> str:
+    """Return a slider as HTML."""
+    return TURN.format(
+        pictures=html.escape(json.dumps(pictures, ensure_ascii=False)),
+        name=name,
+        parameter=html.escape(spoken(turn.parameter)),
+        last=len(pictures) - 1,
+        longest=max(map(len, turn.values)),
+        start=turn.start,
+        value=html.escape(turn.values[turn.start]),
+    )
+
+
 def _settings(book: Flipbook) -> str:
     """Return sentences on what does not change here, what does besides, and where one can change all."""
-    axes = "The axes change too: read their numbers. " if book.axes_differ else ""
-    if not book.others:
-        return f"{axes}In JupyterLab each picture is computed when you move the slider."
-    *first, last = [f"{spoken(name)} = {value}" for name, value in book.others.items()]
-    drawn = " and ".join([*filter(None, [", ".join(first)]), last])
-    return f"Drawn with {drawn}. {axes}".strip()
+    differ = [spoken(turn.parameter) for turn in book.turns if turn.axes_differ]
+    fixed = [f"{spoken(name)} = {value}" for name, value in book.fixed.items()]
+    says = []
+    if fixed:
+        says.append(f"Drawn with {_listed(fixed)}.")
+    if len(book.turns) > 1:
+        says.append("When you move a slider, the others go back to where they began.")
+    if differ:
+        of = f" with {_listed(differ)}" if len(book.turns) > 1 else ""
+        says.append(f"The axes change too{of}: read their numbers.")
+    if not fixed and len(book.turns) == 1:
+        says.append("In JupyterLab each picture is computed when you move the slider.")
+    return " ".join(says)
 
 
 def what_moves(book: Flipbook) -> str:
-    """Return what to say before a picture of which not all sliders move here."""
-    others = [f"`{spoken(name)}`" for name in book.others]
-    listed = " and ".join([*filter(None, [", ".join(others[:-1])]), others[-1]])
-    here = f"On this page you can move one slider, `{spoken(book.parameter)}`."
-    return f"*{here} In JupyterLab you can also change {listed}.*"
+    """Return what to say before a picture whose sliders do not all move here, or not together."""
+    moving = _listed([f"`{spoken(turn.parameter)}`" for turn in book.turns])
+    fixed = _listed([f"`{spoken(name)}`" for name in book.fixed])
+    if len(book.turns) == 1:
+        return f"*On this page you can move one slider, {moving}. In JupyterLab you can also change {fixed}.*"
+    also = f", and also change {fixed}" if fixed else ""
+    return f"*On this page you can move {moving}, one at a time. In JupyterLab you can combine them{also}.*"
+
+
+def _listed(names: list[str]) -> str:
+    """Return names as one says them."""
+    return " and ".join([*filter(None, [", ".join(names[:-1])]), *names[-1:]])
 
 
 def spoken(parameter: str) -> str:

@@ -117,18 +117,26 @@ for (const box of document.querySelectorAll('fieldset.prediction')) {
   })
 }
 
-// Sliders of a lesson. The pictures of its other values are loaded when a slider is first touched.
+// Sliders of a lesson, of which one moves at a time. The pictures of its other values are loaded when it is first touched.
 for (const book of document.querySelectorAll('.flipbook')) {
-  const pictures = JSON.parse(book.dataset.pictures)
-  const [slider, says, image] = ['input', 'output', 'img'].map(name => book.querySelector(name))
-  const load = () => pictures.forEach(([, file]) => { new Image().src = file })
-  for (const touch of ['pointerdown', 'focus']) slider.addEventListener(touch, load, { once: true })
-  slider.addEventListener('input', () => {
-    const [value, file, alternative] = pictures[slider.value]
+  const image = book.querySelector('img')
+  const turns = [...book.querySelectorAll('.turn')].map(turn =>
+    ({ pictures: JSON.parse(turn.dataset.pictures), slider: turn.querySelector('input'), says: turn.querySelector('output') }))
+  const set = ({ pictures, slider, says }, place) => {
+    const [value, src, alt] = pictures[place]
+    slider.value = place
     says.textContent = value
     slider.setAttribute('aria-valuetext', value)
-    Object.assign(image, { src: file, alt: alternative })
-  })
+    return { src, alt }
+  }
+  for (const turn of turns) {
+    const load = () => turn.pictures.forEach(([, file]) => { new Image().src = file })
+    for (const touch of ['pointerdown', 'focus']) turn.slider.addEventListener(touch, load, { once: true })
+    turn.slider.addEventListener('input', () => {
+      for (const other of turns) if (other !== turn) set(other, other.slider.defaultValue)
+      Object.assign(image, set(turn, turn.slider.value))
+    })
+  }
 }
 
 // On paper nothing can be opened, so what is folded is printed open.

@@ -276,11 +276,11 @@ def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
 
 @needs_browser
 def test_sliders_without_a_kernel_turn_pictures(browser: Any, address: str) -> None:
-    """The keys move them; the other pictures are loaded when it is touched, and the page does not jump."""
+    """The keys move one at a time; its other pictures are loaded when it is touched, and the page does not jump."""
     from selenium.webdriver.common.keys import Keys
 
     opened(browser, address, "lessons/00_loop")
-    slider = browser.find_element("css selector", ".flipbook input")
+    slider, other = browser.find_elements("css selector", ".flipbook input")[:2]
     height = browser.execute_script("return document.documentElement.scrollHeight")
     picture = browser.find_element("css selector", ".flipbook img")
     loaded = "return performance.getEntriesByType('resource').filter(one => one.name.includes('flipbooks')).length"
@@ -293,6 +293,11 @@ def test_sliders_without_a_kernel_turn_pictures(browser: Any, address: str) -> N
     assert browser.find_element("css selector", ".flipbook output").text == slider.get_attribute("aria-valuetext")
     assert browser.execute_script(loaded) > n_first + 2
     assert browser.execute_script("return document.documentElement.scrollHeight") == height
+    moved = slider.get_attribute("aria-valuetext")
+    other.send_keys(Keys.RIGHT)
+    assert other.get_attribute("aria-valuetext") in picture.get_attribute("alt")
+    assert moved != slider.get_attribute("aria-valuetext")
+    assert slider.get_property("value") == slider.get_property("defaultValue")
 
 
 @needs_browser

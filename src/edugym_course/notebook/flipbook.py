@@ -1,4 +1,4 @@
-"""What one slider of a cell shows, as pictures to flip through on a page behind which no kernel stands.
+"""What the sliders of a cell show, as pictures to flip through on a page behind which no kernel stands.
 
 `lessons/build.py --flipbooks` makes them, beside the notebooks: a file of JSON for each call of `sliders`, and its
 pictures. The website shows them.
@@ -10,6 +10,7 @@ import io
 import json
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -24,42 +25,59 @@ from edugym_course.notebook.controls import Shown, Sliders, figure_of, result_of
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ALL = 15
-"""A control with so many values at most has a picture of each, and so has a menu of names, of any length."""
+MOST = 15
+"""A first control with so many values at most has a picture of each, and so has a menu of names, of any length."""
 SOME = 9
-"""Pictures of a control with more values."""
+"""Pictures of a first control with more values."""
+FEW = 5
+"""Pictures of another control, at most, unless it is a menu of names."""
 LONGEST = 20.0
 """Seconds of processor time for one picture."""
 COLOURS = 64
 """No colour of a lesson's figure is then off by more than a tenth, and its file is half as large as in full colour."""
 
 
+class Turn(NamedTuple):
+    """The pictures over the values of one control; the others stand at their defaults.
+
+    Attributes:
+        parameter: the one that changes.
+        values: its values as a reader sees them, in order.
+        start: the place of its default among them.
+        files: the pictures, one for each value.
+        descriptions: what is on them, for readers who cannot see them.
+        axes_differ: whether some axis has another range in another picture.
+    """
+
+    parameter: str
+    values: Sequence[str]
+    start: int
+    files: Sequence[str]
+    descriptions: Sequence[str]
+    axes_differ: bool = False
+
+
 class Flipbook(NamedTuple):
-    """The pictures of a function with sliders, over the values of its first one.
+    """The pictures of a function with sliders.
 
     Attributes:
         function: the name of the function.
         fingerprint: of the cell that it belongs to (see `fingerprint`).
-        parameter: the one that changes.
-        values: its values as a reader sees them, in order.
-        start: the place of its default among them.
-        others: what the other controls stand at, by their names.
-        files: the pictures, one for each value.
-        descriptions: what is on them, for readers who cannot see them.
+        turns: one for each control that has pictures; the first control always has.
+        fixed: what the controls without pictures stand at, by their names.
         size: width and height of every picture, in pixels.
-        axes_differ: whether some axis has another range in another picture.
     """
 
     function: str
     fingerprint: str
-    parameter: str
-    values: Sequence[str]
-    start: int
-    others: Mapping[str, str]
-    files: Sequence[str]
-    descriptions: Sequence[str]
+    turns: Sequence[Turn]
+    fixed: Mapping[str, str]
     size: Sequence[int]
-    axes_differ: bool = False
+
+    @property
+    def files(self) -> list[str]:
+        """All pictures."""
+        return [file for turn in self.turns for file in turn.files]
 
 
 def fingerprint(source: str, outputs: Sequence[Mapping[str, Any]]) -> str:
@@ -75,13 +93,15 @@ def fingerprint(source: str, outputs: Sequence[Mapping[str, Any]]) -> str:
 
 def flipbooks(folder: Path) -> list[Flipbook]:
     """Read all that are in a folder: none if there is no folder."""
-    return [Flipbook(**json.loads(path.read_text(encoding="utf-8"))) for path in sorted(folder.glob("*.json"))]
+    read = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.json"))]
+    return [Flipbook(**book | {"turns": [Turn(**turn) for turn in book["turns"]]}) for book in read]
 
 
 def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
-    """Call the function of sliders with several values of the first one, and write what it shows into a folder.
+    """Call the function of sliders with several values of each in turn, and write what it shows into a folder.
 
-    Its figures get common axes where they can be read so (see `share_axes`). Nothing is written if a result is no
+    The figures of a control get common axes where they can be read so (see `share_axes`). A control other than the
+    first that has no fixed values, or whose pictures take too long, has none. Nothing is written if a result is no
     picture.
 
     Args:
@@ -91,45 +111,67 @@ def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
 
     Raises:
         ValueError: the folder has a flipbook of a function with this name, the first control has no fixed values, or
-            a picture takes too long.
+            a picture of the first control takes too long.
     """
-    (parameter, control), *others = panel.controls.items()
+    first, *others = panel.controls
     name = panel.function.__name__
     if (path := folder / f"{name}.json").exists():
         raise ValueError(f"two cells have sliders for a function with the name {name}: give them names of their own")
-    values = _values(control)
+    drawn = [_drawn(panel, first, MOST, SOME)]
+    kinds = {picture.mime_type for picture in drawn[0].pictures}
+    if kinds not in ({"image/png"}, {"image/svg+xml"}):
+        return
+    for other in others:
+        with suppress(_CannotTurn):
+            drawn.append(_drawn(panel, other, FEW, FEW))
+    contents, size = _files([picture.data for one in drawn for picture in one.pictures], kinds.pop())
+    ending = "svg" if contents[0].startswith(b"<svg") else "png"
+    unwritten = iter(contents)
+    turns = []
+    for one in drawn:
+        files = [f"{name}-{one.parameter}-{number}.{ending}" for number in range(len(one.values))]
+        for file in files:
+            (folder / file).write_bytes(next(unwritten))
+        control = panel.controls[one.parameter]
+        values = [_written(control, value) for value in one.values]
+        descriptions = ["" if picture.description == name else picture.description for picture in one.pictures]
+        turns.append(Turn(one.parameter, values, one.values.index(control.value), files, descriptions, one.axes_differ))
+    turned = {one.parameter for one in drawn}
+    fixed = {other: _written(one, one.value) for other, one in panel.controls.items() if other not in turned}
+    book = Flipbook(name, fingerprint, turns, fixed, size)
+    written = book._asdict() | {"turns": [turn._asdict() for turn in turns]}
+    path.write_text(json.dumps(written, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+class _CannotTurn(ValueError):
+    """A control has no fixed values, or a picture of it takes too long."""
+
+
+class _Drawn(NamedTuple):
+    """The pictures over the values of one control."""
+
+    parameter: str
+    values: list[Any]
+    pictures: list[Shown]
+    axes_differ: bool
+
+
+def _drawn(panel: Sliders, parameter: str, most: int, some: int) -> _Drawn:
+    """Draw all values of a control if they are at most `most`, or else `some` of them."""
+    name, control = panel.function.__name__, panel.controls[parameter]
+    values = _values(control, most, some)
     if not values:
-        raise ValueError(f"the first control of {name} must be a slider, a menu or a box to tick: name another first")
-    results = []
+        raise _CannotTurn(f"control {parameter} of {name} must be a slider, a menu or a box: name another first")
+    defaults, results = {other: one.value for other, one in panel.controls.items()}, []
     for value in values:
         began = time.process_time()
-        results.append(result_of(panel.function, {name: one.value for name, one in others} | {parameter: value}))
+        results.append(result_of(panel.function, defaults | {parameter: value}))
         if time.process_time() - began > LONGEST:
-            raise ValueError(f"{name} takes over {LONGEST:g} s for {parameter} = {value}: name another control first")
+            raise _CannotTurn(f"{name} takes over {LONGEST:g} s for {parameter} = {value}: name another control first")
     figures = [_figure(result) for result in results]
     differ = share_axes([figure for figure in figures if figure is not None])
     pictures = [_picture(result, figure, name) for result, figure in zip(results, figures, strict=True)]
-    kinds = {picture.mime_type for picture in pictures}
-    if kinds not in ({"image/png"}, {"image/svg+xml"}):
-        return
-    contents, size = _files([picture.data for picture in pictures], kinds.pop())
-    ending = "svg" if contents[0].startswith(b"<svg") else "png"
-    files = [f"{name}-{number}.{ending}" for number in range(len(contents))]
-    for file, content in zip(files, contents, strict=True):
-        (folder / file).write_bytes(content)
-    book = Flipbook(
-        function=name,
-        fingerprint=fingerprint,
-        parameter=parameter,
-        values=[_written(control, value) for value in values],
-        start=values.index(control.value),
-        others={other: _written(one, one.value) for other, one in others},
-        files=files,
-        descriptions=["" if picture.description == name else picture.description for picture in pictures],
-        size=size,
-        axes_differ=differ,
-    )
-    path.write_text(json.dumps(book._asdict(), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return _Drawn(parameter, values, pictures, differ)
 
 
 def _figure(result: Any) -> "Figure | None":
@@ -146,7 +188,7 @@ def _picture(result: Any, figure: "Figure | None", name: str) -> Shown:
     return Shown("image/png", contents, result.titles or name)
 
 
-def _values(control: Any) -> list[Any]:
+def _values(control: Any, most: int, some: int) -> list[Any]:
     """The values of a control to draw, its present one and both ends among them; none of a control without any."""
     if hasattr(control, "options"):
         values = list(control.options)
@@ -157,12 +199,12 @@ def _values(control: Any) -> list[Any]:
         values = [False, True] if isinstance(control.value, bool) else []
     if values and control.value not in values:  # between two steps
         values = sorted([*values, control.value])
-    if len(values) <= ALL or not all(isinstance(value, Real) for value in values):
+    if len(values) <= most or not all(isinstance(value, Real) for value in values):
         return values
-    places = [round(number * (len(values) - 1) / (SOME - 1)) for number in range(SOME)]
+    places = [round(number * (len(values) - 1) / (some - 1)) for number in range(some)]
     start = values.index(control.value)
     if start not in places:
-        places[min(range(1, SOME - 1), key=lambda number: abs(places[number] - start))] = start
+        places[min(range(1, some - 1), key=lambda number: abs(places[number] - start))] = start
     return [values[place] for place in places]
 
 

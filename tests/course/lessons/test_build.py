@@ -337,7 +337,7 @@ def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFix
     (root / "notebooks" / "00_gone.ipynb").touch()
     (root / "notebooks" / ".ipynb_checkpoints").mkdir()
     (root / "notebooks" / ".ipynb_checkpoints" / "01_doubling-checkpoint.ipynb").touch()
-    book = Flipbook("draw", "of another cell", "height", ["1"], 0, {}, ["draw-0.png"], ["a line"], [1, 1])
+    book = Flipbook("draw", "of another cell", [], {}, [1, 1])
     (folder := root / "notebooks" / "flipbooks" / "01_doubling").mkdir(parents=True)
     (folder / "draw.json").write_text(json.dumps(book._asdict()), encoding="utf-8")
     assert build.main(["--check"], root) == 1

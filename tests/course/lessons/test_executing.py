@@ -69,7 +69,7 @@ def test_flipbooks_belong_to_a_cell_as_it_is(tmp_path: Path) -> None:
     assert flipbooks.make("01_dots", tmp_path) == []
     assert path.read_bytes() == before
     folder = flipbooks.place("01_dots", tmp_path)
-    assert sorted(file.name for file in folder.iterdir()) == ["dot-0.svg", "dot-1.svg", "dot-2.svg", "dot.json"]
+    assert sorted(file.name for file in folder.iterdir()) == ["dot-x-0.svg", "dot-x-1.svg", "dot-x-2.svg", "dot.json"]
     assert [*flipbooks.outdated("01_dots", tmp_path)] == []
     for changed in (
         new_code_cell(SLIDERS.replace("(1, 3)", "(1, 4)"), outputs=[picture]),
@@ -78,8 +78,8 @@ def test_flipbooks_belong_to_a_cell_as_it_is(tmp_path: Path) -> None:
         nbformat.write(new_notebook(cells=[changed]), path)
         assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot.json"]
     path.write_bytes(before)
-    (folder / "dot-1.svg").unlink()
-    assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot-1.svg"]
+    (folder / "dot-x-1.svg").unlink()
+    assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot-x-1.svg"]
     (folder / "dot.json").unlink()
     assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot.json"]
     nbformat.write(new_notebook(cells=[new_code_cell(SLIDERS)]), path)  # which shows no picture, so needs none

@@ -2,6 +2,7 @@
 
 import base64
 import io
+import time
 from pathlib import Path
 from typing import Any
 
@@ -46,14 +47,42 @@ def graph(x: int = 2) -> Any:
 )
 def test_values_of_a_flipbook(tmp_path: Path, allowed: Any, values: list[str], start: int) -> None:
     """All of a few or some of many, always with both ends and the default; the others stay."""
-    panel = sliders(dot, x=allowed, name=["b", "a"], more=(1, 5))
+    panel = sliders(dot, x=allowed, name=Text("a"), more=Text("3"))
     flipbook.keep(panel, tmp_path, "mark")
     [book] = flipbook.flipbooks(tmp_path)
-    assert (book.function, book.fingerprint, book.parameter) == ("dot", "mark", "x")
-    assert (list(book.values), book.start, book.others) == (values, start, {"name": "a", "more": "3"})
+    assert (book.function, book.fingerprint, book.fixed) == ("dot", "mark", {"name": "a", "more": "3"})
+    [turn] = book.turns
+    assert (turn.parameter, list(turn.values), turn.start) == ("x", values, start)
     drawn = [(tmp_path / file).read_text(encoding="utf-8") for file in book.files]
     assert drawn[start] == call(dot, {}).data
-    assert len(set(drawn)) == len(values) == len(book.descriptions)
+    assert len(set(drawn)) == len(values) == len(turn.descriptions)
+
+
+def test_each_control_turns_while_the_others_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those after the first have fewer pictures, and none without fixed values, or where one takes too long."""
+
+    def sum_of(x: int = 1, y: int = 20, note: str = "a", name: str = "one", slow: int = 1) -> Scene:
+        end = time.process_time() + (0.3 if slow > 1 else 0)
+        while time.process_time() < end:
+            pass
+        return Scene(1000, 10, (Circle(x + y + (100 if name == "two" else 0), 5, 1),))
+
+    names = [f"{number}" for number in range(10)]
+    panel = sliders(sum_of, x=(1, 3), y=(0, 100), note=Text("a"), name=["one", "two", *names], slow=(1, 2))
+    monkeypatch.setattr(flipbook, "LONGEST", 0.2)
+    flipbook.keep(panel, tmp_path, "mark")
+    [book] = flipbook.flipbooks(tmp_path)
+    found = {turn.parameter: (list(turn.values), turn.start) for turn in book.turns}
+    assert found == {
+        "x": (["1", "2", "3"], 0),
+        "y": (["0", "20", "50", "75", "100"], 1),
+        "name": (["one", "two", *names], 0),
+    }
+    assert book.fixed == {"note": "a", "slow": "1"}
+    for turn in book.turns:
+        assert (tmp_path / turn.files[turn.start]).read_text(encoding="utf-8") == call(sum_of, {}).data
+    assert (tmp_path / book.turns[1].files[4]).read_text(encoding="utf-8") == call(sum_of, {"y": 100}).data
+    assert len(set(book.files)) == 20 == len([*tmp_path.iterdir()]) - 1
 
 
 def test_pictures_are_small_of_one_size_and_the_same_each_time(tmp_path: Path) -> None:
@@ -65,7 +94,7 @@ def test_pictures_are_small_of_one_size_and_the_same_each_time(tmp_path: Path) -
         written.append({path.name: path.read_bytes() for path in folder.iterdir()})
     assert written[0] == written[1]
     [book] = flipbook.flipbooks(tmp_path / "first")
-    assert book.descriptions == ["x is 1", "x is 2", "x is 3"]
+    assert book.turns[0].descriptions == ["x is 1", "x is 2", "x is 3"]
     for file in book.files:
         with Image.open(tmp_path / "first" / file) as image:
             assert (image.mode, list(image.size)) == ("P", book.size)
@@ -85,7 +114,8 @@ def test_a_result_that_is_no_picture_has_no_flipbook(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("control", "longest", "names"), [((1, 3), 0.0, "dot takes over 0 s for x = 1"), (Text("a"), 20.0, "first control")]
+    ("control", "longest", "names"),
+    [((1, 3), 0.0, "dot takes over 0 s for x = 1"), (Text("a"), 20.0, "control x of dot")],
 )
 def test_what_cannot_be_turned_is_an_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, control: Any, longest: float, names: str
@@ -157,8 +187,8 @@ def test_a_flipbook_has_common_axes_and_says_where_they_differ(tmp_path: Path) -
     for most, differ in ((3, False), (12, True)):
         flipbook.keep(sliders(sheet, x=[2, most]), tmp_path, "mark")
         [book] = flipbook.flipbooks(tmp_path)
-        assert book.axes_differ == differ
-        assert book.descriptions == ["2", str(most)]
+        assert book.turns[0].axes_differ == differ
+        assert book.turns[0].descriptions == ["2", str(most)]
         kept, alone = (tmp_path / file for file in book.files), [call(sheet, {"x": x}).data for x in (2, most)]
         same = [np.asarray(Image.open(io.BytesIO(base64.b64decode(picture))).convert("L")) for picture in alone]
         close = [
