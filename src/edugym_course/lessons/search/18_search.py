@@ -64,7 +64,7 @@ for action, name in enumerate(shop.action_names):
 #
 # ### Try some of it: roll-outs
 # So *sample*. Try each action in the model, go on at random until step $d$, and add up the discounted rewards. The mean of many such returns is taken for
-# the value of the action. This costs $d$ steps of the model for each *simulation*, however many ways there are.
+# the value of the action. This costs at most $d$ steps of the model for each *simulation*, however many ways there are.
 #
 # ### Remember where it was good: UCT
 # Nobody will act at random after the first step. So keep a *tree* of what was simulated, with a mean return $Q(\text{node}, a)$ and
@@ -77,7 +77,7 @@ for action, name in enumerate(shop.action_names):
 #    but an action that was never tried comes before all others. The bonus $c \sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node, the present one included.
 # 2. **Expand.** The first state that is not in the tree becomes a new node.
 # 3. **Roll out.** From there on, act at random until the end, or until step $d$.
-# 4. **Back up.** From the last node to the root: $G \leftarrow R + \gamma G$, count the action, and
+# 4. **Back up.** $G$ is the return of the roll-out at first, 0 if the task has ended. From the last node to the root: $G \leftarrow R + \gamma G$, count the action, and
 #    $Q(\text{node}, A) \leftarrow Q(\text{node}, A) + \left[ G - Q(\text{node}, A) \right] / N(\text{node}, A)$.
 #
 # In the end take the action with the highest $Q$ in the root, and throw the tree away. (UCT is short for *upper confidence bounds applied to trees*. In the code `OUTSIDE` means: not in the tree. The code counts an action
@@ -140,7 +140,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # <details><summary>What to look for</summary>
 #
 # With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains clearly only with 20 steps, 1000 simulations and $c = 10$.
-# With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ it gets about what plain roll-outs get.
+# With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ the tree gets about what plain roll-outs get.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -183,7 +183,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between it needs 3000 simulations to get far. Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between this search needed 3000 simulations to get far (with other random numbers it may not). Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
 
 # %% [markdown]
 # ### What holds UCT back?
@@ -236,7 +236,7 @@ crowded.measured(crowds[16].mean())
 #
 # **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). Is the tree to blame, which has 16 branches at each node now? Or
 # the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. Branches that
-# *repeat* the four directions do much less harm than that (67). (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 10, and 52 and 74 with one of the two.) This is one reason why programs that play well seldom roll out at random: they
+# *repeat* the four directions do much less harm than that (67). (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 10, and 52 and 74 with one of the two.) This may be one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
@@ -267,7 +267,7 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 
 # %% [markdown]
 # ### A deeper look in a wrong model
-# Now no sampling at all: we look ahead *exactly*, and so we need no seeds. But the map is an old one. It shows a door in the wall between the second and the third item, which is
+# Now no sampling at all: we look ahead *exactly*, and so we need no seeds. But the map is an old one. It shows a door in the wall between the second and the third item (row 7, column 3, both counted from 0), which is
 # bricked up by now. In the right model 8 steps of look-ahead get 59, and 20 steps get 95. On the old map 8 steps get 59, too.
 #
 # **Predict.** What do 20 steps of look-ahead get on the old map?
@@ -515,7 +515,7 @@ check(project_18, my_program)
 # - Plain roll-outs come to the values of random play. From 300 to 3000 simulations they got *worse* here: their limit, 59, can be computed.
 # - UCT got about 80 with 1000 simulations, and no more with 3000. Told the value of good play, and with a small c, it got 95; each of these alone was not enough.
 # - Twelve actions that stand still ruined UCT. In the tree alone, or in the roll-outs alone, they cost much less.
-# - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with small errors in all rewards deeper was better.
+# - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with errors as large as the cost of a step in all rewards deeper was better.
 # - Nothing is kept. UCT simulates up to 20 000 steps before each of its own; value iteration asks the model about as often, once, and has the best way.
 #
 # ### In one paragraph
