@@ -12,7 +12,7 @@ The command line:
     python lessons/build.py                   write what its source has changed; execute where code has
     python lessons/build.py 01_exploration    the same for one lesson
     python lessons/build.py --execute         execute solutions again though their source has not changed
-    python lessons/build.py --flipbooks       make the pictures that the website shows for sliders; no notebook changes
+    python lessons/build.py --flipbooks       make what the website shows of sliders and films; no notebook changes
     python lessons/build.py --check           write nothing; fail if a notebook is not what its source makes
 
 A new lesson begins as a copy of the folder `template`. CONTRIBUTING.md tells how to write one; `rules.py` checks it.
@@ -306,7 +306,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser = argparse.ArgumentParser(description="Build the notebooks of the lessons.")
     parser.add_argument("lessons", nargs="*", metavar="NN_name", help="lessons to build (default: all)")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if a notebook is not up to date")
-    parser.add_argument("--flipbooks", action="store_true", help="make the website's pictures of sliders, nothing else")
+    parser.add_argument("--flipbooks", action="store_true", help="make only what the website shows of sliders")
     parser.add_argument("--execute", action="store_true", help="execute solutions again, changed or not")
     options = parser.parse_args(arguments)
     known = lesson_sources(root)

@@ -1,6 +1,6 @@
-"""The pictures that the website shows for the sliders of a lesson, made in a kernel of their own.
+"""The pictures that the website shows for the sliders and films of a lesson, made in a kernel of their own.
 
-They stand beside the notebooks: `notebooks/flipbooks/NN_name`. A lesson need not have them for every slider.
+They stand beside the notebooks: `notebooks/flipbooks/NN_name`.
 """
 
 import re
@@ -14,13 +14,15 @@ from nbformat import NO_CONVERT, NotebookNode, reads
 from nbformat.v4 import new_code_cell, new_notebook
 from rules import is_code
 
+from edugym_course.notebook.filmstrip import ENDING, filmstrips
 from edugym_course.notebook.flipbook import fingerprint, flipbooks
+from edugym_course.notebook.widget import WITHOUT_KERNEL
 
 SECONDS = 1800  # for all pictures of a cell, on a busy machine
 KEEP = """\
 import pathlib
-import edugym_course.notebook.flipbook
-edugym_course.notebook.flipbook.keep(Out[max(Out)], pathlib.Path({folder!r}), {fingerprint!r})"""
+import edugym_course.notebook.{module}
+edugym_course.notebook.{module}.keep(Out[max(Out)], pathlib.Path({folder!r}), {fingerprint!r})"""
 
 
 def place(name: str, notebooks: Path) -> Path:
@@ -29,14 +31,14 @@ def place(name: str, notebooks: Path) -> Path:
 
 
 def make(name: str, notebooks: Path) -> list[str]:
-    """Runs the cells of an executed lesson up to its last sliders, and writes its flipbooks in the place of older ones.
+    """Runs the cells of an executed lesson up to its last sliders or film, and writes what the website shows of them.
 
     Args:
         name: The lesson, such as "01_exploration".
         notebooks: The folder of the notebooks; none of them changes.
 
     Returns:
-        What went wrong; the older ones stay then.
+        What went wrong; the older files stay then.
     """
     cells = list(filter(is_code, _executed(name, notebooks).cells))
     with tempfile.TemporaryDirectory() as folder:
@@ -46,9 +48,10 @@ def make(name: str, notebooks: Path) -> list[str]:
         run, end = new_notebook(), 0
         for cell in cells:
             run.cells.append(cell)
-            if has_sliders(cell.source):
+            module = "flipbook" if has_sliders(cell.source) else "filmstrip" if has_film(cell) else ""
+            if module:
                 known = fingerprint(cell.source, cell.outputs)
-                run.cells.append(new_code_cell(KEEP.format(folder=str(made), fingerprint=known)))
+                run.cells.append(new_code_cell(KEEP.format(module=module, folder=str(made), fingerprint=known)))
                 end = len(run.cells)
         del run.cells[end:]
         faults = LessonClient(
@@ -94,23 +97,36 @@ def replace(folder: Path, made: Path, unfinished: Path) -> None:
 
 
 def outdated(name: str, notebooks: Path) -> Iterator[Path]:
-    """The flipbooks that a lesson's executed notebook lacks or has no cell for, and pictures that others lack."""
+    """The files that a lesson's executed notebook lacks or has no cell for, and pictures that flipbooks lack."""
     folder = place(name, notebooks)
     books = {book.function: book for book in flipbooks(folder)}
-    if not books and not (notebooks / "solutions" / f"{name}.ipynb").exists():
+    films = {film.fingerprint for film in filmstrips(folder)}
+    if not books and not films and not (notebooks / "solutions" / f"{name}.ipynb").exists():
         return
     current = dict[str, str]()  # fingerprints of all cells, and the functions of sliders that show a picture
     for cell in filter(is_code, _executed(name, notebooks).cells):
         pictured = any(kind.startswith("image/") for output in cell.outputs for kind in output.get("data", {}))
         function = _function(cell.source) if pictured else ""
-        current[fingerprint(cell.source, cell.outputs)] = function
+        known = fingerprint(cell.source, cell.outputs)
+        current[known] = function
         if function and function not in books:
             yield folder / f"{function}.json"
+        if has_film(cell) and known not in films:
+            yield folder / f"{known}{ENDING}"
     for book in books.values():
         if book.fingerprint not in current:
             yield folder / f"{book.function}.json"
         else:
             yield from (folder / file for file in book.files if not (folder / file).exists())
+    yield from (folder / f"{film}{ENDING}" for film in films - current.keys())
+
+
+def has_film(cell: NotebookNode) -> bool:
+    """Whether a cell shows an episode step by step: a widget with pictures, and neither sliders nor a game to play."""
+    if re.search(r"^(sliders|play)\(", cell.source, re.MULTILINE):
+        return False
+    shown = [output.get("data", {}) for output in cell.outputs]
+    return any(data.get("text/plain") == WITHOUT_KERNEL and "image/svg+xml" in data for data in shown)
 
 
 def has_sliders(source: str) -> bool:

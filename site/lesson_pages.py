@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlencode
 
+import film_views
 import slider_views
 from accessibility import alternative
 from offers import Race
@@ -22,9 +23,9 @@ from edugym import ENVIRONMENTS
 from edugym.adapters.registration import find
 from edugym_course.lab.records import number_of
 from edugym_course.notebook.flipbook import fingerprint
+from edugym_course.notebook.widget import WITHOUT_KERNEL
 
 NOTEBOOKS = ROOT / "notebooks"
-WIDGET = "Run this cell to get the controls."
 LIVE = "*In JupyterLab these controls are live.*"
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
 RACE = """<details class="live"><summary>Here, live: agents race in {0}, with sliders for {1}, α, γ and ε</summary>
@@ -75,7 +76,7 @@ def lesson(path: Path) -> Lesson:
     executed = json.loads((NOTEBOOKS / "solutions" / path.name).read_text(encoding="utf-8"))["cells"]
     outputs = {cell["id"]: (_source(cell), cell.get("outputs", [])) for cell in executed}
     heading, text, figures = "", list[str](), dict[str, bytes]()
-    races, books = _races(path), slider_views.views(path.stem)
+    races, books, films = _races(path), slider_views.views(path.stem), film_views.views(path.stem)
     folded = False
     for cell in cells:
         source = _source(cell)
@@ -98,14 +99,18 @@ def lesson(path: Path) -> Lesson:
         if cell["metadata"].get("jupyter", {}).get("source_hidden"):
             continue
         same, shown = outputs[cell["id"]]
-        book = books.get(fingerprint(source, shown))
+        known = fingerprint(source, shown)
+        book, film = books.get(known), films.get(known)
         if book and (book.fixed or len(book.turns) > 1):
             text.append(slider_views.what_moves(book))
         text.append(_fenced(source, "python"))
         if same == source and not {"check", "project"}.intersection(cell["metadata"].get("tags", [])):
             name = f"{path.stem}-{cell['id']}"
             view = slider_views.shown(book, path.stem, f"{name}-slider", heading) if book else ""
-            text.append(_outputs(shown, source, name, heading, figures, view).replace(LIVE, _live(source)))
+            body = _outputs(shown, source, name, heading, figures, view)
+            if film:
+                body = body.replace(LIVE, film_views.shown(film, f"{name}-film"))
+            text.append(body.replace(LIVE, _live(source)))
         if re.search(r"^sliders\(", source, re.MULTILINE):
             text += races
             races = []
@@ -181,13 +186,13 @@ def _outputs(
         elif shown.startswith("<p>Measured: "):
             answers = True
             parts.append(html.unescape(re.sub(r" \(You made no prediction.*", "", shown.removeprefix("<p>"))))
-        elif view and data.get("text/plain") == WIDGET:
+        elif view and data.get("text/plain") == WITHOUT_KERNEL:
             parts.append(view)
         elif kinds := [kind for kind in IMAGES if kind in data]:
             parts.append(_picture(data, kinds[0], f"{name}-{number}", heading, figures))
         elif "text/markdown" in data:
             parts.append(data["text/markdown"])
-        elif data["text/plain"] == WIDGET:
+        elif data["text/plain"] == WITHOUT_KERNEL:
             parts.append(LIVE)
         else:
             parts.append(_fenced(data["text/plain"], "text"))
@@ -220,4 +225,4 @@ def _picture(data: dict[str, str], kind: str, name: str, heading: str, figures: 
     said = alternative(f"{heading}: {titles or 'the controls at their first settings'}")
     wide = "{.wide}" if kind == "image/png" or data[kind].count("<svg") > 2 else ""
     picture = f"![{said}](figures/{name}.{IMAGES[kind]}){wide}"
-    return f"{picture}\n\n{LIVE}" if plain == WIDGET else picture
+    return f"{picture}\n\n{LIVE}" if plain == WITHOUT_KERNEL else picture

@@ -139,6 +139,38 @@ for (const book of document.querySelectorAll('.flipbook')) {
   }
 }
 
+// Films of a lesson: step through an episode, or play it once.
+const PAUSE = 250 // milliseconds that a frame stays
+for (const film of document.querySelectorAll('.film')) {
+  const { lines, frames, says } = JSON.parse(film.querySelector('script').textContent)
+  const [play, slider, step, picture] = ['button', 'input', 'output', '.picture'].map(name => film.querySelector(name))
+  let playing = 0
+  const show = frame => {
+    slider.value = step.textContent = frame
+    slider.setAttribute('aria-valuetext', says[frame])
+    picture.setAttribute('aria-label', says[frame])
+    picture.innerHTML = frames[frame].flatMap(([first, end]) => lines.slice(first, end)).join('\n')
+  }
+  const stop = () => {
+    clearInterval(playing)
+    playing = 0
+    play.textContent = 'Play'
+  }
+  slider.addEventListener('input', () => {
+    stop()
+    show(Number(slider.value))
+  })
+  play.addEventListener('click', () => {
+    if (playing) return stop()
+    play.textContent = 'Stop'
+    if (slider.value === slider.max) show(0)
+    playing = setInterval(() => {
+      show(Number(slider.value) + 1)
+      if (slider.value === slider.max) stop()
+    }, PAUSE)
+  })
+}
+
 // On paper nothing can be opened, so what is folded is printed open.
 let opened = []
 addEventListener('beforeprint', () => {

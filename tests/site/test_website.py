@@ -301,6 +301,36 @@ def test_sliders_without_a_kernel_turn_pictures(browser: Any, address: str) -> N
 
 
 @needs_browser
+def test_episodes_without_a_kernel_can_be_stepped_through(browser: Any, address: str) -> None:
+    """By keys, or played to the end and once more; the page does not jump."""
+    from selenium.webdriver.common.keys import Keys
+
+    opened(browser, address, "lessons/00_loop")
+    film = browser.find_element("css selector", ".film")
+    play, slider, step, picture = (
+        film.find_element("css selector", name) for name in ("button", "input", "output", ".picture")
+    )
+    height = browser.execute_script("return document.documentElement.scrollHeight")
+    first = browser.execute_script("return arguments[0].innerHTML", picture)
+    slider.send_keys(Keys.RIGHT)
+    assert step.text == slider.get_property("value") == "1"
+    assert "step 1" in picture.get_attribute("aria-label") == slider.get_attribute("aria-valuetext")
+    assert browser.execute_script("return arguments[0].innerHTML", picture) != first
+    slider.send_keys(Keys.END)
+    last = slider.get_property("value")
+    slider.send_keys(Keys.LEFT)
+    play.click()
+    until(lambda: slider.get_property("value") == last and play.text == "Play", "the end of the film")
+    play.click()
+    assert play.text == "Stop"
+    until(lambda: slider.get_property("value") == "1", "its beginning")
+    slider.send_keys(Keys.HOME)
+    assert (play.text, step.text) == ("Play", "0")
+    assert browser.execute_script("return arguments[0].children[0].outerHTML", picture) in first
+    assert browser.execute_script("return document.documentElement.scrollHeight") == height
+
+
+@needs_browser
 def test_a_page_to_project_is_large_and_turns(browser: Any, address: str) -> None:
     """It can be read from the last row, nothing stands around it, and a clicker's keys turn."""
     from selenium.webdriver.common.keys import Keys

@@ -30,7 +30,9 @@ import edugym
 from edugym.adapters.registration import find, in_course_order
 from edugym_course import agent_profiles
 from edugym_course.lab.records import number_of
+from edugym_course.notebook.widget import WITHOUT_KERNEL
 
+FILM = re.compile(r'(<div class="film">.*?)<script type="application/json">(.*?)</script>\n</div>', re.DOTALL)
 FLIPBOOK = re.compile(r'<div class="flipbook".*?</p>\n</div>', re.DOTALL)
 
 
@@ -174,7 +176,7 @@ def test_lessons_ask_before_they_show(lessons: list[lesson_pages.Lesson]) -> Non
             assert " " in asked
             assert "<br>" not in asked
             assert ways.count('type="radio"') > 1 or ways.count('type="text"') == 1
-        assert lesson_pages.WIDGET not in lesson.text
+        assert WITHOUT_KERNEL not in lesson.text
         pictures = re.findall(r"!\[(.*?)\]\((figures/.*?)\)", lesson.text)
         assert {f"lessons/{path}" for _, path in pictures} == lesson.figures.keys()
         assert all(len(alternative) > 10 for alternative, _ in pictures)
@@ -244,6 +246,26 @@ def test_sliders_turn_pictures(lessons: list[lesson_pages.Lesson], monkeypatch: 
     without = lesson_pages.lesson(ROOT / "notebooks" / "00_loop.ipynb")
     assert "flipbook" not in without.text
     assert without.text.count("the controls at their first settings") > 0
+
+
+def test_episodes_are_films(lessons: list[lesson_pages.Lesson]) -> None:
+    """Each begins with its first frame and has a text for every frame; only games to play need a kernel."""
+    n_films = 0
+    for lesson in lessons:
+        for drawn, frames in FILM.findall(lesson.text):
+            n_films += 1
+            view, told = ElementTree.fromstring(f"{drawn}</div>"), json.loads(frames)
+            slider, picture = view.find(".//input"), view.find("div[@class='picture']")
+            assert slider is not None
+            assert picture is not None
+            assert int(slider.attrib["max"]) == len(told["frames"]) - 1 == len(told["says"]) - 1
+            assert picture.attrib["aria-label"] == told["says"][0]
+            first = "\n".join(line for start, end in told["frames"][0] for line in told["lines"][start:end])
+            assert ElementTree.tostring(picture[0]).strip() == ElementTree.tostring(ElementTree.fromstring(first))
+            assert all(0 <= start < end <= len(told["lines"]) for frame in told["frames"] for start, end in frame)
+        for part in lesson.text.split("```python\n"):
+            assert lesson_pages.LIVE not in part or re.search(r"^play\(", part, re.MULTILINE), (lesson.name, part)
+    assert n_films > 0
 
 
 def test_formulas_become_mathml_and_their_signs_are_in_the_font(lessons: list[lesson_pages.Lesson]) -> None:

@@ -16,6 +16,8 @@ from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
+WITHOUT_KERNEL = "Run this cell to get the controls."
+"""What a widget says where no kernel runs, beside its still picture."""
 READABLE = 9.0
 """The least size of text in a picture, in CSS pixels: in a narrower cell the picture scrolls sideways."""
 SMALLEST_FIGURE = 0.75
@@ -70,7 +72,7 @@ class NotebookWidget:
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
         """What Jupyter stores in the notebook; the front end shows the richest form that it can."""
         view = {"version_major": 2, "version_minor": 0, "model_id": self.widget.model_id}
-        return {WIDGET: view, "text/plain": "Run this cell to get the controls."} | self.still()
+        return {WIDGET: view, "text/plain": WITHOUT_KERNEL} | self.still()
 
 
 def picture_html(picture: Picture) -> str:

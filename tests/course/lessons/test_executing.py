@@ -10,6 +10,8 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 
+from edugym_course.notebook.widget import WITHOUT_KERNEL
+
 WIDGET_ERROR = "import ipywidgets\ndef shout(x):\n    raise KeyError('in a widget')\nipywidgets.interact(shout, x=2)"
 CLEARED_ERROR = """\
 import ipywidgets
@@ -84,6 +86,38 @@ def test_flipbooks_belong_to_a_cell_as_it_is(tmp_path: Path) -> None:
     assert [*flipbooks.outdated("01_dots", tmp_path)] == [folder / "dot.json"]
     nbformat.write(new_notebook(cells=[new_code_cell(SLIDERS)]), path)  # which shows no picture, so needs none
     assert [*flipbooks.outdated("01_dots", tmp_path)] == []
+
+
+FILM = """\
+from edugym_course.notebook import frames
+
+
+def watch():
+    return frames("Boulder", [0, 1], height=3)
+
+
+watch()"""
+
+
+def test_films_belong_to_a_cell_as_it_is(tmp_path: Path) -> None:
+    """Its frames are kept; a cell with another picture has none, and a game that one plays needs none."""
+    path = tmp_path / "solutions" / "01_climb.ipynb"
+    path.parent.mkdir()
+    shown = {"image/svg+xml": "<svg/>", "text/plain": WITHOUT_KERNEL}
+    cells = [
+        new_code_cell(source, outputs=[nbformat.v4.new_output("display_data", shown)])
+        for source in (FILM, "from edugym_course.notebook import play\n\nplay('Boulder')")
+    ]
+    nbformat.write(new_notebook(cells=cells), path)
+    [missing] = flipbooks.outdated("01_climb", tmp_path)
+    assert flipbooks.make("01_climb", tmp_path) == []
+    folder = flipbooks.place("01_climb", tmp_path)
+    assert [*folder.iterdir()] == [missing]
+    assert [*flipbooks.outdated("01_climb", tmp_path)] == []
+    cells[0].outputs[0].data["image/svg+xml"] = "<svg></svg>"
+    nbformat.write(new_notebook(cells=cells), path)
+    lacking, left = flipbooks.outdated("01_climb", tmp_path)
+    assert left == missing != lacking
 
 
 FULL = OSError(28, "No space left on device")

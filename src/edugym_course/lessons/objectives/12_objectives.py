@@ -87,7 +87,7 @@ for k, (value, time) in enumerate(front):
 figures.front(1.0, weights=(1.0, 4.0))
 
 # %% [markdown]
-# This is concavity 1, and for $w = 4$ the line touches treasure 8. A line steeper than the grey one will touch another point. Look at the hollow ones: they
+# This is concavity 1, and for $w = 4$ the line touches treasure 8. The grey line joins the points that some weights prefer; a dashed line steeper than it touches another point. Look at the hollow ones: they
 # lie in a *dent*, below the line from treasure 0 to treasure 8. However you turn the dashed line, will one of them ever be the last point
 # that it touches?
 #
@@ -206,7 +206,7 @@ who.measured(who.options[0 if rest and whole else 1 if whole else 2 if rest else
 #
 # Why? $\mathbf{Q}(s, a)$ are the returns from $s$ *on*, but $\mathbf{z}$ is what a whole dive could bring. After four steps $\mathbf{Q}$ knows nothing of these four, and
 # two more steps look as cheap as the first two. So the agent goes on where its own weights, at the start, would have
-# stopped. That it most often dives too deep fits this. It also explains the dives that stop too early, for weights of time from 12 to 22: by its own
+# stopped. That it most often dives too deep fits this. It also explains the dives that stop too early, for weights of time from 12 to 22 (1.1 to 1.3 on the axis): by its own
 # values, going on would lead to a treasure that is too deep, and so it rather stops earlier. (At concavity 0 and 1 the same came out; with the steps so
 # far added, the effect was gone each time.)
 #
@@ -302,7 +302,7 @@ dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 els
 # and within the limit, is not picked up once in the second half. The price goes up and down around 5, at which treasures 0 and 8 are worth the same.
 # </details>
 #
-# Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. `constrained_optimum` computes it: if only the average must keep the
+# Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. The cell computes it exactly: if only the average must keep the
 # limit, the best is to take treasure 0 five times of eight and treasure 8 three times. That brings 40 on average, and treasure 3 only
 # 35.31: on average this mixture dominates treasure 3, which no single dive does. It is a failure of the question. A diver does not survive a dive of 17 steps because the one before took one. A limit on the average
 # is right for costs that add up over many episodes, such as a bill; for air it is wrong. If each dive must keep the limit, find treasure 3 by a set of
@@ -350,7 +350,7 @@ for label, settings in {
     print(f"known values, {label}: {methods.too_long(run.training_returns).sum():.0f} dives take too long")
 
 # %% [markdown]
-# Either cause is enough. With known values and a first price of 30 there is neither, and no dive takes too long. With known values and a first price of 0
+# Either cause alone makes dives too long. With known values and a first price of 30 there is neither, and no dive takes too long. With known values and a first price of 0
 # there is mainly the second: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. (A few first values of 100 are left, in cells where
 # the earlier training hardly went. So the first dive wanders for 100 steps, and raises the price quickly.) And with a first price of 30 and new values there is only
 # the first: those were the 65. (With new values and a first price of 0, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with

@@ -248,15 +248,15 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # <details><summary>What came out</summary>
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: if they explore, both end up talking, and the
-# exploitability comes to 0 (at 3.5 that takes more than 1 000 games; without exploration some pairs stay silent). Learning alone is harmless there. But it is not good: both get 1, and could
-# have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two of them without chance, both silent and both talking, and it depends on
+# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). Learning alone is harmless there. But it is not good: both get 1, and could
+# have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and it depends on
 # the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (The lines begin with an estimate: what a player does whose values are all equal is drawn 100 times.)
 # </details>
 
 # %% [markdown]
 # ### Soccer with other rules
 # With `contact` 0 who has the ball runs through the other, and the other does not matter at all. (Each line is a single run of a million
-# steps, so another run would look only roughly like it.)
+# steps.)
 
 
 # %%
@@ -330,13 +330,13 @@ frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, chal
 #
 # ### Is it that a random choice is needed?
 # We said: some states of soccer need a random choice. Let us take this away. In *soccer in turns* the players move one after the
-# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact.
+# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if it did not loses much.
 #
 # **Predict.** Two Q-learners play soccer in turns for a million steps. Their exploitability in the end is ...
 
 # %%
 in_turns = predict(
-    "In turns two Q-learners have an exploitability of ...", ["less than 0.1", "0.1 to 0.2", "more than 0.2, as before"]
+    "In turns two Q-learners have an exploitability of ...", ["less than 0.1", "0.1 to 0.2", "more than 0.2"]
 )
 in_turns
 
@@ -349,6 +349,12 @@ control = methods.compare(turns, methods.IN_TURNS, 1_000_000, repetitions=3)
 display(figures.learning({"soccer in turns": control}))
 ends = {method: control.final(method).mean() for method in control.methods}
 print("in the end:", ", ".join(f"{method} {end:.2f}" for method, end in ends.items()))
+for name, maker, discount in (
+    ("Q-learning, γ = √0.9", methods.independent, 0.9**0.5),
+    ("minimax Q-learning, α = 1", methods.at_once, 0.9),
+):
+    others = methods.compare(turns, {name: maker}, 1_000_000, discount=discount, repetitions=8)
+    print(f"{name}: {others.final(name).mean():.2f}")
 end = ends["Q-learning, each alone"]
 in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 
@@ -356,12 +362,12 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 0.1. Both learn, the world changes for each of them, and
-# the other matters: who plays as if there were no contact loses much. But in every state one action by itself is safe.
-# So learning as if alone is not wrong in itself.
+# the other matters. But in every state one action by itself is safe.
+# So learning as if alone is not wrong in itself. (A step is the move of one player here, so $\gamma = 0.9$ discounts a round twice. With $\gamma = \sqrt{0.9}$ they come to 0.09 on average.)
 #
 # In the figure minimax Q-learning is still at 0.15 after a million steps. Why? It learns the value of each pair of actions, five times five in each state, and in turns only the five of one player count.
 # The green line tests this: here it is told whose turn it is, and learns from each step for all five actions of the one whose action does
-# not count. It comes to 0. So what slows minimax Q-learning down here is that it learns each of these values by itself. (Its line is flat in the end since its learning rate is small by then. With 2 million steps it came to 0.04, and with 4 million to 0.)
+# not count. It comes to 0. With a learning rate that stays 1 minimax Q-learning comes to 0, too. So two things together slow it down here: it learns each of these values by itself, and its learning rate is small before it has learned them.
 # </details>
 
 # %% [markdown]
@@ -409,11 +415,11 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and it
+# **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
 # loses hardly anything to it. But in nearly half of the states its action is no best answer, not even to the teacher. The two seldom come there:
 # in three runs 3 to 5 % of their steps began in such a state, though these are nearly half of all states. A challenger leads it there, in 9 to 42 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
 # does not make a safe pupil. That so many actions are wrong comes from states that it seldom sees: where each step began in a random state, 5 to 7 % were wrong. But such a pupil, too, lost 0.4 to 0.6: a challenger
-# needs only a few weak states. So a world that stands still did not help it: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions in states that it seldom sees.
+# needs only a few weak states. So a world that stands still did not help it: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions.
 # </details>
 
 # %% [markdown]
@@ -573,7 +579,7 @@ check(project_13, my_program)
 #   one of them came to rest.
 # - In soccer minimax Q-learning came close to an equilibrium, and Q-learning did not. Their returns while they learned were the same.
 # - Where no random choice is needed, in the prisoner's dilemma and in soccer in turns, learning as if alone came close to an equilibrium. In soccer 0.16 was lost
-#   where only a random choice is safe, and by two of three pairs more elsewhere.
+#   where only a random choice is safe.
 # - A safe opponent did not make the Q-learner safe.
 #
 # ### In one paragraph
