@@ -98,7 +98,7 @@ for k in range(8):
 # V_{\text{DR}} \leftarrow V(S) + \rho\, \bigl( R + V_{\text{DR}} - Q(S, A) \bigr)
 # $$
 #
-# Where $Q$ is right, what stands in the parentheses is 0 on average, and the weights have little to multiply. Where it is wrong, the data put
+# Where $Q$ is right, what stands in the parentheses is 0 on average, and the weights multiply the luck of single steps, not whole returns. Where it is wrong, the data put
 # it right. Under the same conditions as above it has no bias, whatever $Q$ is, if $Q$ does not come from the same nights.
 
 # %%
@@ -241,8 +241,8 @@ for method in ("ordinary", "per decision", "doubly robust"):
     print(f"{method:13} {found.value:5.2f} ± {found.standard_error:.2f}, as from {found.effective_episodes:.0f} nights")
 
 # %% [markdown]
-# They cannot. $b$ takes every action now and then, but that promises no bias only for a policy that was chosen without a look at these nights, and this one was learned from them. And nights as
-# this policy plays them are so rare that these 300 contain none. The doubly robust estimate even
+# They cannot. Nights as this policy plays them are so rare (about one in 10 000) that these 300 contain none, and 300 fresh ones would hardly contain one either. (Besides, they have no bias only for a policy
+# that was chosen without a look at these nights, and this one was learned from them.) The doubly robust estimate even
 # repeats the promise, with a standard error of 0, since no step of the data corrects the values it was given. But one number does warn: these
 # estimates rest on *no* whole night. Look at the effective number before you look at the estimate.
 
@@ -365,7 +365,7 @@ counting.measured(longer.effective.mean())
 #
 # **Measured.** About 8. Each further step takes a third of what is left: the number of nights that an estimate needs grows exponentially with the length of
 # a night. So on a long task importance sampling of whole episodes is hopeless unless $b$ is close to $\pi$. This is one reason to learn values instead,
-# although they are biased. The figure shows how far each estimate is off on nights of 8 steps:
+# although they are biased. The figure shows how far each estimate is off on nights of 8 steps. The ordinary one is the worst; the weighted one and the doubly robust one are about equally good here:
 # </details>
 
 # %%
@@ -385,7 +385,7 @@ from edugym_course.lessons.offline.exercises import exercise_1, exercise_2, exer
 # %% [markdown]
 # ### Exercise 1: a weighted estimate
 # `episodes` is a list of episodes, each a list of steps `(state, action, reward)`. `target` and `behaviour` are the policies $\pi$ and
-# $b$, arrays of shape (S, A). Return what $\pi$ is worth, by *weighted* importance sampling, without discount.
+# $b$, arrays of shape (S, A). Return what $\pi$ is worth, by *weighted* importance sampling, without discount. (Some episode has a weight above 0.)
 #
 # <details><summary>Hint</summary>One weight for each episode: the product of the ratios of its steps. Then two sums, and one divided by
 # the other.</details>
@@ -538,7 +538,7 @@ check(project_16, my_program)
 # ### Limits
 # The behaviour policy is known here, and every state is seen as it is. If the log-book does not say with which probability an action was taken, it must be
 # estimated; if the old clock saw something that the log-book does not have, all of this can go wrong, and the data need not show it. The
-# penalty was chosen by us: where a ring costs 2 and oversleeping 20, $c = 1$ still promises too much from the nearly perfect clock's nights. Theory gives a safe $c$, from how large
+# penalty was chosen by us: where a ring costs 2 and oversleeping 20, $c = 1$ still promises too much on average from the nearly perfect clock's nights. Theory gives a safe $c$, from how large
 # rewards can be, and it is much larger. In a table an untried action has the first value; a network invents one,
 # and methods such as conservative Q-learning press it down.
 #

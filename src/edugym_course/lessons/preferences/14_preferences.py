@@ -61,7 +61,7 @@ play(Morning())
 # The clock comes from a factory. Half of the time it does what is best, half of the time it presses a button at random. This is
 # the *reference policy* $\pi_{\text{ref}}$. A language model that imitates texts is such a policy: not good enough, but
 # far better than chance. (We make it from the optimum, so it knows a part of what is meant. With random
-# buttons as the reference a penalty does not help at all.)
+# buttons as the reference, what we try below does not help.)
 
 # %%
 model = finite_model(Morning())
@@ -161,7 +161,7 @@ for penalty in (30.0, 3.0, 1.0):
 # | repetitions | 100, each with other nights and other preferences (20 with 3 000 comparisons); bands are 95 % intervals |
 #
 # The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The dashed line is
-# the best gain over the reference that there is, 10.1.
+# the best gain over the reference that there is, 10.1. Learned and meant returns have different units, so look at where a line rises and falls, not at its height.
 #
 # **Predict.** We lower the penalty, so that the policy follows the learned reward more and more. What does the *meant* return do?
 
@@ -208,7 +208,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 #
 # From its highest point the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
-# was smaller. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better, even with $\tau = 10$.
+# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better, even with $\tau = 10$.
 # </details>
 
 # %% [markdown]
@@ -222,7 +222,7 @@ thousands = methods.followed(n_comparisons=3000, repetitions=20)
 figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, second=True)
 
 # %% [markdown]
-# Learned returns are on a smaller scale than the meant one, as the right panel shows. So compare the first learned reward with the
+# Learned returns are on another scale than the meant one: here a smaller one, and with a weak prior (0.01, above) a larger one. So do not compare heights with the meant line; compare the first learned reward with the
 # *second* one: both were learned in the same way, and each is as good as the other. On the left they disagree more and more. In
 # the end the second promises half as much for these policies, and it *falls*, as the meant reward does. So the first reward
 # is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high
@@ -450,7 +450,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
 # - A night has no discount: what comes late counts in full.
 #
-# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is not enough.
+# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough.
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds.) Then it lets three *other* teachers answer, who want something
 # else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
