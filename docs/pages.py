@@ -155,7 +155,7 @@ def game_page(game: games.Soccer) -> str:
     """Return the page of a game."""
     kind = type(game)
     name = kind.__name__
-    guide = "guide: [several agents](../several-agents.md)"
+    guide = "[more games](../several-agents.md)"
     return "\n".join(
         [
             f"# {name}",

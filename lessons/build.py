@@ -306,7 +306,9 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser = argparse.ArgumentParser(description="Build the notebooks of the lessons.")
     parser.add_argument("lessons", nargs="*", metavar="NN_name", help="lessons to build (default: all)")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if a notebook is not up to date")
-    parser.add_argument("--flipbooks", action="store_true", help="make only what the website shows of sliders")
+    parser.add_argument(
+        "--flipbooks", action="store_true", help="make the pictures and films of the website, nothing else"
+    )
     parser.add_argument("--execute", action="store_true", help="execute solutions again, changed or not")
     options = parser.parse_args(arguments)
     known = lesson_sources(root)

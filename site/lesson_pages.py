@@ -27,6 +27,8 @@ from edugym_course.notebook.widget import WITHOUT_KERNEL
 
 NOTEBOOKS = ROOT / "notebooks"
 LIVE = "*In JupyterLab these controls are live.*"
+RELEASE = "Move a slider and release it: the experiment is computed again, with"
+MOVED = "Move a slider. The pictures are of"
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
 RACE = """<details class="live"><summary>Here, live: agents race in {0}, with sliders for {1}, α, γ and ε</summary>
 <iframe class="playground" src="../playground/index.html?first#task={0}" loading="lazy"
@@ -86,7 +88,7 @@ def lesson(path: Path) -> Lesson:
             folded = False
         if cell["cell_type"] == "markdown":
             heading = [heading, *re.findall(r"^#+ (.*)$", source, re.MULTILINE)][-1]
-            shown = with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}")
+            shown = with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}").replace(RELEASE, MOVED)
             if shown.startswith(EXPLAINED) and text[-1].endswith(MEASURED_ENDS):  # one fold for both
                 measured = text[-1].removesuffix(MEASURED_ENDS)
                 text[-1] = f"{measured}\n\n{EXPLANATION}\n{shown.removeprefix(EXPLAINED)}\n::::"
@@ -109,7 +111,7 @@ def lesson(path: Path) -> Lesson:
             view = slider_views.shown(book, path.stem, f"{name}-slider", heading) if book else ""
             body = _outputs(shown, source, name, heading, figures, view)
             if film:
-                body = body.replace(LIVE, film_views.shown(film, f"{name}-film"))
+                body = body.replace(LIVE, film_views.shown(film, f"{name}-film"), 1)
             text.append(body.replace(LIVE, _live(source)))
         if re.search(r"^sliders\(", source, re.MULTILINE):
             text += races

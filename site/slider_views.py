@@ -35,8 +35,9 @@ def shown(book: Flipbook, lesson: str, name: str, heading: str) -> str:
     pictures = [_pictures(turn, lesson, heading) for turn in book.turns]
     _, file, described = pictures[0][book.turns[0].start]
     names = [f"{name}-{number}" for number in range(len(pictures))]
+    longest = max(len(value) for turn in book.turns for value in turn.values)
     return VIEW.format(
-        turns="\n".join(map(_turn, book.turns, pictures, names)),
+        turns="\n".join(map(_turn, book.turns, pictures, names, [longest] * len(names))),
         file=file,
         alternative=html.escape(described),
         wide=' class="wide"' if book.size[0] > ONE_PANEL else "",
@@ -59,22 +60,24 @@ def _pictures(turn: Turn, lesson: str, heading: str) -> list[tuple[str, str, str
     ]
 
 
-def _turn(turn: Turn, pictures: list[tuple[str, str, str]], name: str) -> str:
-    """Return a slider as HTML."""
+def _turn(turn: Turn, pictures: list[tuple[str, str, str]], name: str, longest: int) -> str:
+    """Return a slider as HTML; `longest` is the number of letters that its value may have."""
     return TURN.format(
         pictures=html.escape(json.dumps(pictures, ensure_ascii=False)),
         name=name,
         parameter=html.escape(spoken(turn.parameter)),
         last=len(pictures) - 1,
-        longest=max(map(len, turn.values)),
+        longest=longest,
         start=turn.start,
         value=html.escape(turn.values[turn.start]),
     )
 
 
 def _settings(book: Flipbook) -> str:
-    """Return sentences on what does not change here, what does besides, and where one can change all."""
-    differ = [spoken(turn.parameter) for turn in book.turns if turn.axes_differ]
+    """Return what to say below a picture: the controls without a slider, what moves, and whether the axes change."""
+    differ = [f"with {spoken(turn.parameter)}" for turn in book.turns if turn.axes_differ]
+    if book.axes_differ:
+        differ.append("from slider to slider")
     fixed = [f"{spoken(name)} = {value}" for name, value in book.fixed.items()]
     says = []
     if fixed:
@@ -82,8 +85,8 @@ def _settings(book: Flipbook) -> str:
     if len(book.turns) > 1:
         says.append("When you move a slider, the others go back to where they began.")
     if differ:
-        of = f" with {_listed(differ)}" if len(book.turns) > 1 else ""
-        says.append(f"The axes change too{of}: read their numbers.")
+        when = f" {_listed(differ)}" if len(book.turns) > 1 else ""
+        says.append(f"The axes change too{when}: read their numbers.")
     if not fixed and len(book.turns) == 1:
         says.append("In JupyterLab each picture is computed when you move the slider.")
     return " ".join(says)
@@ -96,7 +99,8 @@ def what_moves(book: Flipbook) -> str:
     if len(book.turns) == 1:
         return f"*On this page you can move one slider, {moving}. In JupyterLab you can also change {fixed}.*"
     also = f", and also change {fixed}" if fixed else ""
-    return f"*On this page you can move {moving}, one at a time. In JupyterLab you can combine them{also}.*"
+    here = f"On this page you can move {moving}, one at a time, to some of their values."
+    return f"*{here} In JupyterLab you can take all values and combine them{also}.*"
 
 
 def _listed(names: list[str]) -> str:

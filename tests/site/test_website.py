@@ -310,6 +310,7 @@ def test_episodes_without_a_kernel_can_be_stepped_through(browser: Any, address:
     play, slider, step, picture = (
         film.find_element("css selector", name) for name in ("button", "input", "output", ".picture")
     )
+    click = "arguments[0].click()"
     height = browser.execute_script("return document.documentElement.scrollHeight")
     first = browser.execute_script("return arguments[0].innerHTML", picture)
     slider.send_keys(Keys.RIGHT)
@@ -319,11 +320,11 @@ def test_episodes_without_a_kernel_can_be_stepped_through(browser: Any, address:
     slider.send_keys(Keys.END)
     last = slider.get_property("value")
     slider.send_keys(Keys.LEFT)
-    play.click()
+    browser.execute_script(click, play)
     until(lambda: slider.get_property("value") == last and play.text == "Play", "the end of the film")
-    play.click()
+    browser.execute_script(click, play)
     assert play.text == "Stop"
-    until(lambda: slider.get_property("value") == "1", "its beginning")
+    until(lambda: slider.get_property("value") not in {"0", last}, "its beginning")
     slider.send_keys(Keys.HOME)
     assert (play.text, step.text) == ("Play", "0")
     assert browser.execute_script("return arguments[0].children[0].outerHTML", picture) in first

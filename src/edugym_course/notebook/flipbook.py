@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 MOST = 15
 """A first control with so many values at most has a picture of each, and so has a menu of names, of any length."""
 SOME = 9
-"""Pictures of a first control with more values."""
+"""Pictures of a first control with more values; the default is one more."""
 FEW = 5
-"""Pictures of another control, at most, unless it is a menu of names."""
+"""Pictures of another control with more values, unless it is a menu of names; the default is one more."""
 LONGEST = 20.0
 """Seconds of processor time for one picture."""
 COLOURS = 64
@@ -66,6 +66,7 @@ class Flipbook(NamedTuple):
         turns: one for each control that has pictures; the first control always has.
         fixed: what the controls without pictures stand at, by their names.
         size: width and height of every picture, in pixels.
+        axes_differ: whether some axis has another range in a picture of another control.
     """
 
     function: str
@@ -73,6 +74,7 @@ class Flipbook(NamedTuple):
     turns: Sequence[Turn]
     fixed: Mapping[str, str]
     size: Sequence[int]
+    axes_differ: bool = False
 
     @property
     def files(self) -> list[str]:
@@ -100,9 +102,9 @@ def flipbooks(folder: Path) -> list[Flipbook]:
 def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
     """Call the function of sliders with several values of each in turn, and write what it shows into a folder.
 
-    The figures of a control get common axes where they can be read so (see `share_axes`). A control other than the
-    first that has no fixed values, or whose pictures take too long, has none. Nothing is written if a result is no
-    picture.
+    Figures get common axes where they can be read so (see `share_axes`): all of them, or else those of each control. A
+    control other than the first that has no fixed values, or whose pictures take too long or are none, is left out.
+    Nothing is written if a result of the first one is no picture.
 
     Args:
         panel: the sliders, none of them moved.
@@ -117,13 +119,16 @@ def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
     name = panel.function.__name__
     if (path := folder / f"{name}.json").exists():
         raise ValueError(f"two cells have sliders for a function with the name {name}: give them names of their own")
-    drawn = [_drawn(panel, first, MOST, SOME)]
+    called = [_called(panel, first, MOST, SOME)]
+    for other in others:
+        with suppress(_CannotTurn):
+            called.append(_called(panel, other, FEW, FEW))
+    between = _share(called)
+    drawn = [_drawn(one, name) for one in called]
     kinds = {picture.mime_type for picture in drawn[0].pictures}
     if kinds not in ({"image/png"}, {"image/svg+xml"}):
         return
-    for other in others:
-        with suppress(_CannotTurn):
-            drawn.append(_drawn(panel, other, FEW, FEW))
+    drawn = [one for one in drawn if {picture.mime_type for picture in one.pictures} == kinds]
     contents, size = _files([picture.data for one in drawn for picture in one.pictures], kinds.pop())
     ending = "svg" if contents[0].startswith(b"<svg") else "png"
     unwritten = iter(contents)
@@ -138,13 +143,22 @@ def keep(panel: Sliders, folder: Path, fingerprint: str) -> None:
         turns.append(Turn(one.parameter, values, one.values.index(control.value), files, descriptions, one.axes_differ))
     turned = {one.parameter for one in drawn}
     fixed = {other: _written(one, one.value) for other, one in panel.controls.items() if other not in turned}
-    book = Flipbook(name, fingerprint, turns, fixed, size)
+    book = Flipbook(name, fingerprint, turns, fixed, size, between and len(turns) > 1)
     written = book._asdict() | {"turns": [turn._asdict() for turn in turns]}
     path.write_text(json.dumps(written, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 class _CannotTurn(ValueError):
     """A control has no fixed values, or a picture of it takes too long."""
+
+
+class _Called(NamedTuple):
+    """The results over the values of one control, and the figure of each that has one."""
+
+    parameter: str
+    values: list[Any]
+    results: list[Any]
+    figures: list["Figure | None"]
 
 
 class _Drawn(NamedTuple):
@@ -156,8 +170,8 @@ class _Drawn(NamedTuple):
     axes_differ: bool
 
 
-def _drawn(panel: Sliders, parameter: str, most: int, some: int) -> _Drawn:
-    """Draw all values of a control if they are at most `most`, or else `some` of them."""
+def _called(panel: Sliders, parameter: str, most: int, some: int) -> _Called:
+    """Call the function with all values of a control if they are at most `most`, or else with some of them."""
     name, control = panel.function.__name__, panel.controls[parameter]
     values = _values(control, most, some)
     if not values:
@@ -168,10 +182,19 @@ def _drawn(panel: Sliders, parameter: str, most: int, some: int) -> _Drawn:
         results.append(result_of(panel.function, defaults | {parameter: value}))
         if time.process_time() - began > LONGEST:
             raise _CannotTurn(f"{name} takes over {LONGEST:g} s for {parameter} = {value}: name another control first")
-    figures = [_figure(result) for result in results]
-    differ = share_axes([figure for figure in figures if figure is not None])
-    pictures = [_picture(result, figure, name) for result, figure in zip(results, figures, strict=True)]
-    return _Drawn(parameter, values, pictures, differ)
+    return _Called(parameter, values, results, [_figure(result) for result in results])
+
+
+def _drawn(called: _Called, name: str) -> _Drawn:
+    """Draw results, with the axes that their figures share."""
+    differ = _share([called])
+    pictures = [_picture(result, figure, name) for result, figure in zip(called.results, called.figures, strict=True)]
+    return _Drawn(called.parameter, called.values, pictures, differ)
+
+
+def _share(called: Sequence[_Called]) -> bool:
+    """Give all figures common axes where they can be read so, and return whether some still differ."""
+    return share_axes([figure for one in called for figure in one.figures if figure is not None])
 
 
 def _figure(result: Any) -> "Figure | None":
@@ -201,11 +224,8 @@ def _values(control: Any, most: int, some: int) -> list[Any]:
         values = sorted([*values, control.value])
     if len(values) <= most or not all(isinstance(value, Real) for value in values):
         return values
-    places = [round(number * (len(values) - 1) / (some - 1)) for number in range(some)]
-    start = values.index(control.value)
-    if start not in places:
-        places[min(range(1, some - 1), key=lambda number: abs(places[number] - start))] = start
-    return [values[place] for place in places]
+    places = {round(number * (len(values) - 1) / (some - 1)) for number in range(some)}
+    return [values[place] for place in sorted({*places, values.index(control.value)})]
 
 
 def _written(control: Any, value: Any) -> str:

@@ -37,7 +37,7 @@ def graph(x: int = 2) -> Any:
     [
         ((0.0, 2.0, 0.5), ["0.0", "0.5", "1.0", "1.5", "2.0"], 2),
         ((0.0, 10.0, 0.5), ["0.0", "1.0", "2.5", "4.0", "5.0", "6.0", "7.5", "9.0", "10.0"], 1),
-        ((0.0, 100.0, 1.0), ["0", "1", "25", "38", "50", "62", "75", "88", "100"], 1),
+        ((0.0, 100.0, 1.0), ["0", "1", "12", "25", "38", "50", "62", "75", "88", "100"], 1),
         ((0.9, 1.2, 0.15), ["0.90", "1.00", "1.05", "1.20"], 1),
         (list(range(1, 16)), [str(value) for value in range(1, 16)], 0),
         (list(range(1, 17)), ["1", "3", "5", "7", "9", "10", "12", "14", "16"], 0),
@@ -75,14 +75,39 @@ def test_each_control_turns_while_the_others_stay(tmp_path: Path, monkeypatch: p
     found = {turn.parameter: (list(turn.values), turn.start) for turn in book.turns}
     assert found == {
         "x": (["1", "2", "3"], 0),
-        "y": (["0", "20", "50", "75", "100"], 1),
+        "y": (["0", "20", "25", "50", "75", "100"], 1),
         "name": (["one", "two", *names], 0),
     }
     assert book.fixed == {"note": "a", "slow": "1"}
     for turn in book.turns:
         assert (tmp_path / turn.files[turn.start]).read_text(encoding="utf-8") == call(sum_of, {}).data
-    assert (tmp_path / book.turns[1].files[4]).read_text(encoding="utf-8") == call(sum_of, {"y": 100}).data
-    assert len(set(book.files)) == 20 == len([*tmp_path.iterdir()]) - 1
+    assert (tmp_path / book.turns[1].files[-1]).read_text(encoding="utf-8") == call(sum_of, {"y": 100}).data
+    assert len(set(book.files)) == 21 == len([*tmp_path.iterdir()]) - 1
+
+
+def test_a_control_whose_results_are_of_another_kind_does_not_turn(tmp_path: Path) -> None:
+    """A text, or a figure beside scenes."""
+
+    def either(x: int = 1, kind: str = "scene", more: int = 1) -> Any:
+        return {"scene": dot(x), "text": "no picture", "figure": graph(2)}[kind]
+
+    flipbook.keep(sliders(either, x=(1, 3), kind=["scene", "text", "figure"], more=(1, 2)), tmp_path, "mark")
+    [book] = flipbook.flipbooks(tmp_path)
+    assert [turn.parameter for turn in book.turns] == ["x", "more"]
+    assert book.fixed == {"kind": "scene"}
+
+
+@pytest.mark.parametrize(("top", "differ"), [(3, False), (30, True)])
+def test_one_setting_looks_the_same_whichever_slider_shows_it(tmp_path: Path, top: int, differ: bool) -> None:
+    """Unless the axes of one slider could not be read with those of the other; then it is told."""
+
+    def sheet(x: int = 2, y: int = 1) -> Sheet:
+        return Sheet("one", [[Lines(np.arange(3.0), {"": np.arange(3.0) * x * y}, "line", "x", "y")]])
+
+    flipbook.keep(sliders(sheet, x=[2, 3], y=[1, top]), tmp_path, "mark")
+    [book] = flipbook.flipbooks(tmp_path)
+    first, second = ((tmp_path / turn.files[turn.start]).read_bytes() for turn in book.turns)
+    assert (first != second) == book.axes_differ == differ
 
 
 def test_pictures_are_small_of_one_size_and_the_same_each_time(tmp_path: Path) -> None:
