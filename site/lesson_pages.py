@@ -27,8 +27,8 @@ from edugym_course.notebook.widget import WITHOUT_KERNEL
 
 NOTEBOOKS = ROOT / "notebooks"
 LIVE = "*In JupyterLab these controls are live.*"
-RELEASE = "Move a slider and release it: the experiment is computed again, with"
-MOVED = "Move a slider. The pictures are of"
+RELEASED = re.compile(r"Move a slider\s+and release it: [^:.]* again, (?=with|exactly)")
+MOVED = "Move a slider. Its pictures were computed beforehand, "
 PLAY = f'{LIVE} <a href="../playground/index.html#{{}}">Play {{}} in the playground</a>.'
 RACE = """<details class="live"><summary>Here, live: agents race in {0}, with sliders for {1}, α, γ and ε</summary>
 <iframe class="playground" src="../playground/index.html?first#task={0}" loading="lazy"
@@ -88,7 +88,7 @@ def lesson(path: Path) -> Lesson:
             folded = False
         if cell["cell_type"] == "markdown":
             heading = [heading, *re.findall(r"^#+ (.*)$", source, re.MULTILINE)][-1]
-            shown = with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}").replace(RELEASE, MOVED)
+            shown = RELEASED.sub(MOVED, with_links(source, f"notebooks/{path.name}", f"lessons/{path.stem}"))
             if shown.startswith(EXPLAINED) and text[-1].endswith(MEASURED_ENDS):  # one fold for both
                 measured = text[-1].removesuffix(MEASURED_ENDS)
                 text[-1] = f"{measured}\n\n{EXPLANATION}\n{shown.removeprefix(EXPLAINED)}\n::::"
