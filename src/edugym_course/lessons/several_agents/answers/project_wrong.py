@@ -1,6 +1,6 @@
 # %% the best action
 # slow
-# says: in a riddle with
+# says: in a small game with
 # says:  states, who knows the policy of
 # says:  more from it in state
 # says:  than from a safe one.
