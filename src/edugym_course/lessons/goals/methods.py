@@ -133,7 +133,7 @@ def chance_of_random_play(n_switches: int, max_steps: int | None = None) -> floa
 
 
 def rewarded_share(strategy: str, n_switches: int = N_SWITCHES, n_steps: int = 1_000, seed: int = 0) -> float:
-    """Return the share of transitions in the memory of a network that does not learn that reach their goal."""
+    """Return which share of the transitions in a memory reach their goal; the network does not learn."""
     task = make_mdp("Switches", n_switches=n_switches)
     agent = network(strategy, learn_from=10 * n_steps, memory_size=10 * n_steps)(task)
     memory, steps = agent.dqn.memory, agent.dqn.steps

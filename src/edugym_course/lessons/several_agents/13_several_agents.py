@@ -351,7 +351,7 @@ ends = {method: control.final(method).mean() for method in control.methods}
 print("in the end:", ", ".join(f"{method} {end:.2f}" for method, end in ends.items()))
 for name, maker, discount in (
     ("Q-learning, γ = √0.9", methods.independent, 0.9**0.5),
-    ("minimax Q-learning, α = 1", methods.at_once, 0.9),
+    ("minimax Q-learning, α = 1", methods.minimax_without_decay, 0.9),
 ):
     others = methods.compare(turns, {name: maker}, 1_000_000, discount=discount, repetitions=8)
     print(f"{name}: {others.final(name).mean():.2f}")

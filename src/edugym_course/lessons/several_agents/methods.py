@@ -92,7 +92,7 @@ def minimax(game: Any, player: int, n_steps: int, discount: float = DISCOUNT, ep
     return MinimaxQ.create(game, player, decay=LEFT ** (1 / n_steps), discount=discount, epsilon=epsilon)
 
 
-def at_once(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> MinimaxQ:
+def minimax_without_decay(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> MinimaxQ:
     """Return minimax Q-learning whose learning rate stays 1."""
     return MinimaxQ.create(game, player, decay=1.0, discount=discount, epsilon=EPSILON)
 
