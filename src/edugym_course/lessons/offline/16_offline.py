@@ -52,7 +52,7 @@ play(Morning())
 
 # %% [markdown]
 # Clocks have been sold for years, and each has kept a log-book: what it saw, what it did, what it got. We call a clock by its *share*: one with
-# share 0.5 does what is best in half of its steps, and else presses a button at random. The policy that wrote the log-book is
+# share 0.5 does what is best in half of its steps, and else any of the three actions at random. The policy that wrote the log-book is
 # the *behaviour policy* $b$.
 
 # %%
@@ -108,7 +108,7 @@ for method in methods.ESTIMATORS:
 print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 
 # %% [markdown]
-# The number after ± is the standard error. The last number is the *effective* number of nights, $(\sum \rho)^2 / \sum \rho^2$: here those whose weight is not 0. Of 1 000 nights
+# The number after ± is the standard error. The last number is the *effective* number of nights, $(\sum \rho)^2 / \sum \rho^2$: here those whose weight is not 0, since all these weights are equal ($1.5^8$). Of 1 000 nights
 # 44 follow the best clock to their end. (The last two estimates also use the beginnings of nights that leave it later.
 # The $Q$ of the doubly robust one is fitted to these same nights, so it may have a small bias.)
 #
@@ -132,7 +132,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 # $$
 #
 # It is a bonus for exploring with the sign turned round: who may explore goes where little is known, and
-# who may not keeps away. In the package one function does both: for `fitted_q_iteration` the penalty is 0, and `unseen` is 0.
+# who may not keeps away. In the package one function does both: for `fitted_q_iteration` the penalty is 0, and `unseen` is 0. (Its `state_values` takes the maximum over the actions.)
 
 # %%
 source(fitted_values)
@@ -141,7 +141,7 @@ source(fitted_values)
 # ## The experiment: whose log-book?
 #
 # Two clocks have kept a log-book of 300 nights. One presses random buttons (share 0); its nights are worth −9 on average. The other is nearly perfect
-# (share 0.97); its nights are worth 9.7. These are the data of one repetition:
+# (share 0.97); its nights are worth 9.7. Such data look like this:
 
 # %%
 for share in (0.0, 0.97):
@@ -158,7 +158,7 @@ for share in (0.0, 0.97):
 # | fitted Q as it is | what was never tried is worth 0 |
 # | with pessimism | $c = 1$, and the lowest return is −42: eight rings, and oversleeping (a bound; no night is as bad) |
 # | promised and kept | the learned $V$ of the first state; the exact return of the greedy policy |
-# | repetitions | 100, each with other nights; bands are 95 % intervals |
+# | repetitions | 100 (20 in some cells below), each with other nights; bands are 95 % intervals |
 #
 # **Predict.** From which log-book does fitted Q, as it is, learn the better clock?
 
@@ -230,7 +230,7 @@ print(f"promised {learned.start:.1f}, kept {policy_evaluation(model, learned.gre
 # %% [markdown]
 # At $(6, 2)$ the good clock has always chimed. Its value is −0.7 by the data (in truth it is lower still). Nobody has tried to stay quiet or to ring there, so both keep
 # their 0, and 0 is more. The maximum takes it. At $(5, 2)$ somebody stayed quiet once, and got 2; the target adds the 0 of the
-# next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps in most nights.
+# next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps in most nights of the learned clock.
 #
 # Could the estimates from above have warned? Let us ask them what the learned policy is worth:
 
@@ -271,14 +271,14 @@ no_zero.measured(good.kept["unseen is worst"].mean())
 # once or twice has a value that is too high or too low by chance, and the maximum looks for the one that is too high (the
 # maximisation bias of Sutton and Barto, section 6.7).
 #
-# The harm of the zero came out on a longer morning, too, and on two other tasks of this course it was as one should expect. On Roadrunner the runner falls off the cliff: promised −0.7, kept −77 (from 100 episodes). On Boulder, where no
+# The zero does the same harm on a longer morning. On Roadrunner (lesson 2) the runner falls off the cliff: promised −0.7, kept −77 (from 100 episodes). On Boulder (lesson 1), where no
 # return is below 0, the zero does no harm: there it *is* the lowest value. With a network in the place of the table an untried action has whatever value
 # the network makes up for it.
 # </details>
 
 # %% [markdown]
 # ### Do more nights help?
-# In 300 nights the nearly perfect clock has pressed about 72 buttons at random: 3 of 100, in nights of 8 steps. In 1 000 nights it has
+# In 300 nights the nearly perfect clock has taken about 72 actions at random: 3 of 100, in nights of 8 steps. In 1 000 nights it has
 # pressed 240.
 #
 # **Predict.** Fitted Q as it is, from 1 000 nights of the nearly perfect clock, learns a clock that is ...
@@ -485,7 +485,7 @@ check(exercise_3, pessimistic_sweep, seed=1, quiet=True)
 # - A state is a number from 0 to `n_states - 1`. The numbers are dealt out anew each time, so they tell neither the time nor the depth of sleep.
 # - There is no environment. You may not try anything out.
 #
-# The check works out exactly what your policy is worth, for five log-books, and compares the middle one with ours. Then it gives your
+# The check works out exactly what your policy is worth, for five log-books, and takes the middle one: it must be worth what nine of ten runs of ours are worth, less 0.5. Then it gives your
 # program a few log-books of other tasks, in which the data leave only one sensible choice. They, too, have 80 nights of ten steps, and no
 # return below −90.
 # <details><summary>A plan</summary>Make many sweeps of exercise 3, until nothing changes: first values of 0, a penalty of 2, and −90 for what
@@ -524,7 +524,7 @@ check(project_16, my_program)
 #
 # - A policy that never acted can be judged by the data of another one; of 1 000 nights 44 counted, and of longer nights about 8.
 # - Fitted Q learned a better clock from random nights than from those of a nearly perfect clock, which leave many actions untried.
-# - It promised 13.4 and kept 5.8: the maximum takes what nobody has tried, as long as that looks better than it is.
+# - It promised 13.4 and kept 5.8: the maximum takes what nobody has tried where its first value, 0, is more than what was tried is worth.
 # - With the lowest value for what was never tried, and a penalty for what was tried seldom, it kept 10.3, more than the data gathered.
 # - Where every action was tried often, pessimism gained next to nothing and promised too little.
 #
