@@ -47,9 +47,24 @@ def test_payoffs_that_are_almost_equal() -> None:
         shape = tuple(rng.integers(3, 8, 2))
         payoffs = rng.integers(-2, 3, shape) + 10.0 ** rng.uniform(-17, -7, shape) * rng.normal(size=shape)
         _, first, second = games.solve_zero_sum(payoffs)
+        assert abs(first.sum() - 1) < 1e-8
+        assert abs(second.sum() - 1) < 1e-8
         gaps.append((payoffs @ second).max() - (first @ payoffs).min())
     assert np.mean(np.array(gaps) < 1e-9) > 0.95
     assert np.mean(np.array(gaps) < 1e-7) > 0.99
+
+
+def test_a_tiny_pivot_leaves_probabilities() -> None:
+    """Minimax Q-learning with a learning rate of 1 came to this table in soccer, and its policy summed to 0.75."""
+    payoffs = [
+        [0.7290000000000002, 1.7303204405944018e-05, 1.0520803551700154e-05],
+        [0.729, 1.747762239329709e-05, 1.0525035741748567e-05],
+        [0.7290000000000001, 4.587282546215099e-05, 1.0525035741748567e-05],
+    ]
+    value, first, second = games.solve_zero_sum(payoffs)
+    assert (first.sum(), second.sum()) == (pytest.approx(1, abs=1e-9), pytest.approx(1, abs=1e-9))
+    assert (first @ payoffs).min() == pytest.approx(value, abs=1e-8)
+    assert (payoffs @ second).max() == pytest.approx(value, abs=1e-8)
 
 
 class Ball(NamedTuple):

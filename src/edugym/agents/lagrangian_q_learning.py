@@ -72,7 +72,7 @@ class LagrangianQLearning(NamedTuple):
             self.end_episode()
 
     def end_episode(self) -> None:
-        """Dual ascent: the price of an objective rises if its return lay below the limit, and else falls."""
+        """Dual ascent: the price of an objective rises if its return lay below the limit, and falls if above."""
         for i in range(1, len(self.total)):
             missing = self.limits[i] - self.total[i]
             self.multipliers[i] = max(0.0, self.multipliers[i] + self.multiplier_rate * missing)

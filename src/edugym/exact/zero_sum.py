@@ -14,6 +14,8 @@ from edugym.mdp.protocol import Integers, Reals
 
 ROUNDING, SMALLEST_PIVOT = 1e-11, 1e-9
 """What counts as 0: a gain from one more step, and a number to divide by. The payoffs are scaled to lie from 1 to 2."""
+SUM_ERROR = 1e-9
+"""How far from 1 the sum of a policy may be; more is left where almost equal payoffs made a pivot tiny."""
 MOST_PIVOTS = 1_000
 """A game of some actions takes a dozen steps. Dantzig's rule could go round in circles for ever."""
 
@@ -130,7 +132,20 @@ def solve_state(Q: Reals, state: int, first: Reals, second: Reals, tableau: Real
     for a in range(n_rows):
         if labels[a] < n_columns:
             second[state, labels[a]] = max(0.0, tableau[a, n_columns] / total)
+    make_sum_one(first, state)
+    make_sum_one(second, state)
     return float(low + spread * (1.0 / total - 1.0))
+
+
+def make_sum_one(policy: Reals, state: int) -> None:
+    """Divide the probabilities of a state by their sum, where rounding has left one that is not 1."""
+    n_actions = policy.shape[1]
+    total = 0.0
+    for a in range(n_actions):
+        total += policy[state, a]
+    if abs(total - 1.0) > SUM_ERROR:
+        for a in range(n_actions):
+            policy[state, a] = policy[state, a] / total if total > 0.0 else 1.0 / n_actions
 
 
 def entering_column(tableau: Reals, n_rows: int, n_columns: int) -> int:

@@ -190,7 +190,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 
 # %% [markdown]
 # On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
-# Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. (From 1000 to 10 000 pulls Thompson sampling and the gradient bandit also *grow* more slowly. Up to 100 000 pulls the growth of Thompson sampling comes closer to the bound's, and the gradient bandit's does not. Our guess: the bound is no bound for it, since on some bandits it takes too long. With $\alpha = 1$, 15 % of the runs are at a worse arm after 10 000 pulls, and 9 % after 100 000.) After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
+# Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. (The gradient bandit also *grows* more slowly, up to 100 000 pulls. Our guess: the bound is no bound for it, since on some bandits it stays at a worse arm for too long. Here it does so with $\alpha = 1$: in 15 % of the runs after 10 000 pulls, and in 9 % after 100 000.) After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 # Optimism explores mostly at the beginning. In the end 94 % of the runs pull the best arm. The others had found it, too, and lost it again. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
 
 # %% [markdown] tags=["aside"]

@@ -60,7 +60,7 @@ source(type(env.mdp), "transition", "reward", "terminal")
 
 # %% [markdown]
 # **Play it yourself.** For you it is easy: you compare the cards with the switches. An agent sees 16 digits (a network sees each as two numbers: 1 0 or 0 1), and nobody has
-# told it that they belong together in pairs.
+# told it which digit of the goal belongs to which switch.
 
 # %%
 play("Switches", n_switches=8)
@@ -102,7 +102,7 @@ for n in (2, 4, 6, 8, 10, 13):
 # This is *hindsight* (Andrychowicz et al., 2017): when the episode is over, learn its steps again for a goal $g'$ that it
 # did reach. (Go-Explore in lesson 1 does so for every state on its path.) Two things must be true of the task. The goal
 # has no part in the dynamics, so that the steps would have been the same. And we know $r(s', g')$ for any goal, so that we
-# can ask for the rewards. The task is not changed: the question to it is. And Q-learning is off-policy (lesson 2), so it
+# can ask for the rewards. The task stays the same; we only ask it about another goal. And Q-learning is off-policy (lesson 2), so it
 # may learn from steps that were meant for another goal.
 #
 # Which goals $g'$? Two strategies are usual. 'final' takes what the last step achieved. 'future' draws, for each step and $k$
@@ -167,7 +167,7 @@ print("and if the goal were what is there:", env.compute_reward(seen["achieved_g
 # | evaluation | 100 greedy episodes every 1 500 steps, each with another goal |
 # | repetitions | 5; bands are 95 % intervals |
 #
-# The dashed line is the best expected return, $-3.02$: at the start 4.02 switches are wrong on average. The lowest return is
+# The dashed line is the best expected return, $-3.02$: start and goal are drawn at random, and are never equal, so 4.02 switches are wrong on average at first. The lowest return is
 # $-8$.
 #
 # **Predict.** Which of them learn to reach their goals?
@@ -203,7 +203,7 @@ who.measured(names.get(close, "all three"))
 # </details>
 
 # %% [markdown]
-# Watch one greedy episode of the network with 'future'. It has never been told what a pair of numbers means.
+# Watch one greedy episode of the network with 'future'. It has never been told which part of the goal belongs to which switch.
 
 # %%
 frames(task, methods.greedily(task, eight.agents["future"][0]), seed=2)
@@ -324,8 +324,8 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Nothing. A goal from elsewhere is nearly always missed, too. What helps are goals that
-# were *achieved*, since their transitions have the rewards. With seven and with nine switches it learned next to nothing in this time, either. (But a few rewards are better than none: with seven switches and 60 000 steps nine runs returned
-# −2.3 to −6.5, and without hindsight −6.6 or less. With eight, and ten times the time, they did not.)
+# were *achieved*, since their transitions have the rewards. With seven and with nine switches it learned next to nothing in this time, either. (But a few rewards are better than none: with seven switches and 60 000 steps all of nine runs returned
+# −2.3 to −6.5, and without hindsight −6.6 or less. With eight switches and ten times the time such goals gave nothing either.)
 # </details>
 
 # %% [markdown]
@@ -344,15 +344,16 @@ tabular
 four, both, low = methods.tables(4), methods.tables(8), methods.tables(8, first_value=-8.0)
 by_title = {"table, 4 switches": (4, four), "8 switches": (8, both), "8 switches, values start at −8": (8, low)}
 display(figures.learning_curves(by_title))
+print("all values in the table with eight switches:", *np.unique(both.agents["future"][0].Q).round(2))
 print(f"with first values of −8 it returns {low.final('future').mean():.1f} with 'future'")
 tabular.measured(both.final("future").mean())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About −7.9, as if it had learned nothing. But it has, as the right panel shows. Every reward is 0 or $-1$, so no value can be higher than the
-# first ones, 0. What was never tried looks better than a way to the goal that hindsight has found, worth $-2$, say. So
-# the greedy policy does what it knows nothing of. (This is the optimism of lesson 1.) On the right the values start at
+# **Measured.** About −7.9, as if it had learned nothing. Every reward is 0 or $-1$, so no value can be higher than the
+# first ones, 0. As long as one flip of the next pattern was never tried, that pattern looks worth 0. So each flip that misses the goal is worth $-1$, however far the goal is, and the last flip is worth 0, like one that was never tried.
+# The greedy policy does what it knows nothing of. (This is the optimism of lesson 1.) Its steps held ways to many goals, though. On the right the values start at
 # $-8$: this table returns about −5.2 with 'future', and about −7.8 without hindsight.
 #
 # It is still far behind the network. It makes at most 75 000 updates for its 524 288 numbers, and each tells of one pair
@@ -533,7 +534,7 @@ check(project_11, my_program)
 # - With hindsight, 'final' or 'future', it came to the best return. With 'future' it did so even when all its flips were
 #   random.
 # - With goals that the same episode had *not* achieved the effect was gone, in the time that 'future' takes.
-# - A table whose values start at 0 gained nothing: what it had never tried looked best to it. From −8 it gained about 2.5
+# - A table whose values start at 0 gained nothing: what it had never tried looked at least as good as all that it had found. From −8 it gained about 2.5
 #   with eight switches, and the network about 5. A table learns each pair of a state and a goal by itself.
 #
 # ### In one paragraph

@@ -22,6 +22,8 @@ RUNS = 200
 SIGMAS = 4.25
 """How many standard errors the share may be from what it is for double Q-learning."""
 
+NEAR = 0.0005
+"""How near to the border a reward is with which it shows what the future is worth."""
 IDLE = 60
 """Steps after which it shows whether α has fallen: at 0.095 or less a share of a half becomes the whole."""
 
@@ -41,6 +43,10 @@ class Riddle(NamedTuple):
         asks_second: whether there is a second step; if not, the policy is asked about the first.
         goes_on: whether the episode of the first step goes on.
         idle: how many steps come before the first; they pay nothing, and their episodes are truncated.
+        n_paid: how many steps pay 1 before the second one; only runs count in which all of them have the same action.
+        with_mean: the reward from which on who takes the *mean* over ties in the target takes the action again in half
+            of the runs, and in none with `reward`.
+        share_with_mean: the share for such a program, where it is another one.
     """
 
     share: float
@@ -54,11 +60,14 @@ class Riddle(NamedTuple):
     asks_second: bool = True
     goes_on: bool = False
     idle: int = 0
+    n_paid: int = 1
+    with_mean: float | None = None
+    share_with_mean: float | None = None
 
     @property
     def n_steps(self) -> int:
         """How many steps there are in all."""
-        return self.idle + 1 + self.asks_second
+        return self.idle + self.n_paid + self.asks_second
 
 
 _RATE = "a value moves a *tenth* of the way to its target (α = 0.1), and only that of the table that learns"
@@ -128,6 +137,7 @@ RIDDLES = (
         _OTHER,
         begins=1,
         reward=-0.07,
+        with_mean=-0.05,
     ),
     Riddle(
         0.25,
@@ -137,14 +147,15 @@ RIDDLES = (
         begins=1,
         reward=-0.07,
         truncated=True,
+        with_mean=-0.05,
     ),
     Riddle(
         0.0,
-        f"{_ONCE}, and then an action in state 1 pays -0.07 and leads to state 0, where it terminates",
+        f"{_ONCE}, and then an action in state 1 pays -0.04 and leads to state 0, where it terminates",
         "",
         "where `terminated` is True, nothing follows: the target is the reward",
         begins=1,
-        reward=-0.07,
+        reward=-0.04,
         terminated=True,
     ),
     Riddle(
@@ -154,6 +165,7 @@ RIDDLES = (
         _OTHER,
         begins=1,
         reward=-0.0995,
+        with_mean=-0.05,
     ),
     Riddle(
         0.25,
@@ -162,7 +174,19 @@ RIDDLES = (
         " the two swapped?",
         _OTHER,
         reward=-1.07,
+        with_mean=-1.05,
         truncated=True,
+    ),
+    Riddle(
+        0.625,
+        "the same action pays 1 in two episodes of one step, and then an action in state 1 pays -0.0975 and leads to"
+        " state 0, where the episode goes on",
+        _OTHER,
+        _OTHER,
+        begins=1,
+        reward=-0.0975,
+        n_paid=2,
+        share_with_mean=0.5,
     ),
 )
 
@@ -183,16 +207,17 @@ class Twice(gymnasium.Env[Any, Any]):
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Begin the next of the steps."""
         super().reset(seed=seed)
-        return self._riddle.begins if self._taken == 1 else 0, {}
+        return self._riddle.begins if self._taken == self._riddle.n_paid else 0, {}
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Take one of the steps."""
         self._taken += 1
         if self._taken <= 0:
             return 0, 0.0, False, True, {}
-        if self._taken == 2:
+        paid = self._taken <= self._riddle.n_paid
+        if self._taken == self._riddle.n_paid + 1:
             return 0, self._riddle.reward, self._riddle.terminated, self._riddle.truncated, {}
-        return 0, float(self._taken == 1), not (self._riddle.goes_on and self._taken == 1), False, {}
+        return 0, float(paid), not (self._riddle.goes_on and paid), False, {}
 
 
 def require_riddles(answer: Any, seed: int) -> None:
@@ -203,7 +228,9 @@ def require_riddles(answer: Any, seed: int) -> None:
     """
     for riddle in RIDDLES:
         kept = _kept(answer, riddle, seed)
-        if abs(kept - riddle.share) > SIGMAS * math.sqrt(riddle.share * (1 - riddle.share) / RUNS):
+        shares = [share for share in (riddle.share, riddle.share_with_mean) if share is not None]
+        usual = any(_is_usual(kept, share) for share in shares)
+        if not usual and not (kept == 0 and _takes_the_mean(answer, riddle, seed)):
             why = riddle.fewer if kept < riddle.share else riddle.more
             raise WrongAnswer(
                 f"in an environment of {riddle.n_steps} step{'s'[: riddle.n_steps - 1]} {riddle.shows}; after that the"
@@ -212,13 +239,26 @@ def require_riddles(answer: Any, seed: int) -> None:
             )
 
 
+def _is_usual(kept: float, share: float) -> bool:
+    return abs(kept - share) <= SIGMAS * math.sqrt(share * (1 - share) / RUNS)
+
+
+def _takes_the_mean(answer: Any, riddle: Riddle, seed: int) -> bool:
+    """Whether a program behaves as one that takes the mean over ties in its target, as our code does."""
+    if riddle.with_mean is None:
+        return False
+    below, above = (riddle._replace(reward=riddle.with_mean + by) for by in (-NEAR, NEAR))
+    return _is_usual(_kept(answer, above, seed), 0.5) and _kept(answer, below, seed) == 0
+
+
 def _kept(answer: Any, riddle: Riddle, seed: int) -> float:
     """Return the share of runs in which the policy takes the action of the last step of a riddle again."""
     again = []
     for number in range(RUNS * seed, RUNS * (seed + 1)):
         run = run_program(answer, Twice(riddle), riddle.n_steps, number)
-        *before, last = run.steps[: riddle.n_steps]
-        if not before or riddle.begins or last.action == before[-1].action:
+        steps = run.steps[riddle.idle : riddle.n_steps]
+        same = steps[: riddle.n_paid] if riddle.begins else steps
+        if len({step.action for step in same}) == 1:
             with student_code(POLICY):
-                again.append(action_of(POLICY, run.policy(last.state), 2) == last.action)
+                again.append(action_of(POLICY, run.policy(steps[-1].state), 2) == steps[-1].action)
     return float(np.mean(again))

@@ -127,7 +127,7 @@ how_many.measured(len(set(by_price)))
 # </details>
 
 # %% [markdown]
-# The same at other strengths. A ring shows what some price found.
+# The same at other concavities. A ring shows what some price found.
 
 # %%
 figures.by_weights()
@@ -147,7 +147,7 @@ sliders(figures.one_weight, price=(0.5, 8.0, 0.25), concavity=(0.0, 1.0, 0.25))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# At concavity 0.5 there is none. At 0.25 there is, at 5.75 and at 6: the dent is so small that only treasure 1 lies in it. At
+# At concavity 0.5 there is none. At 0.25 there is, at 5.75 and at 6: the dent is so small that only treasure 1 lies in it. (Treasure 2 has its prices, too, but between two of the slider's.) At
 # concavity 1 and a price of exactly 5 treasures 0 and 8 are worth the same, and the agent may pick up either.
 # </details>
 #
@@ -238,7 +238,7 @@ figures.sets({steps: methods.pareto(0.5, n_steps=steps).front(0) for steps in (2
 # \lambda \leftarrow \max(0, \; \lambda + \eta \, (n - L))
 # $$
 #
-# If a dive took too long, a step becomes dearer, else cheaper. $\lambda$ is a *Lagrange multiplier*, and this rule is *dual ascent*.
+# If a dive took longer than $L$ steps, a step becomes dearer; if it was shorter, cheaper. $\lambda$ is a *Lagrange multiplier*, and this rule is *dual ascent*.
 # Beside it runs Q-learning, for the price of the moment. (It explores by first values that are too high, and then not at all. In the
 # code `multipliers` holds the weights: 1 for the value, and $\lambda$ for time. `multiplier_rate` is $\eta$. `limits` holds minus the limit $L$,
 # and `total` the return of the dive, for time minus its steps: so `missing` is $n - L$. `values` are the weighted sums of the actions.)
@@ -304,7 +304,7 @@ dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 els
 #
 # Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. The cell computes it exactly: if only the average must keep the
 # limit, the best is to take treasure 0 five times of eight and treasure 8 three times. That brings 40 on average, and treasure 3 only
-# 35.31: on average this mixture dominates treasure 3, which no single dive does. It is a failure of the question. A diver does not survive a dive of 17 steps because the one before took one. A limit on the average
+# 35.31: on average this mixture dominates treasure 3, which no single dive does. It is a failure of the question. That the dive before took one step does not help a diver to survive 17. A limit on the average
 # is right for costs that add up over many episodes, such as a bill; for air it is wrong. If each dive must keep the limit, find treasure 3 by a set of
 # vectors, by a distance, or by what you will write below.
 #
@@ -351,9 +351,9 @@ for label, settings in {
 
 # %% [markdown]
 # Either cause alone makes dives too long. With known values and a first price of 30 there is neither, and no dive takes too long. With known values and a first price of 0
-# there is mainly the second: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. (A few first values of 100 are left, in cells where
-# the earlier training hardly went. So the first dive wanders for 100 steps, and raises the price quickly.) And with a first price of 30 and new values there is only
-# the first: those were the 65. (With new values and a first price of 0, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with
+# there is mainly the price that rises slowly: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. (In the last column `right` leads back to the same cell, so a first value of 100 there feeds itself, and does not fall while a step costs nothing.
+# The first dive stands there for some 90 steps, until it is cut off: with the larger $\eta$ this alone raises the price by 4.65.) And with a first price of 30 and new values there are only
+# the high first values: those were the 65. (With new values and a first price of 0, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with
 # a limit of 5.)
 #
 # So a constraint that was learned was broken while it was learned. Who may not break it even once needs to know something beforehand: a model, or

@@ -61,7 +61,7 @@ play(Morning())
 # The clock comes from a factory. Half of the time it does what is best, half of the time it presses a button at random. This is
 # the *reference policy* $\pi_{\text{ref}}$. A language model that imitates texts is such a policy: not good enough, but
 # far better than chance. (We make it from the optimum, so it knows a part of what is meant. With random
-# buttons as the reference, what we try below does not help.)
+# buttons as the reference the penalty would not help: the meant return then rises to the end. More comparisons and asking in rounds help there, too.)
 
 # %%
 model = finite_model(Morning())
@@ -102,7 +102,7 @@ for noise in (0.1, 1.0, 10.0):
 # learned in units of the noise), and $n_1$, $n_2$ count how often
 # each night took action $a$ in state $s$. It reads like the updates that you know: a rate, an error, and where to put it.
 # What surprises most is learned most. The package makes the logarithm of the likelihood of all comparisons as large as possible, by Newton's method. A *prior* $\lambda$ takes
-# $\frac{\lambda}{2} \sum \hat r^2$ off it, so that all rewards shrink a little, and those that nothing is known of stay 0. These are the lines that do it:
+# $\frac{\lambda}{2} \sum \hat r^2$ off it, so that all rewards shrink a little, and those that nothing is known of stay 0. These are the lines that do it (`gradient` is the step above, for all comparisons at once):
 
 # %%
 source(most_likely)
@@ -158,6 +158,7 @@ for penalty in (30.0, 3.0, 1.0):
 # | comparisons | 100 pairs of nights of the reference policy, $\tau = 1$ |
 # | learned reward | a table, prior 0.1 |
 # | policies | the best ones for $\beta$ from 30 to 0.1, and for $\beta = 0$; all returns are exact |
+# | the fall | the meant return with $\beta = 0.5$ less that with $\beta = 0$ (with the sliders we count from the highest point) |
 # | repetitions | 100, each with other nights and other preferences (20 with 3 000 comparisons); bands are 95 % intervals |
 #
 # The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The dashed line is
@@ -208,7 +209,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 #
 # From its highest point the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
-# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better, even with $\tau = 10$.
+# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
 # </details>
 
 # %% [markdown]
@@ -230,9 +231,15 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises to the end. (Both
-# promise only half of what is meant. The luck of a step shows in the state that comes next, which has a reward of its own in the table. But after the last step
-# none comes: whether she is awake at 8:30 looks like noise. Let a teacher compare nights in which the last step brings what it brings *on average*. Then the best clock is promised about
-# its whole gain of 10.1. If all *other* steps do, it is not:)
+# promise only half of what is meant: an aside says why.)
+
+# %% [markdown] tags=["aside"]
+# ### Aside: why both promise only half
+# The luck of a step shows in the state that comes next, which has a reward of its own in the table. But after the last step
+# none comes: whether she is awake at 8:30 looks like noise.
+#
+# We test this with two teachers. For one, only the last step has no luck: it brings what it brings *on average*. For the other, all steps but the last are so. If the reason is right, the answers of the first
+# promise the best clock about its whole gain of 10.1, and those of the second do not:
 
 # %%
 on_average = (model.probabilities * model.rewards).sum(axis=2, keepdims=True)
@@ -315,7 +322,7 @@ everywhere.measured(everywhere.options[2 if random.fall().mean() > 0.3 else 1 if
 # %% [markdown]
 # ### Ask again
 # That suggests another way to spend a hundred comparisons. Ask 25, learn a reward from all answers so far, tune the clock with $\beta = 0.5$; let
-# *this* clock make the next 25 pairs; and so on, four times. Each round asks about what the clock does now.
+# *this* clock make the next 25 pairs; and so on, four times. Each round asks about what the clock does now. (In the figure on the right a second clock has asked for the second reward in the same way.)
 #
 # **Predict.** In four rounds, and followed with $\beta = 0.5$, the meant gain is ... (with all at once it is about 8.3).
 

@@ -169,7 +169,7 @@ for action, name in enumerate(shop.action_names):
     print(f"{name:5}  N = {agent.tree.counts[0, action]:3}   Q = {agent.tree.values[0, action]:6.2f}")
 
 # %% [markdown]
-# Only `down` leads into the shop; the others are walls. It got more simulations, but not by far: a wall costs just one step of the twenty, so the values differ little, and $c = 10$ is large beside
+# Only `down` leads into the shop; the others are walls. It got more simulations, but not many more: a wall costs just one step of the twenty, so the values differ little, and $c = 10$ is large beside
 # the difference. Now the whole tree. Each node is a state and the way to it, so a cell can have many
 # nodes. Move the number of simulations.
 
@@ -183,7 +183,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. In between this search needed 3000 simulations to get far (with other random numbers it may not). Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. With $c = 10$ this search needed 3000 simulations to get far (with other random numbers it may not). Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
 
 # %% [markdown]
 # ### What holds UCT back?
@@ -204,7 +204,7 @@ for c in (10.0, 1.0):
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 
 # %% [markdown]
-# Both of them do: without roll-outs and with a small $c$ it gets 95, and with one of these changes alone it does not. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A
+# Both of them do: told the value of good play, and with a small $c$, it gets 95, and with one of these changes alone it does not. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A
 # value in the tree is the mean over all tries, those into walls too. With $c = 1$ and roll-outs it gets 65. Told the value of random play without errors, UCT gets
 # 59, as plain roll-outs do in the long run, and 10 000 simulations change neither 59 nor 78. So here even the errors of the roll-outs help.
 
@@ -291,8 +291,8 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
-# the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 6 and 7 steps happen to be worth more on the old map; 10 steps still get 59, 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out the same with a discount of 0.9, and with a door in each of the two other cells of that wall. It depends on where the door is: of seven other cells, three change nothing, and in two only the longer look loses, and less. In the last two both looks lose 80 to 150, and 20 steps still get more than 8.
+# the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is: of seven other cells, three change nothing, and in two only the longer look loses, 33 and 53; in the last two both looks lose, 80 to 150, and 20 steps still get more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)

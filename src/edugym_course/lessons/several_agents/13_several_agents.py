@@ -108,7 +108,7 @@ for name, pair in {
     print(f"{name:29} {games.exploitability(model, pair):.3f}")
 
 # %% [markdown]
-# Always rock can be beaten in every game.
+# Always rock can be beaten every time.
 #
 # ### What Q-learning takes for granted
 # Q-learning learns $Q(s, a)$, the return of an action in a world with *one* $p(s' \mid s, a)$. But this $p$ contains $\rho$. When the
@@ -147,7 +147,7 @@ print(f"value {value:.2f}, own policy {own.round(3)}, the other's policy {other.
 source(games.MinimaxQ, "learn", "act")
 
 # %% [markdown]
-# `solve_state` solves the matrix game of one state, and writes the policy down. (`decay` lowers the learning rate a little after each step.)
+# `solve_state` solves the matrix game of one state, and writes the policy down. (`decay` lowers the learning rate a little after each step; `share[0]` is what it has left of it. The last three arguments are working memory.)
 #
 # There is an older idea, *fictitious play* (Brown, 1951): count how often the other has taken each action, and answer as if it drew from
 # these shares. Each answer is a single action, but *on average* the player mixes them. (In soccer it counts in each state, and learns $Q(s, a, o)$.)
@@ -223,7 +223,7 @@ who.measured(who.options[options.get(close, 3)])
 # comes down slowly. It includes random actions: with as many of them even safe policies have 0.19. (In zero-sum games of one move it is known to reach the equilibrium; this simple
 # form of it has no such guarantee in games of many steps.)
 #
-# Look at the returns, too: about 0 for all of them. Both learn, both get better, and what one wins the other
+# Look at the returns, too: about 0 for all. Both get better, and what one wins the other
 # loses. Who judges these players by their learning curves sees no difference. Only a *stranger* finds out who is not safe.
 # </details>
 
@@ -247,8 +247,8 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: if they explore, both end up talking, and the
-# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). Learning alone is harmless there. But it is not good: both get 1, and could
+# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1, if they explore, both end up talking, and the
+# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. Learning alone is harmless there. But it is not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and it depends on
 # the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (The lines begin with an estimate: what a player does whose values are all equal is drawn 100 times.)
 # </details>
@@ -290,7 +290,7 @@ for name, run in {"both learn": both_learn, "player 1 never learns": one_learns}
     print(f"{name}: in the second half {methods.changes(run):.1f} changes in 1 000 games")
 
 # %% [markdown]
-# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. So it goes on for ever, since each step of one makes
+# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. This goes on for ever: each step of one makes
 # the other's answer wrong. On the right the world stands still, and the learner comes to rest.
 #
 # The same from within: what do two Q-learners in matching pennies believe? Player 0 wants the same side of the coin as player 1, and player 1 the other side.
@@ -330,7 +330,7 @@ frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, chal
 #
 # ### Is it that a random choice is needed?
 # We said: some states of soccer need a random choice. Let us take this away. In *soccer in turns* the players move one after the
-# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if it did not loses much.
+# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if it did not loses as much as random play does (0.38).
 #
 # **Predict.** Two Q-learners play soccer in turns for a million steps. Their exploitability in the end is ...
 
@@ -387,7 +387,7 @@ for pair in learned.agents["Q-learning, each alone"].values():
 
 # %% [markdown]
 # Where they are safe everywhere else, 0.16 can still be won from each pair, in the 56 states: there a single action is never enough. From one pair hardly
-# more can be won. From the two others more can be won elsewhere, where a single action would be safe, and theirs is not.
+# more can be won; from the two others more can, where a single action would be safe and theirs is not.
 #
 # ### Is it that the other learns?
 # Two things are wrong for a Q-learner: its world moves, and its policy is without chance. Which of them makes it weak in soccer? Let us take the
@@ -409,17 +409,18 @@ print(f"its safe teacher wins {np.mean(lost):.3f} a game")
 for both in taught.agents["taught"].values():
     share, corrected = methods.with_best_answers(field, games.learned_policy(soccer, 0, both[0]))
     rest = methods.can_lose(field, 0, corrected)
-    print(f"its action is a best answer in {share:.0%} of the states; with best answers in the others, too: {rest:.2f}")
+    visited = (both[0].Q != 1.0).any(axis=1).sum()  # 1 is the first value
+    print(f"it plays a best answer in {share:.0%} of the 760 states; it has been in {visited}")
+    print(f"with best answers in all states: {rest:.2f}")
 pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
 # **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
-# loses hardly anything to it. But in nearly half of the states its action is no best answer, not even to the teacher. The two seldom come there:
-# in three runs 3 to 5 % of their steps began in such a state, though these are nearly half of all states. A challenger leads it there, in 9 to 42 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
-# does not make a safe pupil. That so many actions are wrong comes from states that it seldom sees: where each step began in a random state, 5 to 7 % were wrong. But such a pupil, too, lost 0.4 to 0.6: a challenger
-# needs only a few weak states. So a world that stands still did not help it: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions.
+# loses hardly anything to it. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these states it has never been: all its values there are still 1, and it draws any action. In the others it seldom is:
+# in three runs 3 to 5 % of their steps began in a state without a best answer. A challenger leads it there, in 9 to 42 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
+# does not make a safe pupil. So a world that stands still did not help it: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions.
 # </details>
 
 # %% [markdown]
@@ -584,7 +585,7 @@ check(project_13, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* To an agent the others are a part of the world, and if they learn, this world moves. The best answer to what they do now is often no safe policy: it is without chance, and who knows it may beat it. Minimax Q-learning learns the values of pairs of actions, solves a matrix game in each
-# state, and so comes close to a policy that loses nothing to anybody. What a policy loses to its best opponent, its exploitability, tells them apart; the returns against the partner in training do not.
+# state, and so comes close to a policy that loses nothing to anybody. What a policy loses to its best opponent tells them apart; the returns against the partner in training do not.
 #
 # ### Limits
 # Minimax Q-learning is for two players of whom one gets what the other loses. It needs to see the other's actions, and it solves a linear programme at every step. It is safe, and no more:

@@ -48,3 +48,10 @@ def my_program(environment, n_steps, seed):
         tables[i][state][action] += 0.1 * (reward + future - tables[i][state][action])
         state, over, taken = after, terminated or truncated, taken + 1
     return lambda state: best(both(state))
+
+
+# %% the mean over ties, as ours
+# slow
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += other[after][own[after] == own[after].max()].mean()

@@ -30,10 +30,26 @@
 # - target += other[after, own[after].argmax()]
 # + target += other[after].max()
 
-# %% the mean of the other's values
+# %% the mean over ties, and a future behind the end
+# slow
+# says: where `terminated` is True, nothing follows: the target is the reward
+# in: two tables and a dictionary of names
+# - if not terminated:
+# + if True:
+# - target += other[after, own[after].argmax()]
+# + target += other[after][own[after] == own[after].max()].mean()
+
+# %% the mean over ties, and a discount
 # slow
 # says: what does the table that learns ask the *other* table?
-# says: It counts where the episode goes on, with γ = 1
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += 0.9 * other[after][own[after] == own[after].max()].mean()
+
+# %% the mean of the other's values
+# slow
+# says: the same action pays 1 in two episodes of one step
+# says: what does the table that learns ask the *other* table?
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += other[after].mean()
@@ -68,14 +84,22 @@
 
 # %% the other's action 0
 # slow
+# says: the same action pays 1 in two episodes of one step
+# says: what does the table that learns ask the *other* table?
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += other[after, 0]
+
+# %% the state of the reset, to the end of the episode
+# slow
 # says: in a casino that pays, where one of
 # says: machines wins 1 on average, the policy goes in and plays it in
 # says: runs, and it should in
 # says: : it has learned little; is the next step begun in the next state, and is the other table asked about the
 #   *best* action there?
 # in: two tables and a dictionary of names
-# - target += other[after, own[after].argmax()]
-# + target += other[after, 0]
+# - state = after
+# + pass
 
 # %% the policy of one table
 # slow
