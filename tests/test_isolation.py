@@ -113,3 +113,12 @@ def test_an_environments_own_remedy_gains_there(
     found = edugym.profile({"base": base, "remedy": remedy}, challenges=[ladder], repetitions=5)
     gains = found.scores("remedy", name) - found.scores("base", name)
     assert gain(gains).low > isolation.OWN
+
+
+def test_what_a_report_says_helps_is_what_was_measured() -> None:
+    """In MemoryCorridor, where no agent by itself is good."""
+    data = json.loads(isolation.DATA.read_text(encoding="utf-8"))
+    alone = data["base"]["MemoryCorridor"]
+    with_frames = alone + gain(data["gains"]["memory: 4 frames"]["MemoryCorridor"]).estimate
+    helps = next(ladder for ladder in LADDERS if ladder.name == "MemoryCorridor").words.helps
+    assert re.findall(r"\d\.\d", helps) == [f"{alone:.1f}", f"{with_frames:.1f}"]

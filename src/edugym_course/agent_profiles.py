@@ -58,9 +58,15 @@ def with_ladders() -> str:
     return f"For {count} there is a ladder of tasks, from easy to hopeless."
 
 
-def on_tiles(environment: Any) -> GaussianActorCritic:
+def on_tiles(environment: Any, **settings: Any) -> GaussianActorCritic:
     """An actor-critic with real-valued actions, on tiles over the wrist."""
-    return GaussianActorCritic.create(environment, features=TileCoding.create(environment, tiles=list(WRIST)))
+    tiles = settings.pop("features", None) or TileCoding.create(environment, tiles=list(WRIST))
+    return GaussianActorCritic.create(environment, features=tiles, **settings)
+
+
+def kind_of(make: Any) -> Any:
+    """The class of the agents that a function of `agents` makes; None for any other function."""
+    return GaussianActorCritic if make is on_tiles else getattr(make, "__self__", None)
 
 
 def abouts(given: Mapping[str, Any] = NOTHING) -> dict[str, str]:
@@ -70,6 +76,8 @@ def abouts(given: Mapping[str, Any] = NOTHING) -> dict[str, str]:
         given: functions that make agents, by label; a pair of one and a wrapper counts as the agent.
     """
     found = {name: _first_line(getattr(edugym, name)) for name in agents()}
+    for name in SETTINGS.keys() & found.keys():
+        found[name] = f"{found[name].rstrip('.')}; here with {', '.join(map(str, WRIST))} tiles."
     found |= {name: f"{algorithm} of {_library_of(algorithm)}" for name, algorithm in LIBRARY_AGENTS.items()}
     makers = {label: agent[0] if type(agent) is tuple else agent for label, agent in given.items()}
     return {label: _first_line(make) or "yours" for label, make in makers.items()} | found
@@ -77,7 +85,7 @@ def abouts(given: Mapping[str, Any] = NOTHING) -> dict[str, str]:
 
 def _first_line(agent: Any) -> str:
     """The first line of the docstring of a class, or of the class whose method this is; "" where it has none."""
-    kind = getattr(agent, "__self__", agent)
+    kind = kind_of(agent) or agent
     text = (inspect.getdoc(kind) or "").partition("\n")[0]
     return "" if text.startswith(f"{getattr(kind, '__name__', '')}(") else text  # a NamedTuple lists its fields there
 

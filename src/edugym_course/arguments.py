@@ -3,6 +3,7 @@
 import ast
 import inspect
 import re
+from difflib import get_close_matches
 from functools import partial
 from itertools import product
 from pathlib import Path
@@ -11,9 +12,11 @@ from typing import Any
 import edugym
 from edugym.agents.settings import check, settings_of
 from edugym.experiments.players import is_policy
+from edugym.experiments.profiles.verdicts import listed
 from edugym.system.own_files import run_file
 from edugym.system.packages import is_ours
-from edugym_course.agent_profiles import library_agents
+from edugym_course.agent_profiles import agents as package_agents
+from edugym_course.agent_profiles import kind_of, library_agents
 
 HELP = (
     'Agents of the package (QLearning), of Stable-Baselines3 ("SB3 PPO"), or of a file (my_agent.py:MyAgent; it is run,'
@@ -131,7 +134,7 @@ def _setting(part: Any) -> Any:
 
 def _has_setting(make: Any, name: str) -> bool:
     """Whether what makes an agent takes a setting of this name."""
-    if name in getattr(getattr(make, "__self__", None), "_fields", ()):  # of the class whose `create` it is
+    if name in getattr(kind_of(make), "_fields", ()):
         return True
     try:
         return name in [*inspect.signature(make).parameters][1:]  # after the environment
@@ -141,7 +144,7 @@ def _has_setting(make: Any, name: str) -> bool:
 
 def _require_allowed(make: Any, name: str, value: Any) -> None:
     """Check a setting of an agent of the package, before minutes of training come to it."""
-    kind: Any = getattr(make, "__self__", None)
+    kind = kind_of(make)
     is_a_class_of_ours = isinstance(kind, type) and is_ours(kind)
     if is_a_class_of_ours and name in settings_of(kind) and hasattr(kind, name):
         check(kind.create((2, 2))._replace(**{name: value}))
@@ -149,16 +152,17 @@ def _require_allowed(make: Any, name: str, value: Any) -> None:
 
 def _of_package(name: str) -> Any:
     """The function that makes an agent of the package, or of a library."""
-    known = [one for one in dir(edugym) if hasattr(getattr(edugym, one), "learn")]
-    of_libraries = library_agents()
-    if name in of_libraries:
-        return of_libraries[name]
-    if name not in known:
-        raise ValueError(
-            f"an agent must be one of {', '.join([*known, *of_libraries])}, or be written FILE.py:NAME, but is"
-            f" {name or 'missing'}"
-        )
-    return getattr(edugym, name).create
+    known = package_agents() | library_agents()
+    if name in known:
+        return known[name]
+    if name.endswith(".py"):
+        raise ValueError(f"an agent of a file is written {name}:NAME, with its class or function, but is {name}")
+    by_letters = {re.sub(r"[\W_]", "", one).lower(): one for one in known}
+    alike = get_close_matches(re.sub(r"[\W_]", "", name).lower(), by_letters, n=1)
+    raise ValueError(
+        f"an agent must be one of {', '.join(known)}, or be written FILE.py:NAME, but is {name or 'missing'}"
+        + (f": did you mean {by_letters[alike[0]]}?" if alike else "")
+    )
 
 
 def _of_file(text: str) -> Any:
@@ -171,7 +175,14 @@ def _of_file(text: str) -> Any:
         names = [one for one in vars(module) if not one.startswith("_")]
         raise ValueError(f"{path.name} has no {name!r}; it has {', '.join(names) or 'nothing'}")
     if inspect.isclass(found):
-        return getattr(found, "create", None) or partial(found)
+        create = getattr(found, "create", None)
+        fields = [*getattr(found, "_fields", getattr(found, "__dataclass_fields__", ()))]
+        if create is None and fields and fields[0] not in ("environment", "env"):
+            raise ValueError(
+                f"{name} of {path.name} must be made for each environment, so its {listed(fields)} must fit: write a"
+                f" function `def make(environment): return {name}(...)`, and give {path.name}:make"
+            )
+        return create or partial(found)
     if callable(found) or hasattr(found, "act") or is_policy(found):
         return found
     raise ValueError(f"{name} of {path.name} must be an agent, or make one, but is {found!r}")

@@ -53,10 +53,12 @@ def profile_and_report(
     how = {**how, "progress": sys.stderr.isatty(), "checkpoints": output / UNFINISHED}
     stale: dict[str, Any] = {}
     given: dict[str, Any] = {}
+    grids: dict[str, Any] = {}
     with SignalGuard(), warnings_said_at_once():
         if agents:
             given, beside = arguments.agents(agents), agent_profiles.load()
-            found = _by_the_rules(given, how) if one_table else _profiles(given, tuned, how)
+            grids = arguments.grids(given, tuned) if tuned else {}  # first: what is misspelt is said at once
+            found = _by_the_rules(given, how) if one_table else _profiles(given, grids, how)
         else:
             stale = agent_profiles.stale_of_libraries() if libraries else agent_profiles.stale()
             found, beside = agent_profiles.make_again(stale, **how), None
@@ -65,6 +67,8 @@ def profile_and_report(
     shutil.rmtree(output / UNFINISHED, ignore_errors=True)
     _print_table(*tables.score_table(found, everybody))
     said = [f"{name}. {verdicts.said(found, name, everybody).sentence}" for name in found.challenges]
+    if tuned and (untuned := [label for label in given if label not in grids]):
+        said.append(f"Not tuned, since it has none of these settings: {', '.join(untuned)}.")
     if not agents:
         said.append(f"Made again: {', '.join(stale) or 'none'}.")
         if old := {} if libraries else agent_profiles.stale_of_libraries():
@@ -79,9 +83,8 @@ def profile_and_report(
     return [*said, f"The report is {path}."]
 
 
-def _profiles(agents: dict[str, Any], tuned: list[str], how: dict[str, Any]) -> Profile:
+def _profiles(agents: dict[str, Any], grids: dict[str, Any], how: dict[str, Any]) -> Profile:
     """The profile of agents as they are given and, beside it, that with settings of their choice."""
-    grids = arguments.grids(agents, tuned) if tuned else {}  # first: what is misspelt is said at once
     found = profile(agents, **how)
     return with_untuned(found, tuned_profile(grids, **how)) if grids else found
 

@@ -18,6 +18,15 @@ def is_policy(value: Any) -> bool:
     return callable(getattr(value, "predict", None)) and not hasattr(value, "act")
 
 
+def takes_observations(value: Any) -> bool:
+    """Whether a value is a function from observations to actions: its one parameter says so."""
+    try:
+        needed = [one.name for one in inspect.signature(value).parameters.values() if one.default is one.empty]
+    except (TypeError, ValueError):  # no function
+        return False
+    return not isinstance(value, type) and len(needed) == 1 and needed[0] in ("observation", "obs")
+
+
 def made_by(make: Callable[[Any], Any], environment: Any) -> Any:
     """What a function makes for an environment.
 

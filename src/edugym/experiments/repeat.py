@@ -19,7 +19,7 @@ from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
-from edugym.experiments.players import Player, is_policy, made_by
+from edugym.experiments.players import Player, is_policy, made_by, takes_observations
 from edugym.experiments.results.rows import MEASURED, Rows
 from edugym.experiments.results.tables import Results
 from edugym.system.extras import require
@@ -96,8 +96,8 @@ def repeat(
         agents: a dictionary from labels to methods. A method is an agent, or a function that makes an agent for an
             environment, such as `lambda environment: QLearning.create(environment, discount=0.9)`. Each run gets a
             copy, so that runs share nothing. In place of an agent it may be a policy that was written for Gymnasium and
-            learns nothing here: an object with `predict(observation)`, or a function from observations to actions that
-            the method makes.
+            learns nothing here: an object with `predict(observation)`, or a function from observations to actions,
+            whose only parameter is called `observation` or `obs`, or which the method makes.
         n_steps: the training steps of each run, 1 or more.
         repetitions: the number of runs of each method, from 1 to 1 000 000.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more.
@@ -233,7 +233,7 @@ def _maker(label: str, agent: Any, methods: Collection[str]) -> Maker:
     if isinstance(agent, type):
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
-    if is_policy(agent):
+    if is_policy(agent) or takes_observations(agent):
         return lambda environment: Player(agent, environment)
     if any(hasattr(agent, name) for name in methods):
         return lambda _: deep_copy(agent, f"{GIVE_A_FUNCTION} that makes one")

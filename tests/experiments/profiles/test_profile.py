@@ -71,9 +71,49 @@ def test_who_cannot_enter_is_blank_and_not_zero() -> None:
     assert found.score("Q", "Trashbot").n == 0
     assert found.breaks("Q", "Trashbot") is None
     assert math.isnan(found.steps("Q", "Trashbot"))
-    with pytest.raises(ValueError, match="a table needs") as raised:
-        profile({"Q": QLearning.create}, challenges=["Trashbot"])
-    assert "agents['Q'] can enter none" in raised.value.__notes__[0]
+    for challenges, told in ((["Trashbot"], "cannot enter Trashbot"), (["Trashbot", "Catch"], "can enter none")):
+        with pytest.raises(ValueError, match=re.escape(f"agents['Q'] {told}") + ".*a table needs"):
+            profile({"Q": QLearning.create}, challenges=challenges)
+
+
+class LateMistake(NamedTuple):
+    """Fails after some thousand steps."""
+
+    steps: Any
+
+    def act(self, state: int, rng: Any) -> int:
+        """Go right."""
+        return 1
+
+    def learn(self, reward: float) -> None:
+        """Count, and ask for what is not there."""
+        self.steps[0] += 1
+        if self.steps[0] > 250:
+            raise KeyError("Q")
+
+
+def test_a_late_mistake_costs_its_agent_one_challenge_and_others_nothing() -> None:
+    """It is said at once, and stands in the report."""
+    makers = {"late": lambda environment: LateMistake(np.zeros(1, int)), "Q": QLearning.create}
+    with pytest.warns(UserWarning, match="'late' has no score in Walks: .*KeyError"):
+        found = profile(makers, challenges=[WALKS], repetitions=2)
+    assert "KeyError" in found.blank["late"][WALKS.name]
+    assert found.score("late", WALKS.name).n == 0
+    assert found.score("Q", WALKS.name).n == 2
+
+
+def test_a_policy_is_judged_and_not_trained_and_blank_where_it_does_not_fit() -> None:
+    """A function whose parameter is an observation is a policy, not a function that makes one."""
+    acted = []
+
+    def right(observation: int) -> int:
+        acted.append(observation)
+        return 1
+
+    found = profile({"right": right}, challenges=[WALKS, "Trashbot"], repetitions=2, jobs=1)
+    assert found.score("right", WALKS.name).estimate == pytest.approx(1, abs=0.05)
+    assert "right" in found.blank["right"]["Trashbot"]
+    assert len(acted) < 800, "two runs on two rungs of 400 steps would be 1600"
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,13 @@ import math
 import os
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from enum import Enum
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
+from gymnasium.error import DependencyNotInstalled
 from gymnasium.spaces import Discrete
 
 from edugym.adapters.gymnasium_env import MDPEnv
@@ -17,6 +19,7 @@ from edugym.checks.contract import METHODS, contract_of
 from edugym.checks.parameters import a_path, in_short, true_or_false, whole_number
 from edugym.experiments.configuration import Repetition, planned_runs
 from edugym.experiments.fingerprints import deep_versions, fingerprint
+from edugym.experiments.players import Player
 from edugym.experiments.profiles.ladders import LADDERS, Ladder, bounds_of, checked, rung_in_words, steps_of
 from edugym.experiments.profiles.own_training import TRAIN, Refused, curves, reason, trains_itself
 from edugym.experiments.profiles.scores import COLUMNS, NEARLY, Profile
@@ -63,12 +66,20 @@ class Trial(NamedTuple):
     Attributes:
         errors: the challenges that it cannot enter, with what is raised there.
         reasons: the same in words, with the rung where it is not the first one.
-        alone: whether it trains itself.
+        how: how it is trained.
     """
 
     errors: dict[str, Exception]
     reasons: dict[str, str]
-    alone: bool
+    how: "Training"
+
+
+class Training(Enum):
+    """How an agent is trained."""
+
+    BY_US = "by `edugym.train`"
+    BY_ITSELF = "by its own method"
+    NOT_AT_ALL = "not at all: it is a policy, and learns nothing"
 
 
 class Rung(NamedTuple):
@@ -114,8 +125,9 @@ def profile(
             or other code is never taken from it.
 
     Returns:
-        The scores. An agent that cannot enter a challenge (as a table cannot choose actions that are real numbers) has
-        no score there, and `Profile.blank` says why.
+        The scores. An agent that cannot enter a challenge (as a table cannot choose actions that are real numbers), or
+        that raises an error while it trains there, has no score there, and `Profile.blank` says why. An error while it
+        trains is a warning, too.
 
     Raises:
         ValueError: an argument is not as above, or an agent cannot enter any challenge.
@@ -134,7 +146,7 @@ def profile(
     if folder is not None:
         check_writable(folder / ".edugym")  # any file name: tests that the folder is writable
     blank: dict[str, dict[str, str]] = {method.label: {} for method in methods}
-    on_their_own: set[str] = set()
+    training: dict[str, Training] = {}
     rows: list[Row] = []
     rungs = [Rung(ladder, strength) for ladder in ladders for strength in ladder.strengths]
     done = 0
@@ -148,24 +160,34 @@ def profile(
     try:
         with SignalGuard() as guard, progress_bar(len(rungs), "rungs", shown=progress) as bar:
             for method in methods:
-                errors, reasons, alone = _tried(method, ladders)
+                errors, reasons, training[method.label] = _tried(method, ladders)
                 if len(errors) == len(ladders):
-                    error = next(iter(errors.values()))
-                    error.add_note(f"agents[{method.label!r}] can enter none of the challenges")
-                    raise error
+                    _raise_for(method.label, errors, reasons)
                 blank[method.label] |= reasons
-                if alone:
-                    on_their_own.add(method.label)
             for rung in rungs:
                 guard.should_stop()
                 entering = [method for method in methods if rung.ladder.name not in blank[method.label]]
-                rows += _climb(rung, entering, on_their_own, blank, repetitions, seed, jobs, folder)
+                rows += _climb(rung, entering, training, blank, repetitions, seed, jobs, folder)
                 done += 1
                 bar.update(1)
     except KeyboardInterrupt:
         kept = "; the same call goes on from there" if folder else ""
         raise Interrupted(f"{done} of {len(rungs)} rungs are complete{kept}", so_far) from None
     return so_far()
+
+
+def _raise_for(label: str, errors: dict[str, Exception], reasons: dict[str, str]) -> NoReturn:
+    """Say why an agent can enter none of the challenges.
+
+    Raises:
+        gymnasium.error.DependencyNotInstalled: it needs a package that is missing.
+        ValueError: it fits none of them.
+    """
+    first, error = next(iter(errors.items()))
+    if isinstance(error, DependencyNotInstalled):
+        raise error
+    told = f"can enter none of the challenges: in {first}, " if len(errors) > 1 else f"cannot enter {first}: "
+    raise ValueError(f"agents[{label!r}] {told}{reasons[first]}") from error
 
 
 def _methods(agents: Mapping[str, Any]) -> list[Method]:
@@ -223,20 +245,20 @@ def _tried(method: Method, ladders: Sequence[Ladder]) -> Trial:
     """An agent, tried on all rungs."""
     errors: dict[str, Exception] = {}
     reasons: dict[str, str] = {}
-    alone = False
+    how = Training.BY_US
     for ladder in ladders:
         for strength in ladder.strengths:
             try:
-                alone = _try(method, ladder, strength)
+                how = _try(method, ladder, strength)
             except Exception as error:  # a student's agent may fail in any way where it does not fit
                 where = "" if strength == ladder.strengths[0] else f"at {rung_in_words(ladder, strength)}, "
                 errors[ladder.name], reasons[ladder.name] = error, f"{where}{reason(error)}"
                 break
-    return Trial(errors, reasons, alone)
+    return Trial(errors, reasons, how)
 
 
-def _try(method: Method, ladder: Ladder, strength: float) -> bool:
-    """Make an agent for a rung; a student's also takes some steps on the easiest one. Return whether it trains itself.
+def _try(method: Method, ladder: Ladder, strength: float) -> Training:
+    """Make an agent for a rung; a student's also takes some steps on the easiest one. Return how it is trained.
 
     Raises:
         Exception: it does not fit.
@@ -244,14 +266,15 @@ def _try(method: Method, ladder: Ladder, strength: float) -> bool:
     environment = _task(ladder, strength, method.wrap, layout_seed=0)
     made = method.make(environment)
     if trains_itself(made):  # it has refused what does not fit when it was made
-        return True
+        return Training.BY_ITSELF
     contract = contract_of(made)
     trainer(environment, contract, 0, None, 0)
-    if not contract.is_own and strength == ladder.strengths[0]:
+    is_policy = isinstance(made, Player)
+    if (is_policy or not contract.is_own) and strength == ladder.strengths[0]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             train(environment, contract.agent, TRIED, evaluate_every=TRIED)
-    return False
+    return Training.NOT_AT_ALL if is_policy else Training.BY_US
 
 
 def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) -> MDPEnv[Any]:
@@ -278,7 +301,7 @@ def _task(ladder: Ladder, strength: float, wrap: Wrap | None, layout_seed: int) 
 def _climb(
     rung: Rung,
     methods: list[Method],
-    on_their_own: set[str],
+    training: dict[str, Training],
     blank: dict[str, dict[str, str]],
     repetitions: int,
     seed: int,
@@ -287,7 +310,7 @@ def _climb(
 ) -> Iterator[Row]:
     """The rows of a rung: those that are in the folder, and the others made.
 
-    Who trains itself, and refuses this rung, has no score in the challenge: `blank` gets the reason.
+    An agent that raises an error while it trains has no score in the challenge: `blank` gets the reason.
     """
     ladder, strength = rung
     n_steps = steps_of(ladder, strength)
@@ -303,16 +326,26 @@ def _climb(
             }
             plan = [planned.repetition for planned in planned_runs([method.label], repetitions, seed)]
             found: Any
-            if method.label in on_their_own:
-                kept_at = partial(_kept_at, folder, rung, method, deep_versions())
-                try:
+            try:
+                if training[method.label] is Training.BY_ITSELF:
+                    kept_at = partial(_kept_at, folder, rung, method, deep_versions())
                     found = curves(method.make, task, plan, {"n_steps": n_steps, **measured}, jobs, kept_at)
-                except Refused as refused:
-                    blank[method.label][ladder.name] = f"{rung_in_words(ladder, strength)}: {refused}"
-                    continue
-            else:
-                how = {"repetitions": repetitions, "seed": seed, "jobs": jobs, **measured}
-                found = repeat(task, {method.label: method.make}, n_steps, **how).curves(method.label)
+                else:
+                    learns = training[method.label] is not Training.NOT_AT_ALL
+                    how = {"repetitions": repetitions, "seed": seed, "jobs": jobs, **measured}
+                    how |= {} if learns else {"evaluate_every": 1}  # at the end of a single step
+                    trained = repeat(task, {method.label: method.make}, n_steps if learns else 1, **how)
+                    found = trained.curves(method.label)
+            except OSError:  # the disk is full, perhaps
+                raise
+            except Refused as refused:
+                blank[method.label][ladder.name] = f"{rung_in_words(ladder, strength)}: {refused}"
+                continue
+            except Exception as error:  # a student's agent may fail in any way, and late
+                why = f"{rung_in_words(ladder, strength)}: {reason(error)}"
+                blank[method.label][ladder.name] = why
+                warnings.warn(f"{method.label!r} has no score in {ladder.name}: {why}", stacklevel=4)
+                continue
             rows = _scored(found, rung, plan)
             if path is not None:
                 write_whole(path, json.dumps(rows).encode())

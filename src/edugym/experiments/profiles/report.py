@@ -22,6 +22,7 @@ from edugym.experiments.profiles.tables import (
     sure_differences,
     table_of_all,
     take_table,
+    without_ladder,
 )
 from edugym.experiments.profiles.verdicts import Said, others_of, said
 from edugym.rendering.palette import INK
@@ -97,12 +98,15 @@ TAKE = (
 )
 MORE = "If the table only says how many more agents there are, look for the stars in the table of all scores below."
 NO_LINE = (
-    "Two problems are not in the table, since no score shows them: rewards in which noise hides the differences, and"
-    " rewards that are lost while the agent still learns. A score counts only how it plays after the training."
+    "Three problems are not in the table, since no score shows them: rewards in which noise hides the differences,"
+    " rewards that are lost while the agent still learns, and risk, where the worst return counts and not the mean. A"
+    " score is a mean, and counts only how an agent plays after the training."
 )
 OTHERS = (
     "Agents that you did not give are called the other agents, and are grey. They are EduGym's and those of"
-    " Stable-Baselines3 (SB3), all with their own default settings: DQN is EduGym's, SB3 DQN is not."
+    " Stable-Baselines3 (SB3), with their own default settings (but GaussianActorCritic with tiles for Trashbot's arm)."
+    " DQN is EduGym's, SB3 DQN is not. Those of Stable-Baselines3 are not measured everywhere, since one of their"
+    " ladders takes from a quarter of an hour to some hours."
 )
 MARKS = (
     "A number is a score with its 95 % interval; – says that an agent cannot enter a challenge, and ? that it was not"
@@ -167,7 +171,7 @@ def markdown(profile: Profile, everybody: Profile | None = None, abouts: Mapping
         lines += table(heading, rows) if rows else []
     if reasons(profile):
         lines += ["## Who cannot enter", "", *items(reasons(profile))]
-    return "\n".join([*lines, "## How it was measured", "", *items(method(everybody or profile))])
+    return "\n".join([*lines, "## How it was measured", "", *items([*method(everybody or profile), without_ladder()])])
 
 
 def as_html(profile: Profile, everybody: Profile | None = None, abouts: Mapping[str, str] = NOTHING) -> str:
@@ -243,7 +247,7 @@ compared; a gap in a line, or no dot, means that the agent cannot enter the chal
 </div>
 {blank}
 <h2>How it was measured</h2>
-{items(method(everybody or profile))}
+{items([*method(everybody or profile), without_ladder()])}
 </body>
 </html>
 """

@@ -7,7 +7,7 @@ from itertools import combinations
 from edugym.experiments.profiles.ladders import EXACT, steps_of
 from edugym.experiments.profiles.scores import HALF, NEARLY, Profile
 from edugym.experiments.profiles.verdicts import best_agents, good_agents, listed, others_of, outcome, surely_worse
-from edugym.experiments.profiles.words import rounded, written
+from edugym.experiments.profiles.words import WITHOUT_LADDER, rounded, written
 from edugym.experiments.results.statistics import Interval
 
 Table = tuple[list[str], list[list[str]]]
@@ -65,7 +65,7 @@ def take_table(profile: Profile, everybody: Profile | None = None) -> Table:
         highest = f"{first} {rounded(score.estimate)}{f' in {score.n} runs' if score.n < most else ''}"
         if score.estimate < HALF:
             nobody = f"nobody of {len(entered)} tried is good: no score is above {rounded(score.estimate)}"
-            rows.append([*row, nobody, NO_MATTER, "–"])
+            rows.append([*row, nobody, NO_MATTER, f"what helps: {helps}" if (helps := ladder.words.helps) else "–"])
             continue
         runs = {agent: everybody.score(agent, challenge).n for agent in others}
         shown = [
@@ -102,7 +102,8 @@ def score_table(profile: Profile, beside: Profile | None = None) -> Table:
         ]
         others = others_of(profile, beside, challenge)
         best = max(others, key=lambda agent: others[agent]) if others else ""
-        known = [f"{best} {rounded(others[best])}" if best else "–"] if beside else []
+        shown = "–" if not best else f"{best} {rounded(others[best])}" if others[best] >= HALF else NO_MATTER
+        known = [shown] if beside else []
         rows.append([f"{challenge} ({profile.ladder(challenge).challenge})", *scores, *known])
     return ["challenge", *profile.agents, *(["best other agent"] if beside else [])], rows
 
@@ -138,6 +139,11 @@ def rung_table(profile: Profile, challenge: str) -> Table:
     steps = [profile.steps(agent, challenge) for agent in agents]
     first = f"steps until {NEARLY} on the first rung, median"
     rows.append([first, *(written(count) if math.isfinite(count) else "never" for count in steps)])
+    breaks = [profile.breaks(agent, challenge) for agent in agents]
+    where = [
+        f"at {written(one.strength)}" if one and one.where == "between" else one.where if one else "?" for one in breaks
+    ]
+    rows.append([f"breaks (falls below {HALF}), interpolated", *where])
     return [ladder.strength, *agents], rows
 
 
@@ -183,7 +189,7 @@ def not_measured(profile: Profile, challenge: str) -> str:
         for agent in profile.agents
         if not profile.score(agent, challenge).n and absent(profile, agent, challenge) == "?"
     ]
-    return f"Not measured here: {listed(agents)}." if agents else ""
+    return f"Not measured here, since it takes hours: {listed(agents)}." if agents else ""
 
 
 def repetitions_of(profile: Profile, agent: str) -> int:
@@ -220,3 +226,8 @@ def method(profile: Profile) -> list[str]:
         " ".join([*([f"Training steps on each rung: {named}."] if named else []), *few]),
         f"The best play is {EXACT}, unless said otherwise. {' '.join(bests)}".strip(),
     ]
+
+
+def without_ladder() -> str:
+    """Which environments have no ladder, and why, in a sentence."""
+    return f"Not in this report: {listed([f'{name} ({why})' for name, why in WITHOUT_LADDER.items()])}."

@@ -12,11 +12,13 @@ class Words(NamedTuple):
         problem: what a problem has that is like this challenge.
         about: what the task is, and what makes a rung harder.
         rung: a rung, with {} for its strength.
+        helps: what helps where no agent by itself is good.
     """
 
     problem: str = ""
     about: str = ""
     rung: str = ""
+    helps: str = ""
 
 
 NO_WORDS = Words()
@@ -52,6 +54,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
             "Open the right doors of a corridor that gets one door longer each time. Only the last door is marked, so"
             " the earlier ones must be remembered. The longer the corridor, the more there is to remember.",
             "a corridor of length {}",
+            "a wrapper that shows the last observations, too: QLearning scores 0.4, and QLearning + FrameStack(4) 0.7",
         ),
         "Tamagotchi": Words(
             "observations that are noisy messages about what counts (not noisy rewards)",
@@ -86,6 +89,14 @@ WORDS: Mapping[str, Words] = MappingProxyType(
     }
 )
 """By the name of the ladder."""
+WITHOUT_LADDER: Mapping[str, str] = MappingProxyType(
+    {
+        "Bandit": "every agent that explores plays the best arm in the end",
+        "Casino": "a policy has one of two returns there, and the better one is to stay at home",
+        "Diver": "its reward is a vector",
+    }
+)
+"""Why an environment has no ladder."""
 
 
 def written(strength: float) -> str:
