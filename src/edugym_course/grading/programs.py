@@ -91,8 +91,8 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         """Begin an episode."""
         if self._has_begun and seed is not None:
             self._refuse(
-                "calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the"
-                " seed at the first reset only, and call reset() after that"
+                "calls reset(seed=...) more than once: give the seed at the first reset only, and call reset() after"
+                " that"
             )
         if not self._is_over and not self._is_new:
             self._refuse("calls reset() in the middle of an episode: go on until `terminated` or `truncated` is True")

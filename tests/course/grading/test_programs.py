@@ -89,8 +89,8 @@ WRONG: dict[str, tuple[Any, str]] = {
     ),
     "the seed again": (
         partial(plays, reset=lambda environment: environment.reset(seed=0)),
-        "my_program calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the"
-        " seed at the first reset only, and call reset() after that",
+        "my_program calls reset(seed=...) more than once: give the seed at the first reset only, and call reset() after"
+        " that",
     ),
     "no seed": (
         partial(plays, gives_seed=False),

@@ -100,7 +100,7 @@ figures.measured_promises()
 # $$
 #
 # and else the same with $Q_1$ and $Q_2$ swapped. If a machine looks good in $Q_1$ by luck, $Q_2$ has had luck of its own. An agent acts $\varepsilon$-greedily by the mean of both tables.
-# (Where several actions are best in $Q_1$, our code takes the mean of $Q_2$ over them. Who takes the first of them, as in exercise 2, goes in more often below: in 13 % instead of 8 % of episodes 31 to 100, over 400 runs.)
+# (Where several actions are best in $Q_1$, our code takes the mean of $Q_2$ over them. Who takes the first of them, as in exercise 2, goes in more often in the experiment below: in 13 % instead of 8 % of episodes 31 to 100, over 400 runs.)
 
 # %%
 source(DoubleQLearning, "learn")
@@ -165,7 +165,7 @@ order.measured(order.options[0 if q > expected + 0.05 > double + 0.1 else 1 if e
 # **Measured.** Q-learning, expected SARSA, double Q-learning: 71 %, 46 % and 9 %. At first nobody knows the casino, and all go in by chance, in one of ten episodes. Then some machine has paid.
 # Q-learning believes it, goes in, and plays it until it has lost enough. Then it believes the next one. In the last 100 episodes it
 # seldom goes in: 3 %. The target of expected SARSA is 0.9 of the maximum and 0.1 of the mean. In episodes 31 to 100 maxmin Q-learning with two
-# tables goes in less often than Q-learning, too: 11 %. In the last 100 episodes it goes in more often than Q-learning: 13 %. (100 runs are few for these last numbers: over 1000 runs they are 5 and 8 %. Why it does, and why expected SARSA still goes in then, we have not tested.)
+# tables goes in less often than Q-learning, too: 11 %. In the last 100 episodes it goes in more often than Q-learning: 13 %. (100 runs are few for these last numbers: over 1000 runs they are 6 and 9 %. Why it does, and why expected SARSA still goes in then, we have not tested.)
 # </details>
 
 # %% [markdown]
@@ -214,7 +214,7 @@ print(f"still 0: {(Q_values == 0).mean():.0%} of the values")
 
 # %% [markdown]
 # On average the ten values are a little too high, for they begin at 0: the values of machines that were not tried, 23 % of all, are still 0, and the
-# others still hold a part of that 0: half of them were tried at most twice. The largest is much too high: it promises a gain.
+# others still hold a part of that 0: more than half of them were tried at most twice. The largest is much too high: it promises a gain.
 
 # %% [markdown]
 # ## Predict, then check
@@ -442,8 +442,8 @@ check(exercise_3, maxmin_target, seed=1, quiet=True)
 # - The best action is that with the largest sum $Q_1(s, a) + Q_2(s, a)$. Among equals draw one at random: in the beginning all are equal.
 # - Random numbers come from `rng = np.random.default_rng(seed)`, also the coin. The first reset is `environment.reset(seed=seed)`.
 #
-# The check first runs it for one step, or two, in tiny tasks in which every part of the method changes the policy, and then in casinos whose states and actions
-# have other numbers each time. Where no machine pays, it must go in in less than a quarter of episodes 31 to 100 (Q-learning: in two thirds); where one pays, its policy must play that one.
+# The check runs it in tiny tasks, many of one or two steps, in which every part of the method changes the policy, and then in casinos whose states and actions
+# have other numbers each time. Where no machine pays, it must enter in less than a quarter of episodes 31 to 100 (Q-learning: in two thirds); where one pays, its policy must play that one.
 # <details><summary>A plan</summary>Reset. In each step: choose the action, step, throw the coin, change one table by exercise 2, and go on from the next state, or
 # from a new reset if <code>terminated</code> or <code>truncated</code> is True. (Only <code>terminated</code> means that nothing follows: the target of a step that is
 # merely truncated has its future.)</details>

@@ -171,14 +171,15 @@ def require_arms(answer: Any, seed: int) -> Surprises:
 
 def _require_single_tries(answer: Any, seed: int) -> None:
     """Refuse a program that draws once an episode whether its actions are random."""
-    both = list[bool]()
+    both, single = list[bool](), list[bool]()
     for number in range(PAIR_RUNS * seed, PAIR_RUNS * (seed + 1)):
         taken = [step.action for step in run_program(answer, Arms(2), PULLS, number).steps]
         first, second = (
             [one != Counter(mine).most_common(1)[0][0] for one in mine] for mine in (taken[::2], taken[1::2])
         )
         both += [one and other for one, other in zip(first, second, strict=True)][SETTLED:]
-    if np.mean(both) > TOGETHER:
+        single += [*first[SETTLED:], *second[SETTLED:]]
+    if np.mean(both) > max(TOGETHER, 2 * float(np.mean(single)) ** 2):  # else by chance: ε is too large
         raise WrongAnswer(
             f"where each episode has two steps, in {np.mean(both):.0%} of the episodes both actions are others than the"
             " favourite ones, and it should be about 1%: draw anew in each step whether its action is random, not once"

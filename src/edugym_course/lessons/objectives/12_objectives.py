@@ -352,7 +352,7 @@ for label, settings in {
 # %% [markdown]
 # Either cause alone makes dives too long. With known values and a first price of 30 there is neither, and no dive takes too long. With known values and a first price of 0
 # there is mainly the price that rises slowly: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. (In the last column `right` leads back to the same cell, so a first value of 100 there feeds itself, and does not fall while a step costs nothing.
-# The first dive stands there for some 90 steps, until it is cut off: with the larger $\eta$ this alone raises the price by 4.65.) And with a first price of 30 and new values there are only
+# The first dive with known values and a price of 0 stands there for some 90 steps, until it is cut off: with the larger $\eta$ this alone raises the price by 4.65.) And with a first price of 30 and new values there are only
 # the high first values: those were the 65. (With new values and a first price of 0, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with
 # a limit of 5.)
 #

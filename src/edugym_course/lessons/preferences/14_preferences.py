@@ -109,7 +109,7 @@ source(most_likely)
 
 # %% [markdown]
 # ### Follow the reward, with a penalty
-# Now we have a reward, and any method of this course can maximise it. In practice one does not let it: each step is charged for
+# Now we have a reward, and any method of this course can maximise it. In practice one does not maximise it freely: each step is charged for
 # leaving the reference policy, with a *penalty* $\beta$. The policy maximises
 #
 # $$
@@ -162,7 +162,7 @@ for penalty in (30.0, 3.0, 1.0):
 # | repetitions | 100, each with other nights and other preferences (20 with 3 000 comparisons); bands are 95 % intervals |
 #
 # The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The dashed line is
-# the best gain over the reference that there is, 10.1. Learned and meant returns have different units, so look at where a line rises and falls, not at its height.
+# the best gain over the reference that there is, 10.1. Learned returns come out smaller than meant ones (the prior shrinks them), so look at where a line rises and falls, not at its height.
 #
 # **Predict.** We lower the penalty, so that the policy follows the learned reward more and more. What does the *meant* return do?
 
@@ -223,7 +223,7 @@ thousands = methods.followed(n_comparisons=3000, repetitions=20)
 figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, second=True)
 
 # %% [markdown]
-# Learned returns are on another scale than the meant one: here a smaller one, and with a weak prior (0.01, above) a larger one. So do not compare heights with the meant line; compare the first learned reward with the
+# Learned returns are on a smaller scale than the meant one: the prior shrinks them, and so does what the aside below says. So do not compare heights with the meant line; compare the first learned reward with the
 # *second* one: both were learned in the same way, and each is as good as the other. On the left they disagree more and more. In
 # the end the second promises half as much for these policies, and it *falls*, as the meant reward does. So the first reward
 # is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high
@@ -457,7 +457,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
 # - A night has no discount: what comes late counts in full.
 #
-# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough.
+# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (ours makes 500).
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds.) Then it lets three *other* teachers answer, who want something
 # else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.

@@ -75,7 +75,7 @@ for action, name in enumerate(shop.action_names):
 #    Q(\text{node}, a) + c \sqrt{\frac{\ln N(\text{node})}{N(\text{node}, a)}},
 #    $$
 #    but an action that was never tried comes before all others. The bonus $c \sqrt{\cdot}$ is large for what was seldom tried; $c$ is in the unit of the returns. $N(\text{node})$ counts all choices in the node, the present one included.
-# 2. **Expand.** The first state that is not in the tree becomes a new node.
+# 2. **Expand.** The first step that leads out of the tree adds a node: a state, with the way to it.
 # 3. **Roll out.** From there on, act at random until the end, or until step $d$.
 # 4. **Back up.** $G$ is the return of the roll-out at first, 0 if the task has ended. From the last node to the root: $G \leftarrow R + \gamma G$, count the action, and
 #    $Q(\text{node}, A) \leftarrow Q(\text{node}, A) + \left[ G - Q(\text{node}, A) \right] / N(\text{node}, A)$.
@@ -292,7 +292,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is: of seven other cells, three change nothing, and in two only the longer look loses, 33 and 53; in the last two both looks lose, 80 to 150, and 20 steps still get more than 8.
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells, three change nothing; in two 20 steps lose (33 and 53); in two both looks lose (80 to 150), and 20 steps still get more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)

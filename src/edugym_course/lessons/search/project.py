@@ -28,6 +28,7 @@ from edugym_course.lessons.search.exercises.riddles import (
     Riddle,
     written,
 )
+from edugym_course.lessons.search.replay import TREE, Taken, means, mistake_in, surprises
 
 RUNS = 7
 MOST_ALIKE = 0.2
@@ -39,6 +40,9 @@ BEFORE_COUNTS = 2
 PAY = (10.0, 9.0, 5.0)
 """What the actions pay, for certain, in the task in which the simulations are counted."""
 COUNTED = Riddle("every action ends the task", "", written({ROOT: tuple((reward, END) for reward in PAY)}))
+LUCKY = COUNTED._replace(told="every action ends the task, and one has a very lucky return near the end")
+LUCK, LATE = 1_000.0, 12
+"""A return, and among how many of the last simulations it comes: too few for its action to become the most frequent."""
 BONUSES: Mapping[str, Callable[[float, float], float]] = {
     "c is 10, as in the shop; here it is 5": lambda of_node, n: 10 * sqrt(log(of_node) / n),
     "the logarithm is missing": lambda of_node, n: 5 * sqrt(of_node / n),
@@ -63,6 +67,7 @@ class Model:
     Attributes:
         from_root: how often each action was simulated from the root, by its number in the riddle.
         asked: all actions that it was asked for, in order.
+        simulations: the steps of each simulation.
         first: the action that was asked for first, by its number for the program; None at the beginning.
         slip: the sentence of the first thing that was refused, "" if there is none.
         n_simulations: how many there are to be; a few more in each run, so that it is not always the same one that a
@@ -74,6 +79,7 @@ class Model:
         rng = np.random.default_rng([seed, 18])
         self.from_root = np.zeros(N_ACTIONS, int)
         self.asked: list[int] = []
+        self.simulations: list[list[Taken]] = []
         self.first: int | None = None
         self.slip = ""
         few = riddle.n_simulations < N_SIMULATIONS
@@ -82,6 +88,7 @@ class Model:
         self._numbers = rng.permutation(20).tolist()
         self._actions = rng.permutation(N_ACTIONS).tolist()
         self._here, self._steps = ROOT, 0
+        self._was_lucky = False
 
     def __call__(self, state: Any, action: Any) -> tuple[float, int, bool]:
         """Return what follows: the reward, the next state, and whether it is the end."""
@@ -104,6 +111,9 @@ class Model:
         if self._steps == DEPTH:
             self._refuse(f"simulates more than {DEPTH} steps in a row: each simulation looks {DEPTH} steps ahead")
         reward, following = self._riddle.step(place, taken, self._rng)
+        if self._riddle is LUCKY and self._is_luck(taken):
+            reward += LUCK
+        self.simulations[-1].append((place, taken, reward))
         self._here, self._steps = following, self._steps + 1
         return reward, self.number(following), following == END
 
@@ -115,6 +125,13 @@ class Model:
         """Return what an action is in the riddle."""
         return int(self._actions[action])
 
+    def _is_luck(self, taken: int) -> bool:
+        """Whether an action gets a lucky return: one of the last that is not the most frequent one."""
+        late = self.from_root.sum() > self.n_simulations - LATE
+        lucky = late and not self._was_lucky and taken != self.from_root.argmax()
+        self._was_lucky = self._was_lucky or lucky
+        return bool(lucky)
+
     def _place(self, state: Any) -> int:
         if state not in self._numbers[-1:] + self._numbers[:10]:
             self._refuse(f"asks for a step from {state!r}, which is no state that the model gave")
@@ -123,6 +140,7 @@ class Model:
 
     def _begin(self, taken: int) -> None:
         self._here, self._steps = ROOT, 0
+        self.simulations.append([])
         self.from_root[taken] += 1
         if self.from_root.sum() > self.n_simulations:
             self._refuse(
@@ -142,12 +160,14 @@ class Found(NamedTuple):
         action: the action, by its number in the riddle.
         from_root: how often each was simulated from the root.
         asked: all actions that were simulated, in order.
+        simulations: the steps of each simulation.
         first: the first of them, by its number for the program.
     """
 
     action: int
     from_root: Integers
     asked: list[int]
+    simulations: list[list[Taken]]
     first: int | None
 
 
@@ -176,7 +196,7 @@ def search(program: Any, riddle: Riddle, seed: int) -> Found:
             f"{call} simulates from the root {begun} times, and it should {model.n_simulations} times: a search is a"
             " loop of n_simulations, each from the root to its end"
         )
-    return Found(taken, model.from_root, model.asked, model.first)
+    return Found(taken, model.from_root, model.asked, model.simulations, model.first)
 
 
 def solved(riddle: Riddle, found: Found) -> bool:
@@ -206,6 +226,29 @@ def require_bound(program: Any, seed: int) -> None:
         f"in a task in which {COUNTED.told}, with {', '.join(f'{pay:g}' for pay in PAY)}, the actions should be"
         f" simulated about {right.tolist()} times, but are {found.tolist()} times{why}"
     )
+
+
+def require_tree(program: Any, seed: int) -> None:
+    """Refuse a program that takes an action in the tree that UCT would not take, or returns one of lower value."""
+    for number in range(RUNS):
+        found = search(program, TREE, RUNS * seed + number)
+        why = mistake_in(found.simulations)
+        if why is not None:
+            wrong = surprises(found.simulations)[0]
+            why = "" if not why or nobody_asks_why() else f": {why}"
+            raise WrongAnswer(
+                f"in a task in which {TREE.told}, simulation {wrong} takes another action in the tree than the one with"
+                f" the highest bound Q(node, a) + 5 √(ln N(node) / N(node, a)){why}"
+            )
+    for number in range(RUNS):
+        found = search(program, LUCKY, RUNS * seed + number)
+        worth = means(found.simulations)
+        if worth[found.action] < worth.max():
+            raise WrongAnswer(
+                f"in a task in which {LUCKY.told}, it returns an action with the mean {worth[found.action]:.1f}, and"
+                f" another one has {worth.max():.1f}: return the action with the highest *value*, and not the one that"
+                " was simulated most often"
+            )
 
 
 def require_repeatable(program: Any, seed: int) -> None:
@@ -248,6 +291,7 @@ def project_18(answer: Any, seed: int) -> str:
             f"{NAME} begins every search with the action {begun.pop()}, though none was tried yet: among equals draw"
             " one at random"
         )
+    require_tree(answer, seed)
     require_repeatable(answer, seed)
     require_other_roll_outs(answer, seed)
     return f"Right: it solves all {len(RIDDLES)} riddles, and asks of the model what a search may ask."

@@ -127,7 +127,7 @@ for name, pair in {
 # \end{aligned}
 # $$
 #
-# Only one thing is new: where Q-learning has $\max_a Q(S', a)$, this has $V(S')$, the value of a matrix game. An example. What is the best
+# Besides the second action, one thing in the update is new: where Q-learning has $\max_a Q(S', a)$, this has $V(S')$, the value of a matrix game. An example. What is the best
 # policy for the row player here?
 #
 # | | $o = 0$ | $o = 1$ |
@@ -147,7 +147,7 @@ print(f"value {value:.2f}, own policy {own.round(3)}, the other's policy {other.
 source(games.MinimaxQ, "learn", "act")
 
 # %% [markdown]
-# `solve_state` solves the matrix game of one state, and writes the policy down. (`decay` lowers the learning rate a little after each step; `share[0]` is what it has left of it. The last three arguments are working memory.)
+# `solve_state` solves the matrix game of one state, and writes the policy down. (`decay` lowers the learning rate a little after each step: `share[0]` is what is left.)
 #
 # There is an older idea, *fictitious play* (Brown, 1951): count how often the other has taken each action, and answer as if it drew from
 # these shares. Each answer is a single action, but *on average* the player mixes them. (In soccer it counts in each state, and learns $Q(s, a, o)$.)
@@ -223,7 +223,7 @@ who.measured(who.options[options.get(close, 3)])
 # comes down slowly. It includes random actions: with as many of them even safe policies have 0.19. (In zero-sum games of one move it is known to reach the equilibrium; this simple
 # form of it has no such guarantee in games of many steps.)
 #
-# Look at the returns, too: about 0 for all. Both get better, and what one wins the other
+# Look at the returns, too: about 0 for all. Both players of a pair get better, and what one wins the other
 # loses. Who judges these players by their learning curves sees no difference. Only a *stranger* finds out who is not safe.
 # </details>
 
@@ -248,7 +248,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # <details><summary>What came out</summary>
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1, if they explore, both end up talking, and the
-# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. Learning alone is harmless there. But it is not good: both get 1, and could
+# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. With the small rate learning alone is harmless there. But it is not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and it depends on
 # the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (The lines begin with an estimate: what a player does whose values are all equal is drawn 100 times.)
 # </details>
@@ -270,7 +270,7 @@ sliders(one_match, contact=[0.0, 0.5, 1.0], discount=(0.5, 0.95, 0.05))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Without contact both kinds came to 0 at once: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
+# Without contact both kinds were at 0 at the first look: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
 # 0.03 in the mean of three runs, and 0.11 from random play.
 # </details>
 
@@ -330,7 +330,7 @@ frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, chal
 #
 # ### Is it that a random choice is needed?
 # We said: some states of soccer need a random choice. Let us take this away. In *soccer in turns* the players move one after the
-# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if it did not loses as much as random play does (0.38).
+# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if it did not loses 0.38, and random play 0.37.
 #
 # **Predict.** Two Q-learners play soccer in turns for a million steps. Their exploitability in the end is ...
 
@@ -419,8 +419,8 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 #
 # **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
 # loses hardly anything to it. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these states it has never been: all its values there are still 1, and it draws any action. In the others it seldom is:
-# in three runs 3 to 5 % of their steps began in a state without a best answer. A challenger leads it there, in 9 to 42 % of the steps. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
-# does not make a safe pupil. So a world that stands still did not help it: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions.
+# against its teacher 3 to 5 % of its steps begin there. A challenger leads it, in 9 to 42 % of the steps, into states of both kinds. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
+# does not make a safe pupil. So a world that stands still was not enough: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions.
 # </details>
 
 # %% [markdown]
@@ -524,7 +524,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 #   When an episode is over, `environment.agents` is empty.
 # - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions.
 #   Both players see the same state.
-# - Take $\gamma = 0.9$, and a learning rate of about 0.2.
+# - Take $\gamma = 0.9$, a learning rate of about 0.2, and one random action in five.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check lets your program learn six small games, and computes exactly what the best opponent wins from your policy in each state. It may be 0.2 more than what a safe policy allows. It does not look

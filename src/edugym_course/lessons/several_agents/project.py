@@ -229,8 +229,8 @@ class Watched:
         """Begin an episode."""
         if self._has_begun and seed is not None:
             raise WrongAnswer(
-                f"{NAME} calls reset(seed=...) more than once, and then all episodes have the same random numbers: give"
-                " the seed at the first reset only, and call reset() after that"
+                f"{NAME} calls reset(seed=...) more than once: give the seed at the first reset only, and call reset()"
+                " after that"
             )
         if self._has_begun and not self._is_new and self.agents:
             raise WrongAnswer(
@@ -354,7 +354,7 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
     if weak_points(game_model(game), longer).max() < NEAR:
         return (
             f"After {LONGER * N_STEPS} steps it is safe, so it learns too slowly: is the learning rate, or the share of"
-            " random actions, too small?"
+            " random actions, too small, or does something count that comes after `terminated`?"
         )
     return f"Look at this state: {riddle.asks}"
 

@@ -308,3 +308,11 @@
 # in: with lists
 # - tables[i][state][action] += 0.1 * (reward + future - tables[i][state][action])
 # + tables[i][state][action] += 0.11 * (reward + future - tables[i][state][action])
+
+# %% twice as many random actions
+# slow
+# says: of its actions are others than its favourite one, and
+# says: : its ε is about 0.2
+# in: two tables and a dictionary of names
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.2:

@@ -196,3 +196,11 @@ def with_penalty(values, reference, penalty):
     weights = np.zeros(len(values))
     weights[taken] = reference[taken] * np.exp((values[taken] - values[taken].max()) / (penalty + 1e-3))
     return weights / weights.sum()
+
+
+# %% what is never taken counts as 0
+# says: first subtract the largest value *among the actions that the reference takes* from all values
+def with_penalty(values, reference, penalty):
+    worth = np.where(reference > 0, values, 0)
+    weights = reference * np.exp((worth - worth.max()) / penalty)
+    return weights / weights.sum()

@@ -80,6 +80,7 @@ def choices(rng: np.random.Generator) -> list[Choice]:
 EXTREMES: tuple[Choice, ...] = (
     (np.array([3_000.0, 2_999.0, -5_000.0]), np.array([0.25, 0.5, 0.25]), 0.01),
     (np.array([3_000.0, 1.0, 0.0]), np.array([0.0, 0.5, 0.5]), 0.01),  # the best action is never taken
+    (np.array([1.0, -3_000.0, -3_001.0]), np.array([0.0, 0.5, 0.5]), 0.01),  # and those that are taken are below 0
     (np.array([1.0, 0.9999, 0.0]), np.array([0.25, 0.5, 0.25]), 0.0001),  # so small a penalty tells them apart
     (np.array([3_000.0, 1.0, 1.0]), np.array([0.0, 0.25, 0.75]), 0.0001),  # the two best that are taken are equal
 )

@@ -277,7 +277,7 @@ my_program = 3
 # %% the highest value of a node
 # slow
 # says: 100 simulations are too few to forget the bad tries after an action
-# says: is the return of the simulation passed on to the node before, and not the highest value of the node after?
+# says: is the return of the simulation passed on to the node before, and not the highest value of the node after, and is c the same in every node?
 # in: a loop and a path
 # - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
 # + Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
@@ -324,3 +324,52 @@ my_program = 3
 # - node, here, path, rewards, ended = (), state, [], [], False
 # + rng = np.random.default_rng(seed)
 # + node, here, path, rewards, ended = (), state, [], [], False
+
+# %% the number of the simulation in each logarithm
+# slow
+# says: in a task in which each state is reached in one way only, simulation
+# says: takes another action in the tree than the one with the highest bound Q(node, a) + 5 √(ln N(node) / N(node, a))
+# says: in ln N(node), N(node) counts the choices in *this* node, and not all simulations
+# in: a loop and a path
+# - for _ in range(n_simulations):
+# + for k in range(n_simulations):
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(np.log(k + 1) / N[node])
+
+# %% the new mean is passed on
+# slow
+# says: what is passed on to the node before is the return of *this* simulation, and not the new mean of the node
+# in: a loop and a path
+# - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
+# + Q[visited][action] = G = Q[visited][action] + (G - Q[visited][action]) / N[visited][action]
+
+# %% discounted twice
+# slow
+# says: in a node returns are discounted from this node on, and not once more from the root
+# in: a loop and a path
+# - Q[visited][action] += (G - Q[visited][action]) / N[visited][action]
+# + Q[visited][action] += (G * 0.9 ** (len(visited) // 2) - Q[visited][action]) / N[visited][action]
+
+# %% the whole roll-out in the tree
+# slow
+# says: each simulation adds *one* node, and not every state of its roll-out
+# in: a loop and a path
+# - if node != ():
+# + if False:
+
+# %% another c below the root
+# slow
+# says: c is 5 below the root, too; it looks as if it were 10 there
+# in: a loop and a path
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = (5 if node == () else 10) * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+
+# %% the most frequent one, and among those the best
+# slow
+# says: every action ends the task, and one has a very lucky return near the end
+# says: , it returns an action with the mean
+# says: , and another one has
+# says: : return the action with the highest *value*, and not the one that was simulated most often
+# in: a loop and a path
+# - return int(np.argmax(np.where(N[()] > 0, Q[()], -np.inf)))
+# + return max(range(n_actions), key=lambda a: (N[()][a], Q[()][a]))

@@ -147,7 +147,8 @@ RIDDLES = (
     ),
     Riddle(
         f"{FEW} simulations are too few to forget the bad tries after an action",
-        "is the return of the simulation passed on to the node before, and not the highest value of the node after?",
+        "is the return of the simulation passed on to the node before, and not the highest value of the node after, and"
+        " is c the same in every node?",
         written({ROOT: ((0.0, 1), (2.2, END), (2.2, END)), 1: ((3.0, END), (0.0, END), (0.0, END))}),
         (1, 2),
         FEW,

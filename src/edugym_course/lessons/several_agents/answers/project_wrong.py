@@ -83,7 +83,7 @@
 # %% too slow
 # slow
 # says: After
-# says:  steps it is safe, so it learns too slowly: is the learning rate, or the share of random actions, too small?
+# says:  steps it is safe, so it learns too slowly: is the learning rate, or the share of random actions, too small, or does something count that comes after `terminated`?
 # in: all pairs at random
 # - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
 # + Q[state, a, o] += 0.2 * (target - Q[state, a, o]) * (rng.random() < 0.07)
@@ -117,7 +117,7 @@
 # -     seen, _ = environment.reset()
 
 # %% the seed again
-# says:  calls reset(seed=...) more than once, and then all episodes have the same random numbers: give the seed at the first reset only, and call reset() after that
+# says:  calls reset(seed=...) more than once: give the seed at the first reset only, and call reset() after that
 # in: all pairs at random
 # - seen, _ = environment.reset()
 # + seen, _ = environment.reset(seed=seed)
