@@ -46,6 +46,7 @@ REFUSED_HERE = {
     "max of whole and real": "whole numbers in one place and of real ones",
     "power": "a power of real numbers",
     "large whole numbers rounded": "more than 53 bits",
+    "median of large whole numbers": "more than 53 bits",
     "numbers with a step": "it uses np.arange like this",
 }
 """Programs that machine code can do and JavaScript cannot, and a word of the sentence that says why."""
@@ -127,6 +128,7 @@ LEFT = {
     "math.log(s, 2)": "it gives math.log 2 numbers",
     "math.hypot(s, 3.0, 4.0)": "it gives math.hypot 3 numbers",
     "np.exp(s, 2.0)": "it uses np.exp like this",
+    "np.exp(self.Q > 0)[0, 0]": "it uses np.exp like this",
     "np.clip(0.5, a_max=rng.random(), a_min=rng.random())": "it uses np.clip like this",
     "rng.random(3)[1]": "rng.random is translated only for one draw",
     "(f := s)": "it has a :=",

@@ -64,8 +64,10 @@ KEPT = {
         "x = float((round(2 ** 60 + k) + math.floor(2 ** 59 + k) + int(2 ** 60 - k)) % 7)"
     ),
     "numbers with a step": late(
-        "r = np.arange(1, 2, 0.1)\nx = r[2] + r[3] + np.arange(5, step=0.3)[k % 3] - np.arange(k)[-1]"
+        "r = np.arange(1, 2, 0.1)\nx = r[2] + r[3] + np.arange(5, step=0.3)[k % 3] - np.arange(k)[-1]\n"
+        "r = np.arange(0.4, 9)\nx += r[3] + r[7] + np.arange(1.1, 9, 3)[2] + np.arange(0.9, 5, 1, dtype=float)[k % 4]"
     ),
+    "median of large whole numbers": late("x = np.median(np.array([2 ** 62, 2 ** 62 + k]))"),
     "division of whole numbers": late("x = (-7 * k) // 3 + (-7 * k) % 3 + divmod(k, 4)[0] + abs(3 - k) + -k"),
 }
 """Programs that are to compile, and to come to the same."""
@@ -105,6 +107,15 @@ REPEATED |= {
         "a real number among large whole ones": "x = 1.0 if 2.0 ** 53 in [2 ** 53 + 1, 2] else 2.0",
         "NaN sorted": f"{SAME_NAN}r[0] = y\nr.sort()\nx = float(r[0] == r[0]) + r[1]",
         "zeros sorted": "r = sorted([0.0 if j % 3 else -0.0 for j in range(20)])\nx = math.copysign(1.0, r[3])",
+        "a sum of what may be whole": "x = sum([2 ** 53 if k > 7 else 0.5, 1, 1]) % 7",
+        "2^53 that may be whole, and one": "y = 2 ** 53 if k > 7 else 0.5\nx = (y + 1) % 7",
+        "a product rounded to 2^53": "y = 3002399751580331 if k > 7 else 0.5\nx = (y * 3) % 7",
+        "the same NaN found": f"{SAME_NAN}r[0] = y\nx = float(r.index(y))",
+        "the same NaN removed": f"{SAME_NAN}r[0] = y\nr.remove(y)\nx = r[0]",
+        "large whole numbers removed": "r = [2.0 ** 53, 0.5]\nx = float(r.count(2 ** 53 + 1))",
+        "the least in an array by -1": "self.N[0] = -2 ** 62 - 2 ** 62\nx = float((self.N // (k - k - 1))[0] % 7)",
+        "the least in place by -1": "self.N[0] = -2 ** 62 - 2 ** 62\nself.N[:] //= -1\nx = float(self.N[0] % 7)",
+        "the least by an array of -1": "y = -2 ** 62 - 2 ** 62 + 0 * k\nx = float((y // (0 * self.N - 1))[0] % 7)",
         "zeros in an array sorted": "r = np.sort(np.array([0.0, -0.0, 0.0, -0.0]))\nx = math.copysign(1.0, r[1])",
     }.items()
 }
@@ -160,6 +171,19 @@ REFUSED = {
     "class handed on": (late("x = float(apply(int, 1e19 * k) % 7)"), "hands on the function int"),
     "functions in a tuple": (late("x = float((abs, 1)[0](-2**62 - 2**62 + 0 * k) % 7)"), "hands on the function abs"),
     "helper with fastmath": (late("x = fast(self.Q[0])"), "fast has fastmath"),
+    "array for the result": (late("np.add(self.Q[:, 0], 1.0, self.Q[::-1, 0])"), "an array for the result"),
+    "array for the result, by name": (late("np.add(self.Q, 1.0, out=self.Q)"), "an array for the result"),
+    "array for the product": (late("np.dot(self.Q[:2], self.Q[0], self.Q[1])"), "an array for the result"),
+    "global array for the product": (late("np.dot(self.Q[:2], self.Q[0], G)"), "an array for the result"),
+    "array for the outer product": (late("np.outer(G, G, self.Q[:2])"), "an array for the result"),
+    "whole numbers from real ones": (late("x = np.arange(0.5, 9, 1.5, dtype=int)[2] + 0.5"), "Numba has no np.arange"),
+    "short numbers in a row": (late("self.Q[:2, 0] = np.arange(0.4, 2, dtype=np.float32)"), "Numba has no np.arange"),
+    "bytes full of 200": (late("self.N[:2] = np.full(2, 200, np.int8)"), "may not fit in an array of int8"),
+    "bytes of large numbers": (late("self.N[:2] = np.array([300, k], np.int8)"), "may not fit in an array of int8"),
+    "functions of flags": (late("self.Q[:4, 0] = np.exp(self.N > 1)"), "it gives True and False where numbers"),
+    "sorted by a key": (late("x = 1.0 * sorted(range(40), key=mixed)[3]"), "it sorts by a key"),
+    "list sorted by a key": (late("r = [0.5] * 40\nr.sort(key=mixed)"), "it sorts by a key"),
+    "parts of what may be whole": (late("y = 7 if k > 7 else 0.5\nx = divmod(y, 3)[0]"), "it divides a number that"),
     "draw handed on": (late("x = apply(rng.exponential, 700.0 - n)"), "hands on the method exponential"),
 }
 """Programs that are refused, and a word of the sentence that says why."""

@@ -15,10 +15,11 @@ from numba import extending
 from numba.core import types
 
 from edugym.compiled.number_kinds import as_number
-from edugym.compiled.operations import ADD, CHECK_EXACT, CHECK_NUMBER, CHECKED, INT, REAL, SUBTRACT
+from edugym.compiled.operations import ADD, CHECK_EXACT, CHECK_NUMBER, CHECKED, INT, MIXED, REAL, SUBTRACT
 
 Function = Callable[..., Any]
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
+LEAST = -(2**63)
 _add, _subtract = ADD.function, SUBTRACT.function
 arange: Any = np.arange  # its declaration knows fewer calls than it takes
 
@@ -85,7 +86,17 @@ def _median(values: Any) -> Any:
     for value in np.asarray(values).flat:
         if np.isnan(value):
             return np.nan
-    return np.median(values)
+    return np.median(_made_real(values))
+
+
+def _made_real(values: Any) -> Any:
+    """Whole numbers as real ones, as NumPy adds the two in the middle: Numba adds them first, beyond 64 bits too."""
+    return values
+
+
+def _choose_made_real(values: Any) -> Function:
+    whole = getattr(values, "dtype", None) == INT
+    return (lambda values: np.asarray(values) * 1.0) if whole else (lambda values: values)
 
 
 def _extreme(name: str, better: Function, of_others: Function) -> Function:
@@ -168,7 +179,10 @@ def _arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
 
 
 def _choose_arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
-    """`np.arange`: NumPy takes the step from the first two numbers, in which the last digits of 0.1 may be lost."""
+    """`np.arange`: NumPy takes the step from the first two numbers, in which last digits may be lost.
+
+    1.4 - 0.4 is less than 1, and so is the step from 0.4 on.
+    """
 
     def of_real_step(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
         made = arange(start, stop, step, dtype)
@@ -177,13 +191,17 @@ def _choose_arange(start: Any, stop: Any, step: Any, dtype: Any) -> Any:
             made[i] = first + i * step
         return made
 
-    if isinstance(stop, types.NoneType | types.Omitted) and not isinstance(step, types.NoneType | types.Omitted):
+    no_stop, no_step = (isinstance(one, types.NoneType | types.Omitted) for one in (stop, step))
+    if no_stop and not no_step:
         return lambda start, stop, step, dtype: _arange(0, start, step, dtype)
-    if types.unliteral(step) == REAL:
-        return of_real_step
-    return lambda start, stop, step, dtype: arange(start, stop, step, dtype)
+    if no_stop or REAL not in (types.unliteral(start), types.unliteral(step)):
+        return lambda start, stop, step, dtype: arange(start, stop, step, dtype)
+    if getattr(dtype, "dtype", REAL) != REAL:  # NumPy rounds or cuts the first two, and goes on from them
+        return None
+    return (lambda start, stop, step, dtype: _arange(start, stop, 1, dtype)) if no_step else of_real_step
 
 
+extending.overload(_made_real, strict=False)(_choose_made_real)
 extending.overload(_arange, strict=False)(_choose_arange)
 _arange.__name__ = "np.arange"  # by which messages call it
 extending.overload(_clip, strict=False)(_choose_clip)
@@ -254,6 +272,25 @@ def _choose_sum(values: Any, start: Any) -> Any:
     if kind in (INT, types.boolean) and of_whole:
         return whole
     return real if kind in (INT, REAL, types.boolean) and begin in (INT, 0, REAL) else None
+
+
+def sum_of_mixed(values: Any, start: Any) -> Any:
+    """`sum` of numbers that may all be whole in Python (`edugym.compiled.mixed_numbers`)."""
+    raise NotImplementedError
+
+
+def _choose_sum_of_mixed(values: Any, start: Any) -> Any:
+    add = MIXED[operator.add].function
+
+    def in_turn(values: Any, start: Any) -> Any:
+        total, empty = start * 1.0, True
+        for value in values:
+            total, empty = add(total, value), False
+        if empty:
+            raise ValueError("the sum of no real numbers is a whole one")
+        return total
+
+    return in_turn
 
 
 def _abs(x: Any) -> Any:
@@ -332,9 +369,32 @@ def _choose_order(values: Any) -> Function:
     return of_reals if getattr(values, "dtype", None) == REAL else lambda values: None
 
 
+def require_no_least(values: Any) -> None:
+    """Raises an error for the least whole number of 64 bits: divided by -1 it is 0 in Numba's arrays alone."""
+    raise NotImplementedError
+
+
+def _choose_no_least(values: Any) -> Function:
+    def of_number(values: Any) -> None:
+        if values == LEAST:
+            raise OverflowError("more than 64 bits")
+
+    def of_array(values: Any) -> None:
+        for value in values.flat:
+            if value == LEAST:
+                raise OverflowError("more than 64 bits")
+
+    if not isinstance(values, types.Array):
+        return of_number
+    return of_array if values.dtype == INT else lambda values: None
+
+
+extending.overload(require_no_least, strict=False)(_choose_no_least)
 extending.overload(require_plain, strict=False)(_choose_plain)
 extending.overload(require_order, strict=False)(_choose_order)
 extending.overload(_sum, strict=False)(_choose_sum)
+extending.overload(sum_of_mixed, strict=False)(_choose_sum_of_mixed)
 extending.overload(_abs, strict=False)(_choose_abs)
 extending.overload(_divmod, strict=False)(_choose_divmod)
-_sum.__name__, _abs.__name__, _divmod.__name__ = "sum", "abs", "divmod"  # by which messages call them
+_sum.__name__, sum_of_mixed.__name__ = "sum", "sum"  # by which messages call them
+_abs.__name__, _divmod.__name__ = "abs", "divmod"

@@ -18,6 +18,7 @@ from typing import Any
 
 from numba.core import ir, ir_utils, types
 
+from edugym.compiled.arithmetic import CALLED, sum_of_mixed
 from edugym.compiled.code import is_foreign
 from edugym.compiled.facts import facts
 from edugym.compiled.namedtuples import member_of
@@ -57,6 +58,7 @@ class _Followed:
 
     def __init__(self, state: Any) -> None:
         self.ir, self.kinds, self.calltypes = state.func_ir, state.typemap, state.calltypes
+        self.context = state.typingctx
         self.result, self.function = state.return_type, state.func_id.func
         self.in_training = self.function.__module__.startswith("edugym.training")
         self.mixed: set[str] = set()  # variables
@@ -331,6 +333,8 @@ class _Followed:
         call, kind = statement.value, self.kind(statement.target)
         called, given = self.kind(call.func), [*call.args, *(variable for _, variable in call.kws)]
         key = getattr(called, "typing_key", None)
+        if self._own_function(call) is CALLED[divmod] and any(map(self.is_mixed, given)):
+            refuse(f"it divides a number that is whole in one place and real in another: {WRITE}", statement.loc)
         if self._own_function(call) is not None:
             return
         if isinstance(called, types.BoundFunction) and isinstance(called.this, types.List):
@@ -341,6 +345,8 @@ class _Followed:
         if key in (max, min) and kind == types.float64:
             for variable in given:
                 self._require_exact(block, statement, variable, kind)
+        if getattr(key, "__name__", "") == "sum" and any(map(self.is_mixed, given)):
+            self._call_instead(block, statement, sum_of_mixed)
         if any(map(self.is_mixed, given)) and not (passes_on(called, key) or self._is_same(called, key, given)):
             if key is wholeness:  # a guard asks it of an observation, since `act` may not return such a number
                 raise _mixed("observation", "use int()")
@@ -348,6 +354,18 @@ class _Followed:
                 f"it gives a number that is whole in one place and real in another to a function: {WRITE}",
                 statement.loc,
             )
+
+    def _call_instead(self, block: Any, statement: Any, function: Any) -> None:
+        """Calls another function with the same arguments."""
+        call, variable = statement.value, ir.Var(block.scope, ir_utils.mk_unique_var("$instead"), statement.loc)
+        kind = self.kinds[variable.name] = self.context.resolve_value_type(function)
+        assign = ir.Assign(ir.Global(function.__name__, function, statement.loc), variable, statement.loc)
+        block.body.insert(block.body.index(statement), assign)
+        self.ir._definitions[variable.name].append(assign.value)
+        call.func = variable
+        del self.calltypes[call]
+        given = tuple(self.kinds[one.name] for one in call.args)
+        self.calltypes[call] = kind.get_call_type(self.context, given, {})
 
     def _is_same(self, called: Any, key: Any, given: list[Any]) -> bool:
         """Whether a function does the same with whole and with real numbers."""

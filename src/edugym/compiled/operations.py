@@ -192,7 +192,7 @@ def _number(x: float) -> float:
 def _mixed(operation: Function) -> Operation:
     """An operation on two real numbers that may be whole in Python.
 
-    It raises an error where that would make a difference: beyond 2^53, and where zero gets a sign.
+    It raises an error where that would make a difference: from 2^53 on, and where zero gets a sign.
     """
 
     def compute(x: Any, y: Any) -> Any:
@@ -202,7 +202,7 @@ def _mixed(operation: Function) -> Operation:
 
 
 def _require_same(result: float) -> float:
-    if abs(result) > LARGEST_EXACT and not math.isinf(result):
+    if abs(result) >= LARGEST_EXACT and not math.isinf(result):  # 2^53 may be 2^53 + 1, rounded
         raise OverflowError("a number, whole in one place and real in another, beyond 2^53")
     if result == 0.0 and math.copysign(1.0, result) < 0.0:
         raise ValueError("-0.0 made of numbers that are whole in one place and real in another: write 0.0 for 0")

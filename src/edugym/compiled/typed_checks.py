@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numba.core import ir, ir_utils, types
 
-from edugym.compiled.arithmetic import CALLED, require_order, require_plain
+from edugym.compiled.arithmetic import CALLED, require_no_least, require_order, require_plain
 from edugym.compiled.mixed_numbers import follow_mixed
 from edugym.compiled.number_kinds import COMPARED, as_number, holds_real, method_name
 from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
@@ -36,6 +36,8 @@ ALLOWED = (
 """Allowed types, besides numbers and what holds other values, which are looked at closer."""
 FILLING = (np.array, np.full, np.full_like)
 """Functions that put what they are given into an array of the type that is asked for."""
+_MOST_GIVEN: dict[Any, int] = {np.dot: 2, np.outer: 2, (types.Array, "dot"): 1}
+"""How many arrays functions take besides one for the result, which Numba fills though it overlaps, or is frozen."""
 READING = ARRAY - {"fill"}
 """The members of arrays that write nothing."""
 NOT_WITH_BOOLEANS: set[Any] = {
@@ -76,7 +78,7 @@ def check_typed(state: Any) -> bool:
 
 
 def _to_check(func_ir: Any, expr: Any, kinds: Any) -> Iterator[tuple[Any, Any]]:
-    """What has to be checked before a comparison of tuples or lists, before their numbers are sorted or counted."""
+    """What has to be checked before tuples or lists are compared, sorted or searched, or whole arrays are divided."""
     collection, function = types.BaseTuple | types.List, expr.fn if expr.op == "binop" else None
     if function in COMPARED and any(isinstance(kinds[one.name], collection) for one in (expr.lhs, expr.rhs)):
         if any(holds_real(kinds[one.name]) for one in (expr.lhs, expr.rhs)):
@@ -89,8 +91,20 @@ def _to_check(func_ir: Any, expr: Any, kinds: Any) -> Iterator[tuple[Any, Any]]:
             name = method_name(called.typing_key)
             if name == "sort":
                 yield require_order, ir_utils.get_definition(func_ir, expr.func).value
-            elif name == "count" and holds_real(called.this):
-                yield from ((require_plain, one) for one in expr.args)
+            elif name in ("count", "index", "remove") and holds_real(called.this):
+                yield from ((require_plain, one) for one in expr.args[:1])
+    elif expr.op in ("binop", "inplace_binop") and _may_divide_by_minus_one(expr, kinds):
+        yield require_no_least, expr.lhs
+
+
+def _may_divide_by_minus_one(expr: Any, kinds: Any) -> bool:
+    """Whether an operation divides whole numbers, some of them in an array, by what may be -1."""
+    function = expr.fn if expr.op == "binop" else expr.immutable_fn
+    both, divisor = [types.unliteral(kinds[one.name]) for one in (expr.lhs, expr.rhs)], kinds[expr.rhs.name]
+    if function is not operator.floordiv or not any(isinstance(kind, types.Array) for kind in both):
+        return False
+    known = isinstance(divisor, types.IntegerLiteral) and divisor.literal_value != -1
+    return not known and not any(map(_is_real, both))
 
 
 def _insert_check(state: Any, block: Any, before: Any, check: Any, variable: Any) -> None:
@@ -253,6 +267,12 @@ def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: An
             if _is_real(kinds[variable.name]) and isinstance(taken, types.Integer):
                 refuse("it gives a real number where a whole one belongs: use int()", loc)
     key = getattr(function, "typing_key", None)
+    if len(given) > _MOST_GIVEN.get(key, getattr(key, "nin", len(given))):
+        refuse("it gives an array for the result, as out: assign the result, as in a[:] = np.add(b, c)", loc)
+    if isinstance(key, np.ufunc) and _is_narrow(result):
+        refuse("it gives True and False where numbers belong: write 1.0 * flags", loc)
+    if (key is sorted or key == (types.List, "sort")) and any(name == "key" for name, _ in expr.kws):
+        refuse("it sorts by a key, where Numba mixes up equal ones: write a loop", loc)
     if key in (max, min) and len(given) == 1 and isinstance(kinds[given[0].name], types.Number | types.Boolean):
         refuse(f"it calls {key.__name__} of one number", loc)
     python = function.dispatcher.py_func if isinstance(function, types.Dispatcher) else None
@@ -287,13 +307,17 @@ def _require_no_flags(variables: Any, into: Any, kinds: Any, loc: Any) -> None:
 
 
 def _check_filled(expr: Any, function: Any, result: Any, kinds: Any, loc: Any) -> None:
-    """Refuses to fill an array of whole numbers with real ones: NaN and large ones are errors in Python."""
+    """Refuses to fill an array of whole numbers with real ones, or one of few bits: what is too large is an error."""
     filled = result if getattr(function, "typing_key", None) in FILLING else None
     if isinstance(function, types.BoundFunction) and function.typing_key == (types.Array, "fill"):
         filled = function.this
     given = [kinds[variable.name] for variable in (*expr.args, *(variable for _, variable in expr.kws))]
     if isinstance(getattr(filled, "dtype", None), types.Integer) and any(map(_holds_reals, given)):
         refuse("it puts a real number in an array of whole numbers", loc)
+    if _is_narrow(filled) and not _is_real(filled):
+        place = 0 if function.typing_key is np.array else 1
+        named = [variable for name, variable in expr.kws if name in ("object", "fill_value")]
+        _check_stored(filled, kinds[[*expr.args[place : place + 1], *named][0].name], loc)
 
 
 def _holds_reals(kind: Any) -> bool:

@@ -313,7 +313,8 @@ def _of_all(writer: Iterations, node: ast.Call, called: Any) -> Code:
         if kind == INT:
             return Code(f"sumOfWholes({gathered})", INT)
         keeps = sys.version_info >= (3, 12) and not isinstance(writer.visit(argument).kind, Array)
-        total = f"{'sumInDoubt' if keeps else 'sumInTurn'}({gathered})"
+        checked = ",mixed" if kind == MIXED and not keeps else ""
+        total = f"{'sumInDoubt' if keeps else 'sumInTurn'}({gathered}{checked})"
         return Code(f"mixed({total})", MIXED) if kind == MIXED else Code(total, FLOAT)
     if called in (max, min):
         return Code(f"listExtreme({gathered},{'greater' if called is max else 'less'})", kind)

@@ -195,7 +195,8 @@ def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: 
 def _elementwise_libm(writer: Operations, node: ast.AST, name: str, given: Given) -> Code | None:
     if len(given) == (2 if name in OF_TWO else 1) and all(one.kind in NUMBERS for one in given):
         return Code(writer.libm(node, name, *(one.text for one in given)), FLOAT)
-    if len(given) == 1 and name not in OF_TWO and isinstance(given[0].kind, Array):
+    numbers = isinstance(given[0].kind, Array) and given[0].kind.of != BOOL  # of flags NumPy's have 16 bits
+    if len(given) == 1 and name not in OF_TWO and numbers:
         return Code(f"mapped(Real,x=>{writer.libm(node, name, 'x')},{given[0].text})", Array(FLOAT, given[0].kind.ndim))
     return None
 

@@ -326,7 +326,8 @@ const sumOfReals = a => {
 }
 const meanOf = a => divided(sumOfReals(a), a.size)
 const sumOfWholes = list => list.reduce((sum, x) => whole(sum + x), 0)
-const sumInTurn = list => list.length ? list.reduce((sum, x) => sum + x, 0) : doubt('the sum of no real numbers')
+const sumInTurn = (list, checked = x => x) =>
+  list.length ? list.reduce((sum, x) => checked(sum + x), 0) : doubt('the sum of no real numbers')
 // From Python 3.12 on `sum` keeps what rounding loses, but not for numbers of NumPy's.
 const sumInDoubt = list => {
   let sum = 0, lost = 0
