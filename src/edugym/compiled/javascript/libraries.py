@@ -195,9 +195,9 @@ def of_numpy(writer: Operations, node: ast.AST, name: str, given: Given, named: 
 def _elementwise_libm(writer: Operations, node: ast.AST, name: str, given: Given) -> Code | None:
     if len(given) == (2 if name in OF_TWO else 1) and all(one.kind in NUMBERS for one in given):
         return Code(writer.libm(node, name, *(one.text for one in given)), FLOAT)
-    numbers = isinstance(given[0].kind, Array) and given[0].kind.of != BOOL  # of flags NumPy's have 16 bits
-    if len(given) == 1 and name not in OF_TWO and numbers:
-        return Code(f"mapped(Real,x=>{writer.libm(node, name, 'x')},{given[0].text})", Array(FLOAT, given[0].kind.ndim))
+    kind = given[0].kind if len(given) == 1 else None
+    if name not in OF_TWO and isinstance(kind, Array) and kind.of != BOOL:  # of flags NumPy's have 16 bits
+        return Code(f"mapped(Real,x=>{writer.libm(node, name, 'x')},{given[0].text})", Array(FLOAT, kind.ndim))
     return None
 
 
