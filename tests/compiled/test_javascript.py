@@ -47,6 +47,7 @@ REFUSED_HERE = {
     "power": "a power of real numbers",
     "large whole numbers rounded": "more than 53 bits",
     "median of large whole numbers": "more than 53 bits",
+    "parts of lists": "several places of a list at once",
     "numbers with a step": "it uses np.arange like this",
 }
 """Programs that machine code can do and JavaScript cannot, and a word of the sentence that says why."""

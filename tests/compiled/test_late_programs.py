@@ -58,6 +58,9 @@ KEPT = {
     "sum of a list": late("x = sum([0.1 * k, 2]) - sum([k, 1])"),
     "power": late("x = pow(2, 3 + k % 3) + 3 ** (k % 5) + pow(0.5, k)"),
     "squares of whole numbers": late("x = float((self.N ** 2).sum())"),
+    "parts of lists": late(
+        "r = [k, 1, 2]\nr[1:] = [3] * k\nr[:1] = r[::-1]\nr[:1] = sorted(r)\nr += r\nx = 0.5 * sum(r)"
+    ),
     "what is only read": late("x = G[0] + p.a[1] + pair[0][k % 2] + self.M[0][1]"),
     "what a class has": late("x = self.A[k % 4] + self.m + (1 if self.kind == C.G else 2)"),
     "large whole numbers rounded": late(
@@ -110,6 +113,9 @@ REPEATED |= {
         "a sum of what may be whole": "x = sum([2 ** 53 if k > 7 else 0.5, 1, 1]) % 7",
         "2^53 that may be whole, and one": "y = 2 ** 53 if k > 7 else 0.5\nx = (y + 1) % 7",
         "a product rounded to 2^53": "y = 3002399751580331 if k > 7 else 0.5\nx = (y * 3) % 7",
+        "large whole numbers that extend a list": "r = [0.5]\nr.extend([2 ** 53 + 1, k])\nx = r[1] % 7",
+        "whole numbers of a range in a list": "r = [0.5]\nr.extend(range(2 ** 53 + 1, 2 ** 53 + 2))\nx = r[1] % 7",
+        "large whole numbers added to a list": "r = [0.5]\nr += [2 ** 53 + 1]\nx = ([0.5] + r)[2] % 7",
         "the same NaN found": f"{SAME_NAN}r[0] = y\nx = float(r.index(y))",
         "the same NaN removed": f"{SAME_NAN}r[0] = y\nr.remove(y)\nx = r[0]",
         "large whole numbers removed": "r = [2.0 ** 53, 0.5]\nx = float(r.count(2 ** 53 + 1))",
@@ -179,6 +185,13 @@ REFUSED = {
     "whole numbers from real ones": (late("x = np.arange(0.5, 9, 1.5, dtype=int)[2] + 0.5"), "Numba has no np.arange"),
     "short numbers in a row": (late("self.Q[:2, 0] = np.arange(0.4, 2, dtype=np.float32)"), "Numba has no np.arange"),
     "bytes full of 200": (late("self.N[:2] = np.full(2, 200, np.int8)"), "may not fit in an array of int8"),
+    "list of whole numbers, and real ones added": (
+        late("r = [1]\nr += [2.5]\nx = r[1] + 0.5"),
+        "puts a real number in a list",
+    ),
+    "number in a list of flags": (late("r = [True, False]\nr[0] = 2\nx = sum(r) + 0.5"), "mixes True or False"),
+    "lists of flags and of numbers": (late("r = [True] + [2]\nx = sum(r) + 0.5"), "mixes True or False"),
+    "list in a part of itself": (late("r = [1.0, x]\nr[1:] = r\nx = r[2]"), "it puts a list in a part of a list"),
     "bytes of large numbers": (late("self.N[:2] = np.array([300, k], np.int8)"), "may not fit in an array of int8"),
     "functions of flags": (late("self.Q[:4, 0] = np.exp(self.N > 1)"), "it gives True and False where numbers"),
     "sorted by a key": (late("x = 1.0 * sorted(range(40), key=mixed)[3]"), "it sorts by a key"),

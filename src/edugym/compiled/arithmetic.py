@@ -369,6 +369,24 @@ def _choose_order(values: Any) -> Function:
     return of_reals if getattr(values, "dtype", None) == REAL else lambda values: None
 
 
+def require_exact(values: Any) -> None:
+    """Raises an error for whole numbers that are no real ones, where they are put in a list of real ones."""
+    raise NotImplementedError
+
+
+def _choose_exact(values: Any) -> Function:
+    check = CHECK_EXACT.function
+
+    def of_wholes(values: Any) -> None:
+        for value in values:
+            check(value)
+
+    kind = getattr(getattr(values, "iterator_type", None), "yield_type", None)
+    if kind == INT:
+        return of_wholes
+    return (lambda values: require_plain(values)) if isinstance(values, types.Tuple) else lambda values: None
+
+
 def require_no_least(values: Any) -> None:
     """Raises an error for the least whole number of 64 bits: divided by -1 it is 0 in Numba's arrays alone."""
     raise NotImplementedError
@@ -389,6 +407,7 @@ def _choose_no_least(values: Any) -> Function:
     return of_array if values.dtype == INT else lambda values: None
 
 
+extending.overload(require_exact, strict=False)(_choose_exact)
 extending.overload(require_no_least, strict=False)(_choose_no_least)
 extending.overload(require_plain, strict=False)(_choose_plain)
 extending.overload(require_order, strict=False)(_choose_order)

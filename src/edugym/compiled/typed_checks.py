@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numba.core import ir, ir_utils, types
 
-from edugym.compiled.arithmetic import CALLED, require_no_least, require_order, require_plain
+from edugym.compiled.arithmetic import CALLED, require_exact, require_no_least, require_order, require_plain
 from edugym.compiled.mixed_numbers import follow_mixed
 from edugym.compiled.number_kinds import COMPARED, as_number, holds_real, method_name
 from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
@@ -69,12 +69,39 @@ def check_typed(state: Any) -> bool:
                 _check_index(kinds[statement.index.name], statement.loc)
             target, value = kinds[statement.target.name], kinds[statement.value.name]
             if isinstance(target, types.List):
-                _require_no_flags([statement.value], target.dtype, kinds, statement.loc)
+                _check_put_in_list(state.func_ir, statement, kinds)
             if isinstance(target, types.Array):
                 _check_stored(target, value, statement.loc)
             if isinstance(value, types.Array) and _stores_itself(state.func_ir, statement):
                 block.body.remove(statement)  # it would need memory and reference counts
     return True
+
+
+def _check_put_in_list(func_ir: Any, statement: Any, kinds: Any) -> None:
+    """Refuses flags among numbers and numbers among flags, and a list in a part of what may be the same list."""
+    target, value = kinds[statement.target.name], types.unliteral(kinds[statement.value.name])
+    _require_no_flags([statement.value], target.dtype, kinds, statement.loc)
+    if _is_boolean(target.dtype) and isinstance(value, types.Number):
+        refuse("it mixes True or False with numbers", statement.loc)
+    if isinstance(value, types.List) and not _is_new_list(func_ir, statement.value, kinds):
+        found = "it puts a list in a part of a list, which may be the same one"
+        refuse(f"{found}: put a copy there, as in row[1:] = other[:]", statement.loc)
+
+
+def _is_new_list(func_ir: Any, variable: Any, kinds: Any) -> bool:
+    """Whether a list was just made, so that it has no other name."""
+    made = variable
+    while isinstance(made, ir.Var):
+        if not made.is_temp:
+            return False
+        defined = func_ir._definitions[made.name]
+        made = defined[0] if len(defined) == 1 else None
+    op = getattr(made, "op", "")
+    if op == "call":
+        return getattr(kinds[made.func.name], "typing_key", None) in (list, sorted)
+    if op in ("getitem", "static_getitem"):
+        return isinstance(kinds[made.value.name], types.List)
+    return op in ("build_list", "binop")
 
 
 def _to_check(func_ir: Any, expr: Any, kinds: Any) -> Iterator[tuple[Any, Any]]:
@@ -91,10 +118,19 @@ def _to_check(func_ir: Any, expr: Any, kinds: Any) -> Iterator[tuple[Any, Any]]:
             name = method_name(called.typing_key)
             if name == "sort":
                 yield require_order, ir_utils.get_definition(func_ir, expr.func).value
+            elif name == "extend" and holds_real(called.this):
+                yield require_exact, expr.args[0]
             elif name in ("count", "index", "remove") and holds_real(called.this):
                 yield from ((require_plain, one) for one in expr.args[:1])
+    elif expr.op in ("binop", "inplace_binop") and any(map(holds_real, _lists(expr, kinds))):
+        yield from ((require_exact, one) for one in (expr.lhs, expr.rhs) if isinstance(kinds[one.name], types.List))
     elif expr.op in ("binop", "inplace_binop") and _may_divide_by_minus_one(expr, kinds):
         yield require_no_least, expr.lhs
+
+
+def _lists(expr: Any, kinds: Any) -> list[Any]:
+    """The types of those operands that are lists."""
+    return [kinds[one.name] for one in (expr.lhs, expr.rhs) if isinstance(kinds[one.name], types.List)]
 
 
 def _may_divide_by_minus_one(expr: Any, kinds: Any) -> bool:
@@ -350,6 +386,12 @@ def _check_operator(expr: Any, result: Any, kinds: Any, calltypes: Any, loc: Any
     if function in (operator.is_, operator.is_not) and not any(isinstance(kind, types.NoneType) for kind in both):
         refuse("it compares with 'is'", loc)
     _check_whole_arrays(function, expr.rhs, both, plain, kinds, loc)
+    if len(lists := _lists(expr, kinds)) == 2 and function is operator.add:
+        first, second = (kind.dtype for kind in lists)
+        if _is_boolean(first) != _is_boolean(second):
+            refuse("it mixes True or False with numbers", loc)
+        if expr.op == "inplace_binop" and isinstance(second, types.Float) and not isinstance(first, types.Float):
+            refuse("it puts a real number in a list of whole ones: write 0.0 for 0, and so on", loc)
     if isinstance(both[0], types.Array) and expr.op == "inplace_binop":
         if not both[0].mutable:
             refuse(FROZEN, loc)
