@@ -27,6 +27,7 @@ def make(table):
     return write
 write, lib = make(np.zeros(1)), np
 def fill(row): row[0] = 1
+def grow(row, v): row += [v]
 @njit(fastmath=True)
 def fast(row): return row[0] * 0.1 + row[1] * 0.1
 def apply(f, x): return f(x)
@@ -116,6 +117,7 @@ REPEATED |= {
         "large whole numbers that extend a list": "r = [0.5]\nr.extend([2 ** 53 + 1, k])\nx = r[1] % 7",
         "whole numbers of a range in a list": "r = [0.5]\nr.extend(range(2 ** 53 + 1, 2 ** 53 + 2))\nx = r[1] % 7",
         "large whole numbers added to a list": "r = [0.5]\nr += [2 ** 53 + 1]\nx = ([0.5] + r)[2] % 7",
+        "2^53 and one in a list with two names": "r = [0.5]\nq = r\nr += [k, 1]\nx = (q[2] + 2 ** 53) % 7",
         "the same NaN found": f"{SAME_NAN}r[0] = y\nx = float(r.index(y))",
         "the same NaN removed": f"{SAME_NAN}r[0] = y\nr.remove(y)\nx = r[0]",
         "large whole numbers removed": "r = [2.0 ** 53, 0.5]\nx = float(r.count(2 ** 53 + 1))",
@@ -185,6 +187,7 @@ REFUSED = {
     "whole numbers from real ones": (late("x = np.arange(0.5, 9, 1.5, dtype=int)[2] + 0.5"), "Numba has no np.arange"),
     "short numbers in a row": (late("self.Q[:2, 0] = np.arange(0.4, 2, dtype=np.float32)"), "Numba has no np.arange"),
     "bytes full of 200": (late("self.N[:2] = np.full(2, 200, np.int8)"), "may not fit in an array of int8"),
+    "list in a helper, in place": (late("r = [0.5]\ngrow(r, k)\nx = r[1]"), "whole number in a list"),
     "list of whole numbers, and real ones added": (
         late("r = [1]\nr += [2.5]\nx = r[1] + 0.5"),
         "puts a real number in a list",

@@ -121,8 +121,10 @@ class _Followed:
                 "static_getitem",
                 "getitem",
                 "exhaust_iter",
+                "inplace_binop",
             ):
-                for other in [value] if isinstance(value, ir.Var) else value.list_vars():
+                same = value.lhs if op == "inplace_binop" else value  # the list that it changes is its result
+                for other in [same] if isinstance(same, ir.Var) else value.list_vars():
                     if holds_list(self.kind(other)) and self._root(other.name) != self._root(target):
                         self.group[self._root(other.name)] = self._root(target)
             elif op in ("build_list", "call", "binop"):
@@ -133,8 +135,20 @@ class _Followed:
             target = self.kind(statement.target)
             if isinstance(target, types.List) and holds_real(target) and self.may_be_whole(statement.value):
                 self._put(statement.target, statement.loc)
+        elif isinstance(statement, ir.Assign) and self._extends_by_whole(statement.value):
+            self._put(statement.target, statement.loc)
         elif isinstance(statement, ir.Assign) and self._gives_mixed(statement.target, statement.value, statement.loc):
             self._add(statement.target)
+
+    def _extends_by_whole(self, value: Any) -> bool:
+        """Whether it adds a list with whole numbers to a list of real ones, in place."""
+        if getattr(value, "op", "") != "inplace_binop" or not holds_list(self.kind(value.lhs)):
+            return False
+        return (
+            holds_real(self.kind(value.lhs))
+            and isinstance(self.kind(value.rhs), types.List)
+            and self.may_be_whole(value.rhs)
+        )
 
     def _put(self, variable: Any, loc: Any) -> None:
         """A whole number is put in a list of real ones."""
