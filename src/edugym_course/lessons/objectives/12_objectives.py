@@ -133,7 +133,7 @@ how_many.measured(len(set(by_price)))
 figures.by_weights()
 
 # %% [markdown]
-# So "a weighted sum finds every compromise, if you only try enough weights" is wrong. It finds the points of the *convex hull*: those that
+# So "a weighted sum finds every compromise, if you only try enough weights" is wrong. It finds the corners of the upper edge of the *convex hull*: those that
 # a straight line can touch from above. At concavity 1 these are two of nine, all or nothing.
 
 # %% [markdown]
@@ -163,7 +163,7 @@ sliders(figures.one_weight, price=(0.5, 8.0, 0.25), concavity=(0.0, 1.0, 0.25))
 figures.front(1.0, distance=(1.0, 12.0))
 
 # %% [markdown]
-# The weights are 1 for the value and 12 for time, and the lower edge of the box touches treasure 2. A box reaches into a dent, where a line cannot. The agent is Q-learning with a
+# The weights are 1 for the value and 12 for time, and the lower edge of the box touches treasure 2. (The dashed lines are as far from $\mathbf{z}$ as this treasure.) A box reaches into a dent, where a line cannot. The agent is Q-learning with a
 # vector for each action. Its best action is the closest. (In the code `best_returns` is $\mathbf{z}$, as far as the dives so far have
 # shown it, and `margin`, 0 here, can put it farther out. `total` is what this dive has brought so far, and `closeness` is $-d$ of each action.
 # `vector_of_best` takes the vector of the closest action.)
@@ -309,7 +309,7 @@ dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 els
 # vectors, by a distance, or by what you will write below.
 #
 # ### What learning costs
-# Back to concavity 0, where in the end every dive is short enough. The price begins at 0, so the first dives are long. What if it begins at 30,
+# Back to concavity 0, where in the end every dive is short enough. The price begins at 0, and many of the first dives are long. What if it begins at 30,
 # at which no treasure is worth its steps?
 #
 # **Predict.** How does this change the number of dives that take too long, in the whole training?
@@ -448,7 +448,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # ### From a blank file: seven steps, and not one more
 # Write a program that learns the most valuable dive of *at most seven steps*. No package of agents, only Gymnasium and NumPy.
 # `my_program(environment, n_steps, seed)` takes `n_steps` steps in all, episode after episode, and returns its policy: a function from a
-# state to an action. It calls `reset` only at the beginning and when an episode is over.
+# state to an action, always the same one for a state. It calls `reset` only at the beginning and when an episode is over.
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no

@@ -92,7 +92,7 @@ for k in range(8):
 #
 # ### Correct what you believe
 # The *doubly robust* estimate begins with values $Q$ that somebody believes in, and lets the data correct them. From the end of each
-# night to its start, with $V_{\text{DR}} = 0$ at the end, $\rho$ of one step and $V(s) = \sum_a \pi(a \mid s)\, Q(s, a)$:
+# night to its start, with $V_{\text{DR}} = 0$ at the end, $\rho = \pi(A \mid S) / b(A \mid S)$ of this one step, and $V(s) = \sum_a \pi(a \mid s)\, Q(s, a)$:
 #
 # $$
 # V_{\text{DR}} \leftarrow V(S) + \rho\, \bigl( R + V_{\text{DR}} - Q(S, A) \bigr)
@@ -110,7 +110,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 # %% [markdown]
 # The number after ± is the standard error. The last number is the *effective* number of nights, $(\sum \rho)^2 / \sum \rho^2$: here those whose weight is not 0, since all these weights are equal ($1.5^8$). Of 1 000 nights
 # 44 follow the best clock to their end. (The last two estimates also use the beginnings of nights that leave it later.
-# The $Q$ of the doubly robust one is fitted to these same nights, so it may have a small bias.)
+# The $Q$ of the doubly robust one is fitted to these same nights, as below but with the mean over $\pi$ for the maximum, so it may have a small bias.)
 #
 # ### Learn from the data alone
 # *Fitted Q-iteration* is Q-learning without interaction. It goes through all steps of the log-book at once, again and again:
@@ -229,7 +229,7 @@ print(f"promised {learned.start:.1f}, kept {policy_evaluation(model, learned.gre
 
 # %% [markdown]
 # At $(6, 2)$ the good clock has always chimed. Its value is −0.7 by the data (in truth it is lower still). Nobody has tried to stay quiet or to ring there, so both keep
-# their 0, and 0 is more. The maximum takes it. At $(5, 2)$ somebody stayed quiet once, and got 2; the target adds the 0 of the
+# their 0, and 0 is more. The maximum takes it (where several values are equal, this policy takes each equally often). At $(5, 2)$ somebody stayed quiet once, and got 2; the target adds the 0 of the
 # next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps in most nights of the learned clock.
 #
 # Could the estimates from above have warned? Let us ask them what the learned policy is worth:
@@ -365,8 +365,10 @@ counting.measured(longer.effective.mean())
 #
 # **Measured.** About 8. Each further step takes a third of what is left: the number of nights that an estimate needs grows exponentially with the length of
 # a night. So on a long task importance sampling of whole episodes is hopeless unless $b$ is close to $\pi$. This is one reason to learn values instead,
-# although they are biased. The figure shows how far each estimate is off on nights of 8 steps. The ordinary one is the worst; the weighted one and the doubly robust one are about equally good here, and *per decision* lies between:
+# although they are biased.
 # </details>
+#
+# The figure shows how far each estimate is off on nights of 8 steps. The ordinary one is the worst; the weighted one and the doubly robust one are about equally good here, and *per decision* lies between (at 1000 nights 20 repetitions do not show it):
 
 # %%
 nights = {n: methods.judged(n_nights=n, repetitions=20) for n in (300, 1000, 3000, 10_000)}

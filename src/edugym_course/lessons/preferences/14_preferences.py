@@ -60,8 +60,7 @@ play(Morning())
 # %% [markdown]
 # The clock comes from a factory. Half of the time it does what is best, half of the time it presses a button at random. This is
 # the *reference policy* $\pi_{\text{ref}}$. A language model that imitates texts is such a policy: not good enough, but
-# far better than chance. (We make it from the optimum, so it knows a part of what is meant. With random
-# buttons as the reference the penalty would not help: the meant return then rises to the end. More comparisons and asking in rounds help there, too.)
+# far better than chance. (We make it from the optimum, so it knows a part of what is meant.)
 
 # %%
 model = finite_model(Morning())
@@ -158,11 +157,10 @@ for penalty in (30.0, 3.0, 1.0):
 # | comparisons | 100 pairs of nights of the reference policy, $\tau = 1$ |
 # | learned reward | a table, prior 0.1 |
 # | policies | the best ones for $\beta$ from 30 to 0.1, and for $\beta = 0$; all returns are exact |
-# | the fall | the meant return with $\beta = 0.5$ less that with $\beta = 0$ (with the sliders we count from the highest point) |
 # | repetitions | 100, each with other nights and other preferences (20 with 3 000 comparisons); bands are 95 % intervals |
 #
-# The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The dashed line is
-# the best gain over the reference that there is, 10.1. Learned returns come out smaller than meant ones (the prior shrinks them), so look at where a line rises and falls, not at its height.
+# The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The thin black dashed line at the top is
+# the best gain over the reference that there is, 10.1. Learned and meant gains are on different scales, so look at where a line rises and falls, not at its height.
 #
 # **Predict.** We lower the penalty, so that the policy follows the learned reward more and more. What does the *meant* return do?
 
@@ -207,7 +205,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# From its highest point the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
+# From its highest point (printed falls begin at $\beta = 0.5$) the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
 # was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
 # </details>
@@ -236,7 +234,7 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # %% [markdown] tags=["aside"]
 # ### Aside: why both promise only half
 # The luck of a step shows in the state that comes next, which has a reward of its own in the table. But after the last step
-# none comes: whether she is awake at 8:30 looks like noise.
+# none comes: whether she is awake at 8:30 looks like noise. And rewards are learned in units of the noise, so more of it makes all of them smaller.
 #
 # We test this with two teachers. For one, only the last step has no luck: it brings what it brings *on average*. For the other, all steps but the last are so. If the reason is right, the answers of the first
 # promise the best clock about its whole gain of 10.1, and those of the second do not:
@@ -457,7 +455,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
 # - A night has no discount: what comes late counts in full.
 #
-# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (ours makes 500).
+# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds.) Then it lets three *other* teachers answer, who want something
 # else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.

@@ -223,7 +223,7 @@ who.measured(who.options[options.get(close, 3)])
 # comes down slowly. It includes random actions: with as many of them even safe policies have 0.19. (In zero-sum games of one move it is known to reach the equilibrium; this simple
 # form of it has no such guarantee in games of many steps.)
 #
-# Look at the returns, too: about 0 for all. Both players of a pair get better, and what one wins the other
+# Look at the returns, too: about 0 for all. What one of a pair wins the other
 # loses. Who judges these players by their learning curves sees no difference. Only a *stranger* finds out who is not safe.
 # </details>
 
@@ -248,7 +248,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # <details><summary>What came out</summary>
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1, if they explore, both end up talking, and the
-# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. With the small rate learning alone is harmless there. But it is not good: both get 1, and could
+# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. So learning alone is harmless there, but not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and it depends on
 # the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (The lines begin with an estimate: what a player does whose values are all equal is drawn 100 times.)
 # </details>
@@ -299,7 +299,7 @@ for name, run in {"both learn": both_learn, "player 1 never learns": one_learns}
 figures.cycle()
 
 # %% [markdown]
-# Right of the vertical line player 0 shows heads, and above the horizontal line player 1 does. Where the lines cross both sides look equally good to both: there is the
+# Right of the vertical line player 0 shows heads, and above the horizontal line player 1 does. Where the lines cross both sides look equally good to both, as in the
 # equilibrium. The learners run round it, and never stay.
 #
 # ### Where a policy without chance is weak
@@ -382,7 +382,7 @@ for pair in learned.agents["Q-learning, each alone"].values():
     )
     print(
         f"exploitability {methods.gains(field, own, 0.9):.2f};"
-        f" with a safe policy in the 56 states {there:.2f}, in all others {elsewhere:.2f}"
+        f" safe only in the 56 states {there:.2f}, safe everywhere but there {elsewhere:.2f}"
     )
 
 # %% [markdown]
@@ -419,8 +419,8 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 #
 # **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
 # loses hardly anything to it. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these states it has never been: all its values there are still 1, and it draws any action. In the others it seldom is:
-# against its teacher 3 to 5 % of its steps begin there. A challenger leads it, in 9 to 42 % of the steps, into states of both kinds. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
-# does not make a safe pupil. So a world that stands still was not enough: with best answers everywhere, though still without chance, it would lose those 0.15, and the rest is lost by wrong actions.
+# against its teacher 3 to 5 % of its steps begin there. A challenger leads it, in 9 to 42 % of the steps, into such states, never visited or seldom. With best answers in these states, too, a challenger would win about 0.15, much less. A safe teacher
+# does not make a safe pupil. So a world that stands still was not enough: with best answers to the teacher everywhere it would lose those 0.15, since such an answer need not be safe; the rest is lost by wrong actions.
 # </details>
 
 # %% [markdown]
