@@ -107,7 +107,7 @@ for n in (2, 4, 6, 8, 10, 13):
 #
 # Which goals $g'$? Two strategies are usual. 'final' takes what the last step achieved. 'future' draws, for each step and $k$
 # times, one of the steps from there on, and takes what it achieved. (In the code both return the number of that step; `draw` is
-# a random number from 0 to 1.)
+# a random number from 0 to below 1.)
 
 # %%
 source(FinalGoal.achieved_after)
@@ -140,7 +140,7 @@ for row, action in np.argwhere(agent.Q != -9.0):
 # ### The same for a network
 # A table learns each pair of a state and a goal alone. A network that sees both patterns has one set of weights for all
 # pairs. `HindsightDQN` is the DQN of lesson 4; its memory gets each transition again, with other goals.
-# (`row` is the place of a transition there, and `goal_row` that of the step whose pattern becomes its goal.)
+# (Here `row` is the place of a transition in it, no longer a pair, and `goal_row` that of the step whose pattern becomes its goal.)
 
 # %%
 source(HindsightDQN.remember_for)
@@ -325,7 +325,7 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 #
 # **Measured.** Nothing. A goal from elsewhere is nearly always missed, too. What helps are goals that
 # were *achieved*, since their transitions have the rewards. With seven and with nine switches it learned next to nothing in this time, either. (But a few rewards are better than none: with seven switches and 60 000 steps all of nine runs returned
-# −2.3 to −6.5, and without hindsight −6.6 or less. With eight switches and ten times the time such goals gave nothing either.)
+# −2.3 to −6.5, and without hindsight about −6.5 or less. With eight switches and ten times the time such goals gave nothing either.)
 # </details>
 
 # %% [markdown]
@@ -357,7 +357,7 @@ tabular.measured(both.final("future").mean())
 # $-8$: this table returns about −5.2 with 'future', and about −7.8 without hindsight.
 #
 # It is still far behind the network. It makes at most 75 000 updates for its 524 288 numbers, and each tells of one pair
-# alone. (With 'future', seven switches, a quarter of the pairs and first values of −7, a table came to −3.3; the best is −2.5.) The network has
+# alone. (Seven switches have a quarter of the pairs; there, with 'future' and first values of −7, a table came to −3.3, and the best is −2.5.) The network has
 # *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others are.
 # </details>
 

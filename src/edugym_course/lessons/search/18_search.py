@@ -57,7 +57,7 @@ for action, name in enumerate(shop.action_names):
 # V_d(s) = \max_a \sum_{s'} p(s' \mid s, a) \left[ r + \gamma V_{d-1}(s') \right], \qquad V_0(s) = 0.
 # $$
 #
-# (Nothing follows where the task has ended.) Before each step, compute this for each action, take the best one, and forget the rest. It needs no table and no learning. (Exercise 3
+# (Nothing follows where the task has ended.) Before each step, compute the sum behind the maximum for each action, take the best one, and forget the rest. It needs no table and no learning. (Exercise 3
 # is to write it.) But with $b$ actions there are $b^d$ ways to go on. For 20 steps in the shop these are $4^{20}$, a million millions.
 # Only where many ways lead to the same few states is there a short cut: $d$ sweeps of value iteration give $V_d$ of all states at once. So we can compute below what the
 # exact look-ahead gets in this shop. In a large task nobody can.
@@ -145,7 +145,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 
 # %% [markdown] tags=["aside"]
 # ### Aside: UCT plays soccer
-# Soccer (lesson 13) against an opponent who always runs towards the goal in which it scores. The model of UCT contains this opponent ($c = 1$, since a game brings −1, 0 or 1; 200 games for each number). With a contact of 1, who runs into the other with the ball always loses it; with 0.5, every second time.
+# Soccer (lesson 13) against an opponent who always runs towards the goal in which it scores. The model of UCT contains this opponent ($c = 1$, since a game brings −1, 0 or 1; 200 games for each number). With a contact of 1, who has the ball and runs into the other always loses it; with 0.5, every second time.
 
 # %%
 print("simulations          " + "".join(f"{number:7}" for number in (5, 10, 30, 100, 300)) + "   exact look-ahead")
@@ -188,7 +188,7 @@ sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 # %% [markdown]
 # ### What holds UCT back?
 # Why does it stay near 80? There are two suspects: the random roll-outs, by which it judges new nodes, and $c$. So let us take them away. In place of a roll-out we tell each new
-# node what it is worth, exactly: if one plays at random from there on, or if one plays well. And we take a smaller $c$.
+# node what it is worth, exactly: if one plays at random from there on (without an end at step 20), or if one plays well. And we take a smaller $c$.
 
 # %%
 print("new nodes are judged by      c = 10   c = 1")
@@ -235,8 +235,8 @@ crowded.measured(crowds[16].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). Is the tree to blame, which has 16 branches at each node now? Or
-# the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. Branches that
-# *repeat* the four directions do much less harm than that (67). (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 10, and 52 and 74 with one of the two.) This may be one reason why programs that play well seldom roll out at random: they
+# the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. If the twelve
+# *repeat* the four directions instead, UCT gets 67. (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 10, and 52 and 74 with one of the two.) This may be one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
@@ -292,7 +292,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells, three change nothing; in two 20 steps lose (33 and 53); in two both looks lose (80 to 150), and 20 steps still get more than 8.
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells, three change nothing; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
