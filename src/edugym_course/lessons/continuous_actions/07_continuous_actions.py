@@ -368,12 +368,11 @@ source(TileCoding.see)
 # \theta_k \leftarrow \theta_k + \alpha^\theta\, \delta\, \frac{A_k - \mu_k(S)}{\sigma^2}\, x(S)
 # $$
 #
-# $\gamma V(S')$ is 0 if $S'$ is terminal. The code differs from these lines in four points:
+# $\gamma V(S')$ is 0 if $S'$ is terminal. They leave out the factor $\gamma^t$ of REINFORCE, as is usual, and
+# an update of $\sigma$, which is fixed here. (PPO, in an aside, learns it.) The code differs from these lines in two points:
 #
 # - It divides both rates by the number of grids, `at_once`, since so many features are 1 at a time.
-# - It leaves the factor $\gamma^t$ of REINFORCE out, as is usual.
 # - The arm gets a drawn action beyond ±1 as ±1; the agent learns from what it drew.
-# - Its $\sigma$ is fixed. (PPO, in an aside, learns it.)
 
 # %%
 source(GaussianActorCritic.learn)

@@ -454,7 +454,7 @@ source(dqn.adam)
 # (A tile is at most two columns wide, and two or three rows of the board high. SARSA takes the value of the next action
 # in place of the maximum. Each agent has ten runs, and 20 test balls from each column.)
 #
-# **Predict.** How many of the six catch at least 9 of 10 balls from the columns that they never saw? (This takes about
+# **Predict.** How many of the six catch, on average over their runs, at least 9 of 10 balls from the columns that they never saw? (This takes about
 # 20 seconds.)
 
 # %%
@@ -541,8 +541,8 @@ for column in tasks.WITHHELD:
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 nearly half of its runs
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
-# Weights exist that catch every ball: try to find them. In 60 runs with each of four learning rates Q-learning found
-# none.
+# Weights exist that catch every ball: try to find them. Even where balls fall from all five columns in training, Q-learning ends with
+# such weights in few runs: in about one of ten with $\alpha = 0.02$.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: can a network share more?
@@ -895,7 +895,7 @@ display(races.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
 #   transitions take the places of the oldest.
 #
 # The race shows your network beside the lesson's (thin lines: 2 runs of 8 000 steps). If your draw is the lesson's, the
-# two lines lie on each other; another fair draw gives another line. It takes a minute to compile your class, and some
+# two lines lie on each other; any other fair draw is right, too, and gives another line. It takes a minute to compile your class, and some
 # minutes to run one that cannot be compiled (such as one with a generator, `max(... for a in ...)`).
 #
 # <details><summary>Hint</summary>The lines of <code>add_gradient</code> and <code>act</code> of DQN do the same:

@@ -203,7 +203,7 @@ pictures.recurrent_cell()
 # | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
 #
 # The dotted lines show the best play that we could find for each window. It looks at the window alone, and may guess. A
-# computer has searched for it: for each window it picks the door that adds most to the mean return over all sequences
+# computer has searched for it: for everything that can stand in the window it picks the door that adds most to the mean return over all sequences
 # of doors, given what it does in all other windows, until nothing gets better. (The optimum with full memory, 1 000, is
 # far above the panels.)
 #
@@ -368,7 +368,7 @@ for length in range(3, 9):
 # ### Aside: where the law with actions comes from
 # Say that corridor $L$ is the longest one that must be played without an error.
 #
-# - In every *shorter* corridor the agent must see two marks, to know its length. That is hardest at the last unmarked
+# - In every *shorter* corridor the agent must see two marks, to know its length (in corridors 1 and 2 the copies at the start stand in for one). That is hardest at the last unmarked
 #   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above is this moment
 #   for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
 #   $2L - 3$.
@@ -501,7 +501,7 @@ figures.twin_figure(8, 6, actions=True)
 # Three things come together.
 #
 # 1. Every right door of corridors 6 and 7 is still *in* the window of 7: it was opened 5 or 6 steps ago. What is
-#    missing is the second mark, which tells how long the corridor is.
+#    missing (but at the first place of corridor 6) is the second mark, which tells how long the corridor is.
 # 2. The actions tell it as well, most of the time. In a corridor of length $L$, each door that the agent has just
 #    opened on this walk is the door that it opened $L - 1$ steps before. A wrong length fits only by chance, in one
 #    case of three for each door that can be compared. In the last figure it fits, and even a window of 8 is not enough:
@@ -737,7 +737,7 @@ display(figures.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_step
 # what `update` does.) It gets the `notes` (an array, at first with $N$ in every line, for "nothing"), the present
 # `place`, what was `seen` there (the marked door, or $N$ for no mark), and the `action`. It does two things:
 #
-# - It writes the door that was opened into the line of the place. (`notes` is a copy already, so change it in place.)
+# - It writes the door that was opened into the line of the place. (Unlike in exercise 2 `notes` is a copy already, so change it in place.)
 # - It returns the next place: one further, or 0 if this was the last place of the corridor. How does the agent know
 #   that?
 #

@@ -432,9 +432,8 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # </details>
 
 # %% [markdown]
-# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Then only
-# random steps leave that way, and the planner goes straight back. Q-learning wanders about for long, and sees
-# everything. A likely reason: the better an agent plans, the earlier it *exploits*, and the less it gets to know. If
+# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Q-learning wanders about for long, and comes to
+# every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The better an agent plans, the earlier it *exploits*, and the less it gets to know. If
 # so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
@@ -480,7 +479,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # The second remedy is to *plan* for what is not known. **R-max** (Brafman and Tennenholtz, 2002) believes that all it has
 # not tried is wonderful. A pair $(s, a)$ is *known* when it was tried $m$ times ($m = 1$ is right where nothing is random).
 # Known pairs have the values of value iteration with the learned model $\hat p$, $\hat r$. All others have the value
-# $U = 100$, which is more than any return in this shop:
+# $U = 100$, which is more than any value in this shop:
 #
 # $$
 # Q(s, a) = \begin{cases}
@@ -620,8 +619,8 @@ never.measured(100 * len(lost) / 40)
 
 # %% [markdown]
 # See what a plan does; each `draw` gives the model other errors. (With noise 0 the model is right. Even then the plan
-# leaves out one item where $\gamma$ is 0.94 or less, and two where it is 0.89 or less. The way round by an item makes the
-# exit come later, and its 50 lose more by discounting than the item brings.)
+# leaves out one item where $\gamma$ is 0.94 or less, and two where it is 0.89 or less. The way round by an item costs steps and
+# makes the exit come later: together that is more than the item brings.)
 
 # %%
 sliders(maps.wrong_plan, noise=(0.0, 3.0, 0.25), draw=(0, 20), gamma=(0.8, 0.99, 0.01))
@@ -657,7 +656,7 @@ saved.measured(saved.options[slow + 2 * fast])
 # and of eleven updates ten are imagined. With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are
 # spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often, reality
 # wins: a bump that disappoints again and again is given up. If that is the reason, then more imagined steps should turn
-# it round. They do: with 200 for each real one the wrong model wins in many runs, also with $\alpha = 0.1$. With the right
+# it round. They push that way: with 200 for each real one 9 of 24 runs never get to the exit, and with 10 none; but most still do. With the right
 # model (left) the small rate is the slowest, and at the end 9 of its 24 runs still leave an item out. What is best
 # depends on how far you trust your model.
 # </details>

@@ -467,7 +467,7 @@ decay.measured(
 # </details>
 
 # %% [markdown]
-# SARSA's ten agents go on for 20 000 steps with $\varepsilon = 0.001$, as they are, and with the fast run on purpose in 10 %
+# SARSA's ten agents go on twice for 20 000 steps with $\varepsilon = 0.001$: as they are, and with the fast run on purpose in 10 %
 # of the episodes. With these tries most change.
 
 # %%
@@ -595,8 +595,8 @@ stop.measured(np.mean(methods.stopping_places(zone, "SARSA", stop_zone=2)))
 #
 # **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in about half of
 # its runs. This is the picture that the paper draws of the two. Expected SARSA stops in cell 8 in all its runs, which
-# is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again: a slip takes up to $0.1 \cdot 100 =
-# 10$ off a value, and the two ways to run differ by 0.4. With $\alpha = 0.003$ all but one stop in cell 8.
+# is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again, we think: the two ways part at position 1, where
+# their values differ by 0.5, and one slip can take 2 or 3 off the better one. With $\alpha = 0.003$ all but one stop in cell 8.
 # </details>
 
 # %% [markdown]
@@ -638,7 +638,7 @@ check(exercise_1, negative_reward)
 # fall. The change is below 0.2 on all of them.
 #
 # The two functions that you need are imported. `value_iteration(model, epsilon=ε, horizon=50)` plans for an agent that
-# slips with probability ε: it computes the best values with one step left, from these those with two steps left, and so
+# slips with probability ε: it computes the best values with one step left, from them those with two steps left, and so
 # on up to 50, the step limit of the road (Sutton and Barto, section 4.4). The method `.greedy_policy()` of what it
 # returns is the greedy policy of that agent. And `policy_evaluation(model, policy, horizon=50).start` is the return of
 # a policy from the start, played as it is: a greedy policy does not slip there.
@@ -749,7 +749,7 @@ display(
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# The agent that plans for 0.02 learns the fast run, and its line lies on that of Q-learning: 0.02 is below the change
+# The agent that plans for 0.02 learns the fast run, and its greedy line lies on that of Q-learning: 0.02 is below the change
 # at 0.032. The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too,
 # although it hardly ever made a careful run; while it acts at random it earns about −89 a run, far below the panel. So
 # what an agent learns need not depend on how it behaves. (In a large task the behaviour decides *where* it learns

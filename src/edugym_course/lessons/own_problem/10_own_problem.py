@@ -263,7 +263,7 @@ not_found.measured(*accepted)
 # Your wish is not in this equation. Only $p$ and $r$ are, and the best policy is best for them. (The book's example, in
 # section 3.2: a chess player who is paid for taking pieces may take them and lose the game.) A problem with 25 states
 # (at 7:10 there is only one) can be solved exactly, by computing the right side again and again for all states at once
-# (value iteration, section 4.4). This is the right side before the maximum; `k` counts the possible next states:
+# (value iteration, section 4.4). This is the right side before the maximum (`looked_ahead` is the sum):
 
 # %%
 source(FiniteModel.action_values)
@@ -895,7 +895,7 @@ for sheet in tour.sheets:
 # `for s, p in zip(tour.values.model.states, tour.values.greedy_policy()): print(s, p)`.
 #
 # **A careless reward.** Solve your problem with another reward, and judge both policies by the one that you meant. This
-# one pays 1 more for action 0; put a careless reward of yours in its place. (With it an episode may never end, so it is
+# one pays 1 more for action 0; put a careless reward of yours in its place. (If your problem has not passed exercise 4, an episode may never end, so it is
 # cut off after 1 000 steps. `what_happens` and `best_blind` are for the morning only.)
 
 

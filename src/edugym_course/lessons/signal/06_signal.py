@@ -203,7 +203,7 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # </details>
 #
 # A player who obeys follows wrong words too, and so leaves needs that differ more: the lead of the most urgent one is
-# two to five times as large. So on *its* toy a word carries more. Move the noise, and see the bits of both toys.
+# two, three and four times as large ($\tau = 0.02$, 0.05 and 0.1). So on *its* toy a word carries more. Move the noise, and see the bits of both toys.
 
 # %%
 sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
@@ -221,7 +221,7 @@ sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
 # | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# (The learning rate is small, since the rewards that follow a noisy word differ widely: try 0.1 in "Your turn".) The
+# (A larger rate ends lower: try 0.3 in "Your turn".) The
 # dashed line is the optimum, 6 707, computed by planning with the whole state. (Further down `methods.learn` makes the
 # call of this experiment, with other settings.)
 #
@@ -272,7 +272,7 @@ Sheet("answers", [panels[:2], panels[2:]])
 
 # %% [markdown]
 # At $\tau = 0$ and at 0.05 it does what the toy says, nearly always, and at 0.1 in more than eight steps of ten. So the
-# agent has learned nearly all that the words allow. Most of what is lost is lost in the words, at least for a player
+# agent nearly obeys, and we know nothing better without memory. Most of what is lost is lost in the words, at least for a player
 # without memory.
 
 # %% [markdown]
@@ -282,7 +282,7 @@ Sheet("answers", [panels[:2], panels[2:]])
 # does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
 # ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
 # the same player). (10 repetitions of 200 000 steps. With $H$ below 4 some words are *ambiguous*: they mean two
-# needs or more. The two players then do not know which one either.)
+# needs or more. The two players then always take the first meaning.)
 
 
 # %%
@@ -309,10 +309,10 @@ sliders(
 # | change | return |
 # |---|---|
 # | none ($\tau = 0.05$, $L = 1$, $H = 4$, $\alpha = 0.02$, $\gamma = 0.5$) | 3 000 |
-# | $\gamma = 0$; 0.9 | 3 190; 2 950 |
-# | $H = 8$; 3 | 3 080; −720 |
+# | $\gamma = 0$; 0.9 | 3 140; 2 950 |
+# | $H = 8$; 3 | 2 980; −720 |
 #
-# It need not look ahead. Synonyms ($H = 8$) cost nothing in the end (further down an aside shows that they cost time), and
+# It need not look ahead. Synonyms ($H = 8$) cost little or nothing in the end (further down an aside shows that they cost time), and
 # ambiguous words ($H = 3$) cost everything. What longer messages do is the next question.
 # </details>
 
@@ -386,11 +386,11 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # - **Right.** The vote turns longer messages into return: 28 words at $\tau = 0.1$ are worth nearly as much as one word at
 #   0.02, which carries the same half bit. Whoever obeys the first word leaves the others unused.
 # - Two words carry nearly twice as much as one, and the vote gets nothing out of it. If they disagree it can only guess.
-# - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
+# - After 200 000 steps Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
 # table cannot find it. (That is what features and networks are for. At the end, in "From a blank file", you write an
-# agent that is told how often each word occurs.)
+# agent that counts how often each word occurs.)
 
 # %% [markdown]
 # ## Predict, then check
