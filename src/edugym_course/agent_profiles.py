@@ -77,7 +77,7 @@ def abouts(given: Mapping[str, Any] = NOTHING) -> dict[str, str]:
     """
     found = {name: _first_line(getattr(edugym, name)) for name in agents()}
     for name in SETTINGS.keys() & found.keys():
-        found[name] = f"{found[name].rstrip('.')}; here with {', '.join(map(str, WRIST))} tiles."
+        found[name] = f"{found[name].rstrip('.')}; here with tiles for Trashbot's arm ({', '.join(map(str, WRIST))})."
     found |= {name: f"{algorithm} of {_library_of(algorithm)}" for name, algorithm in LIBRARY_AGENTS.items()}
     makers = {label: agent[0] if type(agent) is tuple else agent for label, agent in given.items()}
     return {label: _first_line(make) or "yours" for label, make in makers.items()} | found
