@@ -29,7 +29,7 @@ from edugym.experiments.profiles.tables import (
     with_margin,
 )
 from edugym.experiments.profiles.verdicts import broken_between, good_agents, listed
-from edugym.experiments.profiles.words import written
+from edugym.experiments.profiles.words import WITHOUT_LADDER, written
 from edugym_course import agent_profiles, one_table
 from edugym_course.lab.records import number_of
 from edugym_course.remedies import what_helps
@@ -61,18 +61,16 @@ SAME = """Older versions can stand here, since only agents whose code has change
 code of agent, task and training says so; what was made from other code is listed at the end.""".replace("\n", " ")
 BREAKS = """How strong a challenge may become for an agent: the two rungs between which its mean score first falls below
 0.5. *At once*: it is below 0.5 on the easiest rung. *Never*: on none."""
-WITHOUT_LADDER = {
-    "Bandit": """: there every agent that explores ends with the best arm, sooner or later, and plays it greedily. What
-counts is the regret, what learning has cost until then, and a score after the training does not show it.""",
-    "Casino": """: the best policy goes home and gets 0, a policy that always goes in gets -0.1, and one that acts at
-random -0.01, with a standard deviation of up to 1. So a score would be mostly luck. What counts there is how often an
-agent goes in while it learns ([its page](environments/casino.md)).""",
-    "Diver": """: its reward is a vector, and no single return says how good an agent is there. What counts is how
+COUNTS_THERE = {
+    "Bandit": """What counts is the regret, what learning has cost until then, and a score after the training does not
+show it.""",
+    "Casino": """What counts is how often an agent goes in while it learns ([its page](environments/casino.md)).""",
+    "Diver": """No single return says how good an agent is there. What counts is how
 many of the nine treasures it can find. Agents that learn a weighted sum can find 9, 8, 6, 4 and 2 of them at the
 concavities 0, 0.25, 0.5, 0.75 and 1, whatever the weights; Chebyshev and Pareto Q-learning find all nine ([several
 objectives](several-objectives.md)).""",
 }
-"""Why an environment has none, after its name."""
+"""What counts in an environment that has none."""
 
 
 def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> str:
@@ -135,7 +133,7 @@ def page(profile: Profile, stale: dict[str, list[str]], libraries: str = "") -> 
             *(f"- {sentence}" for sentence in method(profile)),
             f"- Measured with {agent_profiles.made_with()}, by `edugym profile --all`. {SAME}",
             *([f"- SB3 agents: measured with {libraries}, by `edugym profile --libraries`."] if libraries else []),
-            *(fill(f"- {name} has no ladder{WITHOUT_LADDER.get(name, ' yet.')}", 120) for name in missing),
+            *(fill(f"- {name} has no ladder{why_none(name)}", 120) for name in missing),
             *([f"- Missing, or made from earlier code: {'; '.join(old)}."] if old else []),
             "",
         ]
@@ -150,6 +148,12 @@ def remedy(challenge: str, cells: list[str]) -> str:
     number = find(challenge).lesson
     [lesson] = [path.name for path in NOTEBOOKS.glob("*.ipynb") if number_of(path.stem) == number]
     return f"{helps} ([measured](isolation.md), [lesson {number}](../notebooks/{lesson}))"
+
+
+def why_none(environment: str) -> str:
+    """Return why an environment has no ladder, and what counts there, after its name."""
+    why = WITHOUT_LADDER.get(environment)
+    return f": {why}. {COUNTS_THERE[environment]}" if why else " yet."
 
 
 def table(heading: list[str], rows: list[list[str]]) -> list[str]:

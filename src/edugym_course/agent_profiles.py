@@ -60,8 +60,8 @@ def with_ladders() -> str:
 
 def on_tiles(environment: Any, **settings: Any) -> GaussianActorCritic:
     """An actor-critic with real-valued actions, on tiles over the wrist."""
-    tiles = settings.pop("features", None) or TileCoding.create(environment, tiles=list(WRIST))
-    return GaussianActorCritic.create(environment, features=tiles, **settings)
+    tiles = TileCoding.create(environment, tiles=list(WRIST))
+    return GaussianActorCritic.create(environment, **{"features": tiles} | settings)
 
 
 def kind_of(make: Any) -> Any:

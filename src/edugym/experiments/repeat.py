@@ -233,10 +233,10 @@ def _maker(label: str, agent: Any, methods: Collection[str]) -> Maker:
     if isinstance(agent, type):
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
+    if any(hasattr(agent, name) for name in methods) and not is_policy(agent):
+        return lambda _: deep_copy(agent, f"{GIVE_A_FUNCTION} that makes one")
     if is_policy(agent) or takes_observations(agent):
         return lambda environment: Player(agent, environment)
-    if any(hasattr(agent, name) for name in methods):
-        return lambda _: deep_copy(agent, f"{GIVE_A_FUNCTION} that makes one")
     if not callable(agent):
         raise ValueError(f"{needed} {in_short(agent)}")
     try:

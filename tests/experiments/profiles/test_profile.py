@@ -4,6 +4,7 @@ import math
 import operator
 import re
 import signal
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,6 +17,7 @@ import edugym
 from edugym import Interrupted, Ladder, Profile, QLearning, profile
 from edugym.checks.parameters import whole_number
 from edugym.experiments.configuration import planned_runs
+from edugym.experiments.profiles import tuning
 from edugym.experiments.profiles.ladders import LADDERS
 from edugym.experiments.profiles.scores import COLUMNS, Break, breaking
 from edugym.experiments.profiles.tuning import other_seed, with_untuned
@@ -77,7 +79,7 @@ def test_who_cannot_enter_is_blank_and_not_zero() -> None:
 
 
 class LateMistake(NamedTuple):
-    """Fails after some thousand steps."""
+    """Fails after 250 steps."""
 
     steps: Any
 
@@ -323,6 +325,20 @@ def test_agents_choose_their_settings_on_other_seeds_and_layouts() -> None:
                 for one in (seed, other_seed(seed))
             )
             assert not runs & others
+
+
+def test_settings_that_fail_after_they_were_chosen_are_blank(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As by an error that comes with other seeds only."""
+
+    def failing(agents: Any, **how: Any) -> Profile:
+        found = profile(agents, **how)
+        if agents.keys() == {"Q"}:  # not "Q, default", as in the first round
+            return replace(found, runs=found.runs.iloc[:0], blank={"Q": {"Walks": "it failed"}})
+        return found
+
+    monkeypatch.setattr(tuning, "profile", failing)
+    tuned = edugym.tuned_profile({"Q": {"default": QLearning.create}}, tuning_repetitions=1, challenges=[WALKS])
+    assert tuned.profile.blank["Q"] == {"Walks": "it failed"}
 
 
 @pytest.mark.slow

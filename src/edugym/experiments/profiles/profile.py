@@ -60,6 +60,14 @@ class Method(NamedTuple):
     given: Any
 
 
+class Training(Enum):
+    """How an agent is trained."""
+
+    BY_US = "by `edugym.train`"
+    BY_ITSELF = "by its own method"
+    NOT_AT_ALL = "not at all: it is a policy, and learns nothing"
+
+
 class Trial(NamedTuple):
     """What is seen of an agent before it is trained.
 
@@ -71,15 +79,7 @@ class Trial(NamedTuple):
 
     errors: dict[str, Exception]
     reasons: dict[str, str]
-    how: "Training"
-
-
-class Training(Enum):
-    """How an agent is trained."""
-
-    BY_US = "by `edugym.train`"
-    BY_ITSELF = "by its own method"
-    NOT_AT_ALL = "not at all: it is a policy, and learns nothing"
+    how: Training
 
 
 class Rung(NamedTuple):

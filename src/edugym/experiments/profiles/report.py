@@ -105,12 +105,12 @@ NO_LINE = (
 OTHERS = (
     "Agents that you did not give are called the other agents, and are grey. They are EduGym's and those of"
     " Stable-Baselines3 (SB3), with their own default settings (but GaussianActorCritic with tiles for Trashbot's arm)."
-    " DQN is EduGym's, SB3 DQN is not. Those of Stable-Baselines3 are not measured everywhere, since one of their"
-    " ladders takes from a quarter of an hour to some hours."
+    " DQN is EduGym's, SB3 DQN is not. Those of Stable-Baselines3 are not measured everywhere, since a ladder of"
+    " theirs can take hours."
 )
 MARKS = (
-    "A number is a score with its 95 % interval; – says that an agent cannot enter a challenge, and ? that it was not"
-    " measured there. A score a little above 1 is luck: the best play is known on average."
+    "A number is a score with its 95 % interval; – says that an agent cannot enter a challenge, or fails there by an"
+    " error, and ? that it was not measured there. A score a little above 1 is luck: the best play is known on average."
 )
 SURE = "A difference between two agents is called sure where it can hardly be chance (see How it was measured)."
 ALL = f"The score of every agent (* is the highest, or not surely worse, where the highest is {HALF} or more)"

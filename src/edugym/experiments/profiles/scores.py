@@ -42,11 +42,11 @@ class Profile:
     Attributes:
         runs: one row a run (pandas.DataFrame): `agent`, `challenge` (the name of the ladder), `strength`, `repetition`;
             `return`, the mean greedy return at the end; `random` and `best`, the returns that score 0 and 1; `score`;
-            `steps`, those of the training; `steps_to_0.9`, those after which the score first was 0.9, NaN if it never
-            was.
+            `steps`, those of the training on the rung; `steps_to_0.9`, those after which the score first was 0.9, NaN
+            if it never was.
         ladders: the ladders, in order.
         agents: the labels of the agents, in order; one may have fewer repetitions than another.
-        blank: for each agent, the challenges that it cannot enter, with the reason.
+        blank: for each agent, the challenges that it cannot enter, or in which it raised an error, with the reason.
         settings: how the agents came by their settings, in a sentence.
     """
 

@@ -189,7 +189,7 @@ def not_measured(profile: Profile, challenge: str) -> str:
         for agent in profile.agents
         if not profile.score(agent, challenge).n and absent(profile, agent, challenge) == "?"
     ]
-    return f"Not measured here, since it takes hours: {listed(agents)}." if agents else ""
+    return f"Not measured here: {listed(agents)}." if agents else ""
 
 
 def repetitions_of(profile: Profile, agent: str) -> int:

@@ -92,6 +92,8 @@ def tuned_profile(
         if agents:
             found = profile(agents, challenges=[ladder], repetitions=repetitions, seed=seed, **how)
             parts.append(found.runs)
+            for label, failed in found.blank.items():  # while it trained with other seeds
+                blank[label] |= failed
     import pandas
 
     runs = pandas.concat(parts, ignore_index=True)

@@ -92,7 +92,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
 WITHOUT_LADDER: Mapping[str, str] = MappingProxyType(
     {
         "Bandit": "every agent that explores plays the best arm in the end",
-        "Casino": "a policy has one of two returns there, and the better one is to stay at home",
+        "Casino": "good and bad play differ by 0.1, and returns scatter by up to 1: a score would be mostly luck",
         "Diver": "its reward is a vector",
     }
 )

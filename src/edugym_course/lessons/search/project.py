@@ -40,9 +40,9 @@ BEFORE_COUNTS = 2
 PAY = (10.0, 9.0, 5.0)
 """What the actions pay, for certain, in the task in which the simulations are counted."""
 COUNTED = Riddle("every action ends the task", "", written({ROOT: tuple((reward, END) for reward in PAY)}))
-LUCKY = COUNTED._replace(told="every action ends the task, and one has a very lucky return near the end")
-LUCK, LATE = 1_000.0, 12
-"""A return, and among how many of the last simulations it comes: too few for its action to become the most frequent."""
+LUCKY = COUNTED._replace(told="every action ends the task, and one has a very lucky return near the end", luck=1_000.0)
+LATE = 12
+"""Among so many of the last simulations is the lucky one: too few for its action to become the most frequent."""
 BONUSES: Mapping[str, Callable[[float, float], float]] = {
     "c is 10, as in the shop; here it is 5": lambda of_node, n: 10 * sqrt(log(of_node) / n),
     "the logarithm is missing": lambda of_node, n: 5 * sqrt(of_node / n),
@@ -111,8 +111,8 @@ class Model:
         if self._steps == DEPTH:
             self._refuse(f"simulates more than {DEPTH} steps in a row: each simulation looks {DEPTH} steps ahead")
         reward, following = self._riddle.step(place, taken, self._rng)
-        if self._riddle is LUCKY and self._is_luck(taken):
-            reward += LUCK
+        if self._riddle.luck and self._is_luck(taken):
+            reward += self._riddle.luck
         self.simulations[-1].append((place, taken, reward))
         self._here, self._steps = following, self._steps + 1
         return reward, self.number(following), following == END
@@ -229,7 +229,7 @@ def require_bound(program: Any, seed: int) -> None:
 
 
 def require_tree(program: Any, seed: int) -> None:
-    """Refuse a program that takes an action in the tree that UCT would not take, or returns one of lower value."""
+    """Refuse a program that takes an action in the tree that UCT would not take."""
     for number in range(RUNS):
         found = search(program, TREE, RUNS * seed + number)
         why = mistake_in(found.simulations)
@@ -240,6 +240,10 @@ def require_tree(program: Any, seed: int) -> None:
                 f"in a task in which {TREE.told}, simulation {wrong} takes another action in the tree than the one with"
                 f" the highest bound Q(node, a) + 5 √(ln N(node) / N(node, a)){why}"
             )
+
+
+def require_highest_value(program: Any, seed: int) -> None:
+    """Refuse a program that returns another action than the one with the highest mean."""
     for number in range(RUNS):
         found = search(program, LUCKY, RUNS * seed + number)
         worth = means(found.simulations)
@@ -292,6 +296,7 @@ def project_18(answer: Any, seed: int) -> str:
             " one at random"
         )
     require_tree(answer, seed)
+    require_highest_value(answer, seed)
     require_repeatable(answer, seed)
     require_other_roll_outs(answer, seed)
     return f"Right: it solves all {len(RIDDLES)} riddles, and asks of the model what a search may ask."

@@ -21,6 +21,7 @@ class Riddle(NamedTuple):
         step: says of a place, an action and a generator what follows: a reward and the next place.
         right: the actions from the root that are right.
         n_simulations: how many there are.
+        luck: what one action gains once, near the end, that is not the most frequent one.
     """
 
     told: str
@@ -28,6 +29,7 @@ class Riddle(NamedTuple):
     step: Callable[[int, int, Random], Step]
     right: tuple[int, ...] = (0,)
     n_simulations: int = N_SIMULATIONS
+    luck: float = 0.0
 
 
 def written(table: Mapping[int, tuple[Step, ...]]) -> Callable[[int, int, Random], Step]:
