@@ -156,6 +156,7 @@ RAISE = {
     "largest of nothing": program("return s + 1 + self.Q[int(s / 70):, 0].max()", **Q),
     "largest as NumPy has it": program("return s + np.max(self.Q, 2)", **Q),
     "of another shape": program("a = np.zeros(3)\nb = np.zeros(2 + int(s < 700))\nreturn s + 1 + (a + b)[0]"),
+    "unset, after a line that may be": program("for j in range(1): pass\nfor j in range(int(s) % 3): pass\nk = j\nu -= k\nreturn s + k"),
     "misspelt": program("return s + self.y"),
     "unknown name": program("return s + unknown"),
 }  # fmt: skip

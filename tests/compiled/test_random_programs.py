@@ -75,8 +75,10 @@ def run(programs: list[str]) -> None:
 
 FIFTY = st.lists(written(), min_size=50, max_size=50)
 GENERATE = [hypothesis.Phase.generate]
+long_reports = pytest.mark.filterwarnings("ignore:Generating overly large repr")  # it would hide the difference
 
 
+@long_reports
 @hypothesis.settings(max_examples=1, phases=GENERATE)
 @hypothesis.given(FIFTY)
 def test_fifty_random_programs(programs: list[str]) -> None:
@@ -85,6 +87,7 @@ def test_fifty_random_programs(programs: list[str]) -> None:
 
 
 @pytest.mark.slow
+@long_reports
 @hypothesis.settings(max_examples=10, phases=GENERATE, derandomize=False)
 @hypothesis.given(FIFTY)
 def test_hundreds_of_random_programs(programs: list[str]) -> None:
