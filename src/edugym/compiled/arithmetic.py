@@ -15,11 +15,10 @@ from numba import extending
 from numba.core import types
 
 from edugym.compiled.number_kinds import as_number
-from edugym.compiled.operations import ADD, CHECK_EXACT, CHECK_NUMBER, CHECKED, INT, MIXED, REAL, SUBTRACT
+from edugym.compiled.operations import ADD, CHECKED, INT, MIXED, REAL, SUBTRACT
 
 Function = Callable[..., Any]
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
-LEAST = -(2**63)
 _add, _subtract = ADD.function, SUBTRACT.function
 arange: Any = np.arange  # its declaration knows fewer calls than it takes
 
@@ -317,100 +316,6 @@ def _choose_divmod(x: Any, y: Any) -> Any:
     return lambda x, y: divmod(x, y)
 
 
-def require_plain(value: Any) -> None:
-    """Raises an error for NaN, which Python finds by its identity, and for whole numbers that are no real ones."""
-    raise NotImplementedError
-
-
-def _choose_plain(value: Any) -> Function:
-    kind = types.unliteral(value)
-    if kind in (INT, REAL):
-        check = (CHECK_EXACT if kind == INT else CHECK_NUMBER).function
-
-        def of_number(value: Any) -> None:
-            check(value)
-
-        return of_number
-    if isinstance(kind, types.List):
-
-        def of_list(value: Any) -> None:
-            for one in value:
-                require_plain(one)
-
-        return of_list
-    known: dict[str, Any] = {"require_plain": require_plain}
-    parts = range(len(kind) if isinstance(kind, types.BaseTuple) else 0)
-    exec("def of_parts(value):\n    pass\n" + "".join(f"    require_plain(value[{i}])\n" for i in parts), known)
-    of_parts: Function = known["of_parts"]
-    return of_parts
-
-
-def require_order(values: Any) -> None:
-    """Raises an error where the order of real numbers hangs on how they are sorted: that of NaN, of 0.0 and -0.0."""
-    raise NotImplementedError
-
-
-def _choose_order(values: Any) -> Function:
-    def of_reals(values: Any) -> None:
-        plus = minus = False
-        for one in values:
-            if one != one:
-                raise ValueError("NaN has no place in an order")
-            plus = plus or (one == 0.0 and math.copysign(1.0, one) > 0.0)
-            minus = minus or (one == 0.0 and math.copysign(1.0, one) < 0.0)
-        if plus and minus:
-            raise ValueError("0.0 and -0.0 have no order")
-
-    def of_table(values: Any) -> None:
-        require_order(values.ravel())
-
-    if isinstance(values, types.Array) and values.ndim != 1:
-        return of_table
-    return of_reals if getattr(values, "dtype", None) == REAL else lambda values: None
-
-
-def require_exact(values: Any) -> None:
-    """Raises an error for whole numbers that are no real ones, where they are put in a list of real ones."""
-    raise NotImplementedError
-
-
-def _choose_exact(values: Any) -> Function:
-    check = CHECK_EXACT.function
-
-    def of_wholes(values: Any) -> None:
-        for value in values:
-            check(value)
-
-    kind = getattr(getattr(values, "iterator_type", None), "yield_type", None)
-    if kind == INT:
-        return of_wholes
-    return (lambda values: require_plain(values)) if isinstance(values, types.Tuple) else lambda values: None
-
-
-def require_no_least(values: Any) -> None:
-    """Raises an error for the least whole number of 64 bits: divided by -1 it is 0 in Numba's arrays alone."""
-    raise NotImplementedError
-
-
-def _choose_no_least(values: Any) -> Function:
-    def of_number(values: Any) -> None:
-        if values == LEAST:
-            raise OverflowError("more than 64 bits")
-
-    def of_array(values: Any) -> None:
-        for value in values.flat:
-            if value == LEAST:
-                raise OverflowError("more than 64 bits")
-
-    if not isinstance(values, types.Array):
-        return of_number
-    return of_array if values.dtype == INT else lambda values: None
-
-
-extending.overload(require_exact, strict=False)(_choose_exact)
-extending.overload(require_no_least, strict=False)(_choose_no_least)
-extending.overload(require_plain, strict=False)(_choose_plain)
-extending.overload(require_order, strict=False)(_choose_order)
 extending.overload(_sum, strict=False)(_choose_sum)
 extending.overload(sum_of_mixed, strict=False)(_choose_sum_of_mixed)
 extending.overload(_abs, strict=False)(_choose_abs)

@@ -21,6 +21,7 @@ from numba.core import ir, ir_utils, types
 from edugym.compiled.arithmetic import CALLED, sum_of_mixed
 from edugym.compiled.code import is_foreign
 from edugym.compiled.facts import facts
+from edugym.compiled.insertions import insert_name, insert_operation
 from edugym.compiled.namedtuples import member_of
 from edugym.compiled.number_kinds import (
     COMPARED,
@@ -57,8 +58,7 @@ class _Followed:
     """A function in which mixed numbers are followed."""
 
     def __init__(self, state: Any) -> None:
-        self.ir, self.kinds, self.calltypes = state.func_ir, state.typemap, state.calltypes
-        self.context = state.typingctx
+        self.state, self.ir, self.kinds, self.calltypes = state, state.func_ir, state.typemap, state.calltypes
         self.result, self.function = state.return_type, state.func_id.func
         self.in_training = self.function.__module__.startswith("edugym.training")
         self.mixed: set[str] = set()  # variables
@@ -76,8 +76,8 @@ class _Followed:
                 self._mark(statement)
         for block, statement in statements(self.ir):
             self._check(block, statement)
-        for check in self.checks:
-            self._insert_check(*check)
+        for operation, block, statement, variable in self.checks:
+            insert_operation(self.state, block, statement, operation, variable)
 
     # what is mixed
 
@@ -144,11 +144,8 @@ class _Followed:
         """Whether it adds a list with whole numbers to a list of real ones, in place."""
         if getattr(value, "op", "") != "inplace_binop" or not holds_list(self.kind(value.lhs)):
             return False
-        return (
-            holds_real(self.kind(value.lhs))
-            and isinstance(self.kind(value.rhs), types.List)
-            and self.may_be_whole(value.rhs)
-        )
+        wholes = isinstance(self.kind(value.rhs), types.List) and self.may_be_whole(value.rhs)
+        return holds_real(self.kind(value.lhs)) and wholes
 
     def _put(self, variable: Any, loc: Any) -> None:
         """A whole number is put in a list of real ones."""
@@ -371,15 +368,11 @@ class _Followed:
 
     def _call_instead(self, block: Any, statement: Any, function: Any) -> None:
         """Calls another function with the same arguments."""
-        call, variable = statement.value, ir.Var(block.scope, ir_utils.mk_unique_var("$instead"), statement.loc)
-        kind = self.kinds[variable.name] = self.context.resolve_value_type(function)
-        assign = ir.Assign(ir.Global(function.__name__, function, statement.loc), variable, statement.loc)
-        block.body.insert(block.body.index(statement), assign)
-        self.ir._definitions[variable.name].append(assign.value)
-        call.func = variable
+        call = statement.value
+        call.func = insert_name(self.state, block, statement, function)
         del self.calltypes[call]
         given = tuple(self.kinds[one.name] for one in call.args)
-        self.calltypes[call] = kind.get_call_type(self.context, given, {})
+        self.calltypes[call] = self.kinds[call.func.name].get_call_type(self.state.typingctx, given, {})
 
     def _is_same(self, called: Any, key: Any, given: list[Any]) -> bool:
         """Whether a function does the same with whole and with real numbers."""
@@ -396,20 +389,6 @@ class _Followed:
         definition = ir_utils.guard(ir_utils.get_definition, self.ir, variable)
         listed = isinstance(definition, ir.Expr) and definition.op == "build_list" and variable.is_temp
         return listed and any(self.kind(one) == types.float64 and not self.is_mixed(one) for one in definition.items)
-
-    def _insert_check(self, operation: Any, block: Any, before: Any, variable: Any) -> None:
-        """Adds a statement that raises an error where a number is not what it must be."""
-        loc = before.loc if before is not None else block.loc
-        checked = ir.Var(block.scope, ir_utils.mk_unique_var("$exact"), loc)
-        expr = ir.Expr.unary(operation.function, variable, loc)
-        self.kinds[checked.name] = operation.result
-        self.calltypes[expr] = signature_of(operation)
-        assign = ir.Assign(expr, checked, loc)
-        if before is None:
-            block.body.insert(len(block.body) - 1, assign)
-        else:
-            block.body.insert(block.body.index(before), assign)
-        self.ir._definitions[checked.name].append(expr)
 
 
 def _mixed(what: str, advice: str = WRITE) -> Refused:

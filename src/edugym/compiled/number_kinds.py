@@ -73,6 +73,11 @@ def holds_real(kind: Any) -> bool:
     return isinstance(kind, types.Float) or (isinstance(kind, types.List) and holds_real(kind.dtype))
 
 
+def is_real(kind: Any) -> bool:
+    """Whether a type is a real number or an array of such."""
+    return isinstance(kind, types.Float) or (isinstance(kind, types.Array) and isinstance(kind.dtype, types.Float))
+
+
 def holds_list(kind: Any) -> bool:
     """Whether a type is a list, or a tuple that contains one."""
     return isinstance(kind, types.List) or (isinstance(kind, types.BaseTuple) and any(map(holds_list, kind)))

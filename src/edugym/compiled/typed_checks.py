@@ -5,15 +5,16 @@ whole numbers are replaced by checked ones (`edugym.compiled.arithmetic`).
 """
 
 import operator
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numba.core import ir, ir_utils, types
 
-from edugym.compiled.arithmetic import CALLED, require_exact, require_no_least, require_order, require_plain
+from edugym.compiled.arithmetic import CALLED
+from edugym.compiled.checked_values import lists, values_to_check
+from edugym.compiled.insertions import insert_call
 from edugym.compiled.mixed_numbers import follow_mixed
-from edugym.compiled.number_kinds import COMPARED, as_number, holds_real, method_name
+from edugym.compiled.number_kinds import as_number, is_real, method_name
 from edugym.compiled.operations import CHECKED, NEGATIVE, signature_of
 from edugym.compiled.subset import MATH, NUMPY, words
 from edugym.compiled.untyped_checks import FROZEN, refuse, statements
@@ -59,8 +60,8 @@ def check_typed(state: Any) -> bool:
         if isinstance(statement, ir.Assign):
             _check_boolean(statement.value, kinds, kinds[statement.target.name], statement.loc)
             if isinstance(statement.value, ir.Expr):
-                for check, variable in _to_check(state.func_ir, statement.value, kinds):
-                    _insert_check(state, block, statement, check, variable)
+                for check, variable in values_to_check(state.func_ir, statement.value, kinds):
+                    insert_call(state, block, statement, check, variable)
                 _check_expression(statement.value, kinds, state.calltypes, statement)
         elif isinstance(statement, ir.Return):
             _check_boolean(statement.value, kinds, state.return_type, statement.loc)
@@ -102,58 +103,6 @@ def _is_new_list(func_ir: Any, variable: Any, kinds: Any) -> bool:
     if op in ("getitem", "static_getitem"):
         return isinstance(kinds[made.value.name], types.List)
     return op in ("build_list", "binop")
-
-
-def _to_check(func_ir: Any, expr: Any, kinds: Any) -> Iterator[tuple[Any, Any]]:
-    """What has to be checked before tuples or lists are compared, sorted or searched, or whole arrays are divided."""
-    collection, function = types.BaseTuple | types.List, expr.fn if expr.op == "binop" else None
-    if function in COMPARED and any(isinstance(kinds[one.name], collection) for one in (expr.lhs, expr.rhs)):
-        if any(holds_real(kinds[one.name]) for one in (expr.lhs, expr.rhs)):
-            yield from ((require_plain, one) for one in (expr.lhs, expr.rhs))
-    elif expr.op == "call":
-        called = kinds[expr.func.name]
-        if getattr(called, "typing_key", None) in (sorted, np.sort):
-            yield from ((require_order, one) for one in expr.args[:1])
-        elif isinstance(called, types.BoundFunction) and isinstance(called.this, types.List):
-            name = method_name(called.typing_key)
-            if name == "sort":
-                yield require_order, ir_utils.get_definition(func_ir, expr.func).value
-            elif name == "extend" and holds_real(called.this):
-                yield require_exact, expr.args[0]
-            elif name in ("count", "index", "remove") and holds_real(called.this):
-                yield from ((require_plain, one) for one in expr.args[:1])
-    elif expr.op in ("binop", "inplace_binop") and any(map(holds_real, _lists(expr, kinds))):
-        yield from ((require_exact, one) for one in (expr.lhs, expr.rhs) if isinstance(kinds[one.name], types.List))
-    elif expr.op in ("binop", "inplace_binop") and _may_divide_by_minus_one(expr, kinds):
-        yield require_no_least, expr.lhs
-
-
-def _lists(expr: Any, kinds: Any) -> list[Any]:
-    """The types of those operands that are lists."""
-    return [kinds[one.name] for one in (expr.lhs, expr.rhs) if isinstance(kinds[one.name], types.List)]
-
-
-def _may_divide_by_minus_one(expr: Any, kinds: Any) -> bool:
-    """Whether an operation divides whole numbers, some of them in an array, by what may be -1."""
-    function = expr.fn if expr.op == "binop" else expr.immutable_fn
-    both, divisor = [types.unliteral(kinds[one.name]) for one in (expr.lhs, expr.rhs)], kinds[expr.rhs.name]
-    if function is not operator.floordiv or not any(isinstance(kind, types.Array) for kind in both):
-        return False
-    known = isinstance(divisor, types.IntegerLiteral) and divisor.literal_value != -1
-    return not known and not any(map(_is_real, both))
-
-
-def _insert_check(state: Any, block: Any, before: Any, check: Any, variable: Any) -> None:
-    """Adds a call of a function that raises an error where a value is not what it must be."""
-    loc, context = before.loc, state.typingctx
-    function, nothing = (ir.Var(block.scope, ir_utils.mk_unique_var("$check"), loc) for _ in range(2))
-    call = ir.Expr.call(function, [variable], (), loc)
-    state.typemap[function.name] = context.resolve_value_type(check)
-    state.typemap[nothing.name] = types.none
-    state.calltypes[call] = state.typemap[function.name].get_call_type(context, (state.typemap[variable.name],), {})
-    for value, target in ((ir.Global(check.__name__, check, loc), function), (call, nothing)):
-        block.body.insert(block.body.index(before), ir.Assign(value, target, loc))
-        state.func_ir._definitions[target.name].append(value)
 
 
 def _stores_itself(func_ir: Any, statement: Any) -> bool:
@@ -236,15 +185,11 @@ def _is_narrow(kind: Any) -> bool:
     return isinstance(kind, types.Array) and kind.dtype not in (types.int64, types.float64, types.boolean)
 
 
-def _is_real(kind: Any) -> bool:
-    return isinstance(kind, types.Float) or (isinstance(kind, types.Array) and isinstance(kind.dtype, types.Float))
-
-
 def _check_stored(target: Any, value: Any, loc: Any) -> None:
     """Refuses to put a number into an array that may not hold it."""
-    if _is_real(value) and not _is_real(target):
+    if is_real(value) and not is_real(target):
         refuse("it puts a real number in an array of whole numbers", loc)
-    if _is_narrow(target) and not _is_real(target) and getattr(value, "dtype", None) != target.dtype:
+    if _is_narrow(target) and not is_real(target) and getattr(value, "dtype", None) != target.dtype:
         known = value.literal_value if isinstance(value, types.IntegerLiteral) else -1
         if not 0 <= known < 128:  # which fits in all of them; of others some raise an error and some do not
             refuse(f"it puts a number that may not fit in an array of {target.dtype}", loc)
@@ -276,7 +221,7 @@ def _check_expression(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> 
     elif expr.op == "call":
         function = kinds[expr.func.name]
         to_whole = isinstance(function, types.NumberClass) and isinstance(function.dtype, types.Integer)
-        if to_whole and any(_is_real(kinds[part.name]) for part in expr.args):
+        if to_whole and any(is_real(kinds[part.name]) for part in expr.args):
             refuse("it makes a real number a whole one: use int()", loc)
         _check_filled(expr, function, result, kinds, loc)
         _check_call(expr, function, result, kinds, calltypes, loc)
@@ -300,7 +245,7 @@ def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: An
     signature = calltypes.get(expr)
     if signature is not None and not expr.kws and len(signature.args) == len(expr.args):
         for variable, taken in zip(expr.args, signature.args, strict=True):
-            if _is_real(kinds[variable.name]) and isinstance(taken, types.Integer):
+            if is_real(kinds[variable.name]) and isinstance(taken, types.Integer):
                 refuse("it gives a real number where a whole one belongs: use int()", loc)
     key = getattr(function, "typing_key", None)
     if len(given) > _MOST_GIVEN.get(key, getattr(key, "nin", len(given))):
@@ -326,14 +271,14 @@ def _check_call(expr: Any, function: Any, result: Any, kinds: Any, calltypes: An
         refuse(FROZEN, loc)
     if isinstance(method, types.Array) and method_name(key) == "ravel" and method.layout != "C":
         refuse("it calls ravel of a part of an array, which may be a copy or not: use flatten, or a loop", loc)
-    if isinstance(method, types.Array) and method_name(key) in ("mean", "std", "var") and not _is_real(method):
+    if isinstance(method, types.Array) and method_name(key) in ("mean", "std", "var") and not is_real(method):
         refuse("it takes the mean of whole numbers: make them real, as in (1.0 * N).mean()", loc)
     if key in (np.mean, np.std, np.var) and any(_has_whole(kinds[one.name]) for one in given[:1]):
         refuse("it takes the mean of whole numbers: make them real, as in np.mean(1.0 * N)", loc)
 
 
 def _has_whole(kind: Any) -> bool:
-    return isinstance(kind, types.Array) and not _is_real(kind)
+    return isinstance(kind, types.Array) and not is_real(kind)
 
 
 def _require_no_flags(variables: Any, into: Any, kinds: Any, loc: Any) -> None:
@@ -350,7 +295,7 @@ def _check_filled(expr: Any, function: Any, result: Any, kinds: Any, loc: Any) -
     given = [kinds[variable.name] for variable in (*expr.args, *(variable for _, variable in expr.kws))]
     if isinstance(getattr(filled, "dtype", None), types.Integer) and any(map(_holds_reals, given)):
         refuse("it puts a real number in an array of whole numbers", loc)
-    if _is_narrow(filled) and not _is_real(filled):
+    if _is_narrow(filled) and not is_real(filled):
         place = 0 if function.typing_key is np.array else 1
         named = [variable for name, variable in expr.kws if name in ("object", "fill_value")]
         _check_stored(filled, kinds[[*expr.args[place : place + 1], *named][0].name], loc)
@@ -386,8 +331,8 @@ def _check_operator(expr: Any, result: Any, kinds: Any, calltypes: Any, loc: Any
     if function in (operator.is_, operator.is_not) and not any(isinstance(kind, types.NoneType) for kind in both):
         refuse("it compares with 'is'", loc)
     _check_whole_arrays(function, expr.rhs, both, plain, kinds, loc)
-    if len(lists := _lists(expr, kinds)) == 2 and function is operator.add:
-        first, second = (kind.dtype for kind in lists)
+    if len(both_lists := lists(expr, kinds)) == 2 and function is operator.add:
+        first, second = (kind.dtype for kind in both_lists)
         if _is_boolean(first) != _is_boolean(second):
             refuse("it mixes True or False with numbers", loc)
         if expr.op == "inplace_binop" and isinstance(second, types.Float) and not isinstance(first, types.Float):
@@ -397,9 +342,7 @@ def _check_operator(expr: Any, result: Any, kinds: Any, calltypes: Any, loc: Any
             refuse(FROZEN, loc)
         if isinstance(both[1], types.Array | types.BaseTuple | types.List):
             refuse("it changes an array in place by another array: write a loop", loc)
-        if not isinstance(plain[0], types.Float) and (
-            _is_real(both[1]) or function in (operator.truediv, operator.pow)
-        ):
+        if not isinstance(plain[0], types.Float) and (is_real(both[1]) or function in (operator.truediv, operator.pow)):
             refuse("it changes an array of whole numbers in place by real ones", loc)
     operation = CHECKED.get((function, *map(as_number, both)))
     if operation:
@@ -415,7 +358,7 @@ def _check_operator(expr: Any, result: Any, kinds: Any, calltypes: Any, loc: Any
 
 def _check_whole_arrays(function: Any, exponent: Any, both: Any, plain: Any, kinds: Any, loc: Any) -> None:
     """Refuses powers and shifts of arrays of whole numbers: some are errors of NumPy's, some it answers with 0."""
-    if not any(isinstance(kind, types.Array) for kind in both) or any(map(_is_real, plain)):
+    if not any(isinstance(kind, types.Array) for kind in both) or any(map(is_real, plain)):
         return
     known = kinds[exponent.name]
     if function is operator.pow and any(map(_is_boolean, plain)):
