@@ -73,7 +73,7 @@ def run(programs: list[str]) -> None:
     assert sum(verdict["compiled"] for verdict in found) >= len(programs) // 10
 
 
-FIFTY = st.lists(written(), min_size=50, max_size=50)
+FIFTY = st.lists(written(), min_size=50, max_size=50, unique=True)  # else the simplest, fifty times
 GENERATE = [hypothesis.Phase.generate]
 long_reports = pytest.mark.filterwarnings("ignore:Generating overly large repr")  # it would hide the difference
 
