@@ -37,7 +37,7 @@ from edugym_course.notebook import play, predict, sliders, source
 #
 # | | | in words |
 # |---|---|---|
-# | states | one | nothing changes from pull to pull (in the code the number `state` is the best arm, which no agent sees) |
+# | states | one | nothing changes from pull to pull: an agent always sees the state 0 (the environment itself keeps the number of the best arm as its `state`) |
 # | actions | $a \in \{0, \dots, n - 1\}$ | the arm to pull; $n = 10$ |
 # | reward | $R \in \{0, 1\}$ | the best arm pays 1 with probability $(1 + \Delta)/2$, every other one with $(1 - \Delta)/2$ |
 # | gap | $\Delta = 0.2$ | so the best arm pays in 60 % of the pulls, and the others in 40 % |
@@ -190,8 +190,13 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 
 # %% [markdown]
 # On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
-# Four of the curves end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. (Two of them also *grow* more slowly. From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come; and for the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long. Here it does so with $\alpha = 1$: in 15 % of the runs after 10 000 pulls, and in 9 % after 100 000.) After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
-# Optimism explores mostly at the beginning. In the end 94 % of the runs pull the best arm. The others had found it, too, and lost it again. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
+# These three and the falling ε end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
+#
+# Optimism explores mostly at the beginning, until its first values have come down. In the end 94 % of its runs pull the best arm. The other 6 % had found it, too, and lost it again. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
+
+# %% [markdown] tags=["aside"]
+# ### Aside: two that grow more slowly than the bound
+# From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come. For the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long. Here it does so with $\alpha = 1$, in 14 % of 2000 runs after 10 000 pulls, and in 6 % of 900 runs after 100 000.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -205,7 +210,7 @@ for temperature in (0.02, 0.05, 0.1, 0.2):
     print(f"{temperature:11} {one.regret().mean():8.0f} {cost:19.3f} {known:21.3f} {one.settled().mean():13.0%}")
 
 # %% [markdown]
-# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it does so in about half of the runs. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs what it would cost with the true means (and these, too, would give the best arm only 45 % of the pulls). With each of these temperatures
+# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it does so in some four of ten runs. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means (and these, too, would give the best arm only 45 % of the pulls). With each of these temperatures
 # it pays more than ε-greedy (240). The formula asks how far two means differ, and not how well they are known. UCB and Thompson sampling ask both.
 
 # %% [markdown]
@@ -225,8 +230,8 @@ sliders(one_setting, n_arms=[2, 5, 10, 20], gap=[0.1, 0.2, 0.5, 1.0], drift=[0.0
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# More arms cost more, since each has to be tried. With a large gap the regret of UCB and of Thompson sampling is soon
-# flat, and ε-greedy's is a straight line. With drift, all curves go on rising: whoever has found the best arm must find the next one.
+# More arms cost more, since each has to be tried. With a large gap the regret of UCB and of Thompson sampling soon
+# rises slowly (UCB's in steps with a gap of 1, where it tests all worse arms again at about the same time), and ε-greedy's is a straight line. With drift, all curves go on rising: whoever has found the best arm must find the next one.
 # </details>
 
 # %% [markdown]
@@ -256,8 +261,8 @@ for arm in np.argsort(-N):
     print(f"{arm:3} {N[arm]:7} {Q[arm]:6.2f} {bonus[arm]:7.2f} {Q[arm] + bonus[arm]:10.2f}")
 
 # %% [markdown]
-# The means differ, and the upper bounds are nearly the same. An arm with a low mean has had few pulls, so its bonus is large. As soon as its bound is the highest, it gets a pull, and the bound
-# sinks. As $t$ grows, the bounds of all other arms rise slowly, and every arm gets its turn again, ever more seldom.
+# The means differ, and the upper bounds are nearly the same. An arm with a low mean has had few pulls, so its bonus is large. As soon as its bound is the highest, it gets a pull. If the pull pays nothing,
+# the bound sinks; if it pays, the bound mostly rises, and the arm gets the next pull as well. As $t$ grows, the bounds of all other arms rise slowly, and every arm gets its turn again, ever more seldom.
 
 # %% [markdown]
 # ## Predict, then check

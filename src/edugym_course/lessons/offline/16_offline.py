@@ -84,7 +84,7 @@ for k in range(8):
 # $$
 #
 # The probabilities of a night under $\pi$ and under $b$ have the same factors $p(s' \mid s, a)$, which cancel. The ordinary estimate has no bias if $b$ takes every action that
-# $\pi$ takes, and if $\pi$ was not chosen by these nights. The weighted one has a little, and often much less variance. A third one weighs each reward only by the actions *up to* it
+# $\pi$ takes, and if $\pi$ was not chosen by these nights. The weighted one has a little in general (here hardly any: all weights that are not 0 are equal), and often much less variance. A third one weighs each reward only by the actions *up to* it
 # (*per decision*), since what is done later changes nothing of it.
 #
 # Our $b$ agrees with $\pi$ in two steps of three: in half of them on purpose, and else in one of three by luck. In all eight
@@ -109,8 +109,8 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 
 # %% [markdown]
 # The number after ± is the standard error. The last number is the *effective* number of nights, $(\sum \rho)^2 / \sum \rho^2$: here those whose weight is not 0, since all these weights are equal ($1.5^8$). Of 1 000 nights
-# 44 follow the best clock to their end. (The last two estimates also use the beginnings of nights that leave it later.
-# The $Q$ of the doubly robust one is fitted to these same nights, as below but with the mean over $\pi$ for the maximum, so it may have a small bias.)
+# 44 follow the best clock to their end. (The last two estimates also use the beginnings of nights that leave it later. The
+# doubly robust one takes its values $Q$ from these same nights, so it may have a small bias. They are learned as the next section shows, but with the mean over $\pi$ in place of the maximum.)
 #
 # ### Learn from the data alone
 # *Fitted Q-iteration* is Q-learning without interaction. It goes through all steps of the log-book at once, again and again:
@@ -241,7 +241,7 @@ for method in ("ordinary", "per decision", "doubly robust"):
     print(f"{method:13} {found.value:5.2f} ± {found.standard_error:.2f}, as from {found.effective_episodes:.0f} nights")
 
 # %% [markdown]
-# They cannot. Nights as this policy plays them are so rare (about one in 10 000) that these 300 contain none, and 300 fresh ones would hardly contain one either. (Besides, they have no bias only for a policy
+# They cannot. (*Per decision* has a value even from 0 whole nights, since it uses the first steps of nights that leave the policy later. The value can be far off.) Nights as this policy plays them are so rare (about one in 10 000) that these 300 contain none, and 300 fresh ones would hardly contain one either. (Besides, they have no bias only for a policy
 # that was chosen without a look at these nights, and this one was learned from them.) The doubly robust estimate even
 # repeats the promise, with a standard error of 0, since no step of the data corrects the values it was given. But one number does warn: these
 # estimates rest on *no* whole night. Look at the effective number before you look at the estimate.
@@ -271,7 +271,7 @@ no_zero.measured(good.kept["unseen is worst"].mean())
 # once or twice has a value that is too high or too low by chance, and the maximum looks for the one that is too high (the
 # maximisation bias of Sutton and Barto, section 6.7).
 #
-# The zero does the same harm on a longer morning. On Roadrunner (lesson 2) the runner falls off the cliff: promised −0.7, kept −77 (from 100 episodes). On Boulder (lesson 1), where no
+# The zero does the same harm on a longer morning. On Roadrunner (lesson 2) the runner falls off the cliff: promised −0.7, kept −77 (share 0.97, 100 episodes). On Boulder (lesson 1, with a discount of 0.99), where no
 # return is below 0, the zero does no harm: there it *is* the lowest value. With a network in the place of the table an untried action has whatever value
 # the network makes up for it.
 # </details>

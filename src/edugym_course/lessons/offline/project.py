@@ -120,4 +120,4 @@ def _why(program: Any, one: Run, seed: int) -> str:
             "that is worse than the clock that collected the nights; does it take the *best* action, by its own state?"
         )
     missed = unsolved(program, seed)
-    return f"it has learned something{f'. In a log-book of our making {missed}' if missed else ''}"
+    return f"it has learned, but too little{f'. In a log-book of our making {missed}' if missed else ''}"

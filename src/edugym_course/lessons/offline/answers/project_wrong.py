@@ -2,7 +2,7 @@
 # says: the middle one of
 # says: runs makes a clock worth
 # says: , and it should be worth
-# says: it has learned something. In a log-book of our making
+# says: it has learned, but too little. In a log-book of our making
 # says: what was never tried gets the lowest value, −90, and not 0
 # in: sums and counts
 # - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
@@ -15,7 +15,7 @@
 # + return lambda state: int(Q[state].argmin())
 
 # %% few steps
-# says: it has learned something
+# says: it has learned, but too little
 # in: sums and counts
 # - for s, a, *_ in steps:
 # + steps = steps[:100]
