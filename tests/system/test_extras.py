@@ -54,9 +54,10 @@ for package in (edugym, edugym_course):
             print(module.name)
 """
 NEED_ONE = {
-    *(f"edugym.compiled.{name}" for name in ("arithmetic", "compiler_pipelines", "draws", "interrupt_polling")),
-    *(f"edugym.compiled.{name}" for name in ("finite", "mixed_numbers", "number_kinds", "operations")),
-    *(f"edugym.compiled.{name}" for name in ("random_generators", "typed_checks", "untyped_checks")),
+    *(f"edugym.compiled.{name}" for name in ("arithmetic", "checked_values", "compiler_pipelines", "draws")),
+    *(f"edugym.compiled.{name}" for name in ("finite", "insertions", "interrupt_polling", "mixed_numbers")),
+    *(f"edugym.compiled.{name}" for name in ("number_kinds", "operations", "random_generators")),
+    *(f"edugym.compiled.{name}" for name in ("typed_checks", "untyped_checks")),
     *(f"edugym.deep.{name}" for name in ("actor_critic", "baselines", "curves", "library", "ppo", "vec_env")),
     *("edugym_course.lessons.dimensionality.layers", "edugym_course.notebook"),
 }

@@ -36,7 +36,10 @@ HINTS = (
     ("cannot access local variable", "it gets a value on some paths only"),
     (r"operand type\(s\) for \^", "`^` is no power in Python: write `**`"),
     ("'NoneType'", "something is None there: is a `return` missing, or does what is called return nothing?"),
-    ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
+    (
+        "division by zero",
+        "the number below the line can be 0: if it is a count, should it grow first, or is 0 a case apart?",
+    ),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
     (
         r"converted to Python scalar|array element with a sequence\.$",

@@ -128,7 +128,7 @@ WRONG: dict[str, tuple[Any, str]] = {
     ),
     "values of one state": (
         partial(plays, policy=np.zeros(4)),
-        "for the values of a single state `lambda state: int(np.argmax(Q))`, and for an array with an action for each",
+        ", for the values of a single state `lambda state: int(np.argmax(Q))`, and for an array with an action for",
     ),
     "a class as a policy": (partial(plays, policy=SmallWorld), "what it returns is the class SmallWorld"),
     "both": (reads_both, "reset gives two things: state, info = environment.reset()"),

@@ -30,7 +30,7 @@ def test_the_line_is_the_students() -> None:
     """Also when the error is raised further down; each is one line, also a message of several lines."""
     assert run("def f():\n    x = 1\n    return x / 0") == (
         "the line `return x / 0` raises ZeroDivisionError: division by zero"
-        " (the number below the line can be 0: is it a count that should grow first?)"
+        " (the number below the line can be 0: if it is a count, should it grow first, or is 0 a case apart?)"
     )
     said = run("def f():\n    return np.zeros(2).reshape(3)\n", np=np)
     assert said.startswith("the line `return np.zeros(2).reshape(3)` raises ValueError: cannot reshape")

@@ -110,7 +110,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 # %% [markdown]
 # The number after ± is the standard error. The last number is the *effective* number of nights, $(\sum \rho)^2 / \sum \rho^2$: here those whose weight is not 0, since all these weights are equal ($1.5^8$). Of 1 000 nights
 # 44 follow the best clock to their end. (The last two estimates also use the beginnings of nights that leave it later. The
-# doubly robust one takes its values $Q$ from these same nights, so it may have a small bias. They are learned as the next section shows, but with the mean over $\pi$ in place of the maximum.)
+# doubly robust one takes its values $Q$ from these same nights, so it may have a small bias. `fitted_q_evaluation` learns this $Q$ as the next section shows, but with the mean over $\pi$ in place of the maximum.)
 #
 # ### Learn from the data alone
 # *Fitted Q-iteration* is Q-learning without interaction. It goes through all steps of the log-book at once, again and again:
@@ -132,7 +132,7 @@ print(f"exact         {policy_evaluation(model, best).start:5.2f}")
 # $$
 #
 # It is a bonus for exploring with the sign turned round: who may explore goes where little is known, and
-# who may not keeps away. In the package one function does both: for `fitted_q_iteration` the penalty is 0, and `unseen` is 0. (Its `state_values` takes the maximum over the actions.)
+# who may not keeps away. In the package one function is behind both `fitted_q_iteration` (the penalty is 0, and `unseen` is 0) and `pessimistic_q_iteration`. (Its `state_values` takes the maximum over the actions.)
 
 # %%
 source(fitted_values)
@@ -535,7 +535,7 @@ check(project_16, my_program)
 # sampling weighs episodes by the ratio of the two policies, and its variance grows with every step; a doubly robust estimate
 # corrects values by the data. Who learns from data and takes the largest value goes where the values are too
 # high: to actions that were seldom tried, or never. So I count how often something was tried, and expect the worst of what I do
-# not know. Then I mostly get what I was promised, or more.
+# not know. If the penalty is large enough, I then mostly get what I was promised, or more.
 #
 # ### Limits
 # The behaviour policy is known here, and every state is seen as it is. If the log-book does not say with which probability an action was taken, it must be

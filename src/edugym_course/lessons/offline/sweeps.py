@@ -29,10 +29,16 @@ def swept(
     future: str = "largest",
     start: int = 0,
     per: str = "pair",
+    order: str = "at once",
     discount: float = 1.0,
 ) -> Reals:
     """Return the values after one sweep; other arguments than the defaults are mistakes."""
     steps, before, penalty, lowest = case
+    if order == "in turn":
+        table = before.copy()
+        for pair in np.ndindex(table.shape):
+            table[pair] = swept((steps, table, penalty, lowest), discount=discount)[pair]
+        return table
     targets: dict[tuple[int, int], list[float]] = {}
     for s, a, r, after, terminated in steps:
         if terminated and end == "skipped":
@@ -57,6 +63,8 @@ def swept(
     for (s, a), seen in targets.items():
         n = len(seen)
         taken = {"pair": n, "state": sum(1 for one in steps if one[0] == s), "all": len(steps)}[per]
+        if floor == "targets":
+            seen = [max(lowest, target) for target in seen]
         fitted = {
             "mean": float(np.mean(seen)),
             "worst": min(seen),
@@ -77,7 +85,7 @@ def swept(
         if floor == "each":
             Q[s, a] = np.mean([max(lowest, target - less) for target in seen])
         elif floor != "none":
-            Q[s, a] = {"max": max, "min": min}[floor](lowest, Q[s, a])
+            Q[s, a] = {"min": min}.get(floor, max)(lowest, Q[s, a])
     return Q
 
 
@@ -100,6 +108,10 @@ SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "pairs without a step get the penalty as a value; a pessimist gives them the lowest value": {"unseen": "penalty"},
     "some values are below the lowest one there is": {"floor": "none"},
     "each target is held above the lowest value; only their mean, less the penalty, is": {"floor": "each"},
+    "each target is held above the lowest value; only what comes of their mean is": {"floor": "targets"},
+    "some targets use values that this sweep has already changed: they all need those of the table before it": {
+        "order": "in turn"
+    },
     "of the value and the lowest one it takes the smaller; max(...) takes the larger": {"floor": "min"},
     "what comes after the end is counted: where `terminated` is True the target is the reward alone": {"end": "always"},
     "what comes after a step is left out: where the task goes on, add the largest value of the next state": {
@@ -119,9 +131,13 @@ SWEPT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
 
 
 def made_up_sweeps(rng: np.random.Generator) -> list[Sweep]:
-    """Make up steps: some pairs come several times, some never, one is below the lowest; in the last all are low."""
+    """Make up steps: some pairs come several times, some never, one is below the lowest; in the fourth all are low.
+
+    The lowest value is a whole number, as one writes it. In the last case single targets are below it.
+    """
     made = list[Sweep]()
-    for penalty, n_steps, down in ((2.0, 6, 0.0), (3.0, 8, 0.0), (12.0, 7, 0.0), (2.0, 4, FAR_BELOW)):
+    kinds = ((2.0, 6, 0.0, -9), (3.0, 8, 0.0, -9), (12.0, 7, 0.0, -9), (2.0, 4, FAR_BELOW, -9), (1.0, 8, 0.0, -2))
+    for penalty, n_steps, down, lowest in kinds:
         steps: list[Step] = [
             (
                 int(rng.integers(2)),
@@ -132,7 +148,9 @@ def made_up_sweeps(rng: np.random.Generator) -> list[Sweep]:
             )
             for _ in range(n_steps)
         ]
-        made.append((steps, (rng.integers(-3, 6, (N_STATES, N_ACTIONS)) - down).astype(float), penalty, -9.0 - down))
+        made.append(
+            (steps, (rng.integers(-3, 6, (N_STATES, N_ACTIONS)) - down).astype(float), penalty, lowest - int(down))
+        )
     return made
 
 

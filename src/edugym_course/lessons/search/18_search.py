@@ -87,6 +87,9 @@ for action, name in enumerate(shop.action_names):
 source(UCT, "simulate", "select", "back_up")
 
 # %% [markdown]
+# (`select` gives the values and counts of the node to `choose` of `UCB`: that is the formula of step 1, as in lesson 0b.)
+
+# %% [markdown]
 # ## The experiment: more simulations
 #
 # | setting | value |
@@ -139,7 +142,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. The tree gains clearly only with 20 steps, 1000 simulations and $c = 10$.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. In these 20 episodes the tree gains clearly only with 20 steps, 1000 simulations and $c = 10$ (a little with 300, as the figure above shows).
 # With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ the tree gets about what plain roll-outs get.
 # </details>
 
@@ -198,15 +201,19 @@ for name, told in judges.items():
     large, small = (search(c=c, repetitions=20).mean() for c in (10.0, 1.0))
     print(f"{name:27} {large:7.0f} {small:7.0f}")
 longer = [methods.told(told, simulations=10_000, repetitions=5).mean() for told in ("at random", "well")]
+print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 print("told the value of good play, tries at the entrance (up, down, left, right):")
 for c in (10.0, 1.0):
     print(f"c = {c:g}: {methods.tries_at_entrance('well', c)}")
-print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
 
 # %% [markdown]
-# Both of them do: told the value of good play, and with a small $c$, it gets 95, and with one of these changes alone it does not. If it knows the value of good play, but $c = 10$, it gets 78: with that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A
-# value in the tree is the mean over all tries, those into walls too. With $c = 1$ and roll-outs it gets 65. Told the value of random play without errors, UCT gets
-# 59, as plain roll-outs do in the long run, and 10 000 simulations change neither 59 nor 78. So here even the errors of the roll-outs help.
+# Both suspects hold it back. Only with both changes, the value of good play and a small $c$, does it get 95:
+#
+# - The value of good play alone ($c = 10$): 78. With that $c$ more than half of the tries at the entrance go into walls, and with $c = 1$ only 2 %. A value in the tree is the mean over all tries, those into walls too.
+# - A small $c$ alone (with roll-outs): 65.
+# - The exact value of random play in place of roll-outs ($c = 10$): 59, as plain roll-outs get in the long run. So here even the errors of the roll-outs help.
+#
+# Ten times as many simulations change neither 59 nor 78.
 
 # %% [markdown]
 # ## Predict, then check
@@ -236,7 +243,7 @@ crowded.measured(crowds[16].mean())
 #
 # **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to −25). Is the tree to blame, which has 16 branches at each node now? Or
 # the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. If the twelve
-# *repeat* the four directions instead, UCT gets 67. (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 10, and 52 and 74 with one of the two.) This may be one reason why programs that play well seldom roll out at random: they
+# *repeat* the four directions instead, UCT gets 67. (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 14, and 53 and 77 with one of the two.) This may be one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
@@ -292,7 +299,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells, three change nothing; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven cells of other walls, three change nothing; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
@@ -302,19 +309,18 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # Not every wrong model is like that. Let all rewards of the model have errors, with a standard deviation of 1:
 
 # %%
-errors = np.array([plans.with_errors(number, (8, 20)) for number in range(1, 31)]).mean(axis=0)
-print(f"rewards with errors: 8 steps {errors[0]:.0f}, 20 steps {errors[1]:.0f}")
-short = [np.array([plans.with_errors(k, (8,), steps_pay=pay)[0] for k in range(1, 31)]) for pay in (True, False)]
-for name, got in zip(("a step may seem to pay", "no step seems to pay"), short, strict=True):
-    print(f"{name:23} 8 steps get {got.mean():3.0f}, and -100 in {(got == -100).sum()} of {len(got)} models")
+for name, pay in (("a step may seem to pay", True), ("no step seems to pay", False)):
+    short, long = np.array([plans.with_errors(k, (8, 20), steps_pay=pay) for k in range(1, 301)]).T
+    for steps, got in ((8, short), (20, long)):
+        print(f"{name:23} {steps:2} steps get {got.mean():3.0f}, and -100 in {(got == -100).sum():2} of 300 models")
 searching = [methods.searched(door=door, repetitions=20).mean() for door in (None, methods.DOOR)]
 print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
 certain = methods.told("well", door=methods.DOOR, repetitions=20)
 print(f"UCT on the old map, if it knows what each place is worth there: {certain.mean():.0f}")
 
 # %% [markdown]
-# There the deeper look is the better one, and the *short* one suffers: 17 instead of 59. Where an error makes
-# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 7 of 30 models. If what costs in truth costs at least a little in the model, too, it gets −100 in only 1 of them (where a wall seems to cost next to nothing), and 49 on average.
+# There the deeper look is the better one, and the *short* one suffers more: it gets 13 instead of 59, and the deeper one 79 instead of 95. Where an error makes
+# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 79 of 300 models. If what costs in truth costs at least a little in the model, too, it gets −100 in only 13 of them, and 48 on average.
 # And UCT, too, loses on the old map, though less than the exact look-ahead. That is because its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
 #
 # ### What does it cost?
@@ -450,7 +456,7 @@ check(exercise_3, look_ahead, seed=1, quiet=True)
 # - Return the action with the highest value in the root, of those that were tried there: there may be fewer simulations than actions. Random numbers come from `rng = np.random.default_rng(seed)`.
 #
 # The check sets it riddles: tiny tasks, each of which cannot be solved if one part of the search is missing. States and actions have other numbers each time.
-# <details><summary>A plan</summary>Keep a dictionary: for each node two lists, counts and values. A node may be the tuple of what led to it: (), then (action, state), and so on. A function
+# <details><summary>A plan</summary>Keep a dictionary: for each node two lists, counts and values. A node may be the tuple of what led to it: (), then (action, state), and so on. (A table with one entry a state, in which all ways to it meet, is accepted as well.) A function
 # that simulates from a node on, and calls itself for the next one, backs up by itself: it returns its return.</details>
 
 # %% tags=["project"]

@@ -293,7 +293,7 @@ def project_18(answer: Any, seed: int) -> str:
     if len(begun) == 1:
         raise WrongAnswer(
             f"{NAME} begins every search with the action {begun.pop()}, though none was tried yet: among equals draw"
-            " one at random"
+            " one at random, and begin the generator with the seed that is given"
         )
     require_tree(answer, seed)
     require_highest_value(answer, seed)

@@ -5,7 +5,7 @@ def pessimistic_sweep(steps, Q, penalty, lowest):
     for state, action, reward, next_state, terminated in steps:
         target = reward if terminated else reward + Q[next_state].max()
         targets.setdefault((state, action), []).append(target)
-    new = np.full(Q.shape, lowest)
+    new = np.full(Q.shape, float(lowest))
     for pair, values in targets.items():
         new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
     return new

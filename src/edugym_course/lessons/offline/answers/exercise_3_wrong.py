@@ -58,19 +58,19 @@
 # %% zeros
 # says: pairs without a step are 0; a pessimist gives them the lowest value
 # in: lists of targets
-# - new = np.full(Q.shape, lowest)
+# - new = np.full(Q.shape, float(lowest))
 # + new = np.zeros(Q.shape)
 
 # %% as before
 # says: pairs without a step keep their value; a pessimist gives them the lowest value
 # in: lists of targets
-# - new = np.full(Q.shape, lowest)
+# - new = np.full(Q.shape, float(lowest))
 # + new = Q.copy()
 
 # %% penalty alone
 # says: pairs without a step get the penalty as a value; a pessimist gives them the lowest value
 # in: lists of targets
-# - new = np.full(Q.shape, lowest)
+# - new = np.full(Q.shape, float(lowest))
 # + new = np.full(Q.shape, -penalty)
 
 # %% no floor
@@ -106,7 +106,7 @@
 # %% in place
 # says: changes the table Q that it is given: all targets need the old one, so make a new one
 # in: lists of targets
-# - new = np.full(Q.shape, lowest)
+# - new = np.full(Q.shape, float(lowest))
 # + new = Q
 # + new[:] = lowest
 
@@ -214,3 +214,28 @@ pessimistic_sweep = np.zeros((3, 2))
 # in: lists of targets
 # - new[pair] = max(lowest, np.mean(values) - penalty / np.sqrt(len(values)))
 # + new[pair] = np.mean([max(lowest, value - penalty / np.sqrt(len(values))) for value in values])
+
+# %% each target above the lowest, before the mean
+# says: each target is held above the lowest value; only what comes of their mean is
+# in: lists of targets
+# - targets.setdefault((state, action), []).append(target)
+# + targets.setdefault((state, action), []).append(max(lowest, target))
+
+# %% a table of whole numbers
+# says: is it rounded, or stored in an array of whole numbers? An array of floats
+# in: lists of targets
+# - new = np.full(Q.shape, float(lowest))
+# + new = np.full(Q.shape, lowest)
+
+
+# %% values of the same sweep
+# says: some targets use values that this sweep has already changed: they all need those of the table before it
+def pessimistic_sweep(steps, Q, penalty, lowest):
+    Q = Q.copy()
+    for state in range(len(Q)):
+        for action in range(Q.shape[1]):
+            mine = [step for step in steps if step[:2] == (state, action)]
+            targets = [reward + (0 if over else Q[after].max()) for _, _, reward, after, over in mine]
+            n = len(targets)
+            Q[state, action] = max(lowest, sum(targets) / n - penalty / n**0.5) if n else lowest
+    return Q

@@ -231,7 +231,7 @@ my_program = 3
 
 # %% the untried ones in order
 # slow
-# says: my_program begins every search with the action 0, though none was tried yet: among equals draw one at random
+# says: my_program begins every search with the action 0, though none was tried yet: among equals draw one at random, and begin the generator with the seed that is given
 # in: a loop and a path
 # - action = int(rng.choice(untried))
 # + action = int(untried[0])
