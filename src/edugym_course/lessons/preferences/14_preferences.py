@@ -101,7 +101,7 @@ for noise in (0.1, 1.0, 10.0):
 # learned in units of the noise), and $n_1$, $n_2$ count how often
 # each night took action $a$ in state $s$. It reads like the updates that you know: a rate, an error, and where to put it.
 # What surprises most is learned most. The package makes the logarithm of the likelihood of all comparisons as large as possible, by Newton's method. A *prior* $\lambda$ takes
-# $\frac{\lambda}{2} \sum \hat r^2$ off it, so that all rewards shrink a little, and those that nothing is known of stay 0. These are the lines that do it (`gradient` is the step above, for all comparisons at once):
+# $\frac{\lambda}{2} \sum \hat r^2$ off it: the larger $\lambda$ is, the smaller the rewards are on the whole, and those that nothing is known of stay 0. These are the lines that do it (`gradient` is the step above for all comparisons at once, with the preferred night first, so $y = 1$, and less what the prior takes):
 
 # %%
 source(most_likely)
@@ -205,9 +205,9 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# From its highest point (printed falls begin at $\beta = 0.5$) the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
+# From its highest point (the cells print the fall from $\beta = 0.5$ on) the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
-# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell by nearly 3, and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
+# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell more (by nearly 3 in these 30 runs, and by 1.5 in 200 others), and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
 # </details>
 
 # %% [markdown]
@@ -221,7 +221,7 @@ thousands = methods.followed(n_comparisons=3000, repetitions=20)
 figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, second=True)
 
 # %% [markdown]
-# Learned returns are on a smaller scale than the meant one: the prior shrinks them, and so does what the aside below says. So do not compare heights with the meant line; compare the first learned reward with the
+# Learned returns have a scale of their own: the prior shrinks them, and so does what the aside below says. So do not compare heights with the meant line; compare the first learned reward with the
 # *second* one: both were learned in the same way, and each is as good as the other. On the left they disagree more and more. In
 # the end the second promises half as much for these policies, and it *falls*, as the meant reward does. So the first reward
 # is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high
@@ -277,8 +277,8 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 #
 # **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers (22 states, three actions). What a
 # comparison says is which night was better *as a whole*, and not which of its steps made it so. Errors of the teacher make
-# the fall larger, if there are many (the sliders show $\tau = 10$); but without any the return still falls. On a longer morning and with other costs the
-# same came out.
+# the fall larger, if there are many (the sliders show $\tau = 10$); but without any the return still falls. On a longer morning and with other costs it
+# fell as well, with errors and without.
 # </details>
 
 # %% [markdown]
@@ -419,7 +419,7 @@ check(exercise_2, learn, seed=1, quiet=True)
 # best policy there, for a penalty $\beta$ (`penalty`) that may also be very small.
 #
 # <details><summary>Hint</summary>V(s) only makes the probabilities sum to 1. And you may subtract the same number from all values
-# first, which changes nothing: the largest value among the actions that the reference takes. Then no exponential overflows, and one of them is 1.</details>
+# first, which changes nothing: the largest value among the actions that the reference takes. Then none of their exponentials overflows, and one of them is 1. Leave out the actions that it never takes: they may be worth more, and theirs would overflow.</details>
 
 
 # %%

@@ -20,7 +20,7 @@ def with_penalty(values, reference, penalty):
 
 
 # %% it overflows
-# says: : an exponential overflows, or all of them are 0; first subtract the largest value *among the actions that the reference takes* from all values
+# says: : an exponential overflows, or all of them are 0; first subtract the largest value *among the actions that the reference takes* from all values, and leave the others out: they may be worth more, and 0 times infinity is NaN
 def with_penalty(values, reference, penalty):
     weights = reference * np.exp(values / penalty)
     return weights / weights.sum()
@@ -203,4 +203,11 @@ def with_penalty(values, reference, penalty):
 def with_penalty(values, reference, penalty):
     worth = np.where(reference > 0, values, 0)
     weights = reference * np.exp((worth - worth.max()) / penalty)
+    return weights / weights.sum()
+
+
+# %% what is never taken is not left out
+# says: and leave the others out: they may be worth more
+def with_penalty(values, reference, penalty):
+    weights = reference * np.exp((values - values[reference > 0].max()) / penalty)
     return weights / weights.sum()

@@ -325,7 +325,8 @@ def exercise_3(answer: Any, seed: int, times: Times = 1.0) -> str:
             raise WrongAnswer(
                 f"{call} should give {in_brackets(right((values, reference, penalty)))}, but gives"
                 f" {in_brackets(table)}: an exponential overflows, or all of them are 0; first subtract the largest"
-                " value *among the actions that the reference takes* from all values"
+                " value *among the actions that the reference takes* from all values, and leave the others out: they"
+                " may be worth more, and 0 times infinity is NaN"
             )
         found.append(table)
         calls.append(call)
