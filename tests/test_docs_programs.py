@@ -15,8 +15,8 @@ from edugym.experiments.profiles.scores import COLUMNS
 from edugym_course import agent_profiles
 
 DOCS = Path(__file__).parents[1] / "docs"
-FEW = [find("Casino"), find("Golf")]
-"""Environments whose films need no training."""
+FEW = [find("Casino")]
+"""An environment whose film needs no training."""
 NAMES = {"agents": ("PAGE", "CHALLENGE"), "architecture": ("PAGE", "PICTURE"), "isolation": ("PAGE",), "pages": ()}
 """Where each program writes."""
 

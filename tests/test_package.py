@@ -57,6 +57,7 @@ def test_tests_that_begin_too_late_are_skipped() -> None:
     assert "passed" not in out
 
 
+@pytest.mark.slow
 def test_limited_time_begins_with_other_files() -> None:
     """Each run of limited time takes files in another order, the same in all its processes, and whole."""
     first, again, other = (

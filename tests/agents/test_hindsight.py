@@ -226,6 +226,7 @@ LEARNERS: list[tuple[int, int, Any, bool]] = [
 """How many switches, how many steps, the hindsight, and whether a network learns to bring the pattern about."""
 
 
+@pytest.mark.slow
 def test_a_network_learns_eight_switches() -> None:
     """Near the best return, over seeds; without learning it gets no further than random play, near the worst, -8."""
     kind, hindsight = eg.HindsightDQN, eg.FutureGoals(4)

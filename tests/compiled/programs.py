@@ -270,6 +270,7 @@ RARE = [
     "events with a large mean", "sum of whole numbers", "texts joined", "matrices of whole numbers",
     "matrices of two types", "comparison by is", "float32 summed", "float32 array computed with",
     "row in place", "picture of bytes", "power too large", "largest by name", "whole fields and a picture",
-    "array functions", "draws with defaults", "largest and smallest",
+    "array functions", "draws with defaults", "largest and smallest", "parts in place", "the smallest of two zeros",
+    "whole power", "choice of nothing with probabilities", "power of infinity", "power of minus one",
 ]  # fmt: skip
 """Programs of all these kinds with which slow tests only are concerned."""

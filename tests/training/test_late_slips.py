@@ -58,7 +58,11 @@ either_way = pytest.mark.parametrize("machine_code", [True, False], ids=["machin
 
 @either_way
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in ("above the box", "of many"))) for name in LATE]
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] * (name in ("above the box", "below the box", "of many")))
+        for name in LATE
+    ],
 )
 def test_late_slips_in_an_mdp(name: str, machine_code: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """What is returned is named, and the state."""

@@ -48,7 +48,13 @@ AGENTS: dict[str, Any] = {
     "on-policy, without greedy": lambda: StudentsSarsa(np.zeros((7, 2))),
     "a student's, without greedy": lambda: StudentsQLearning(np.zeros((7, 2))),
 }
-each_agent = pytest.mark.parametrize("make", AGENTS.values(), ids=AGENTS)
+each_agent = pytest.mark.parametrize(
+    "make",
+    [
+        pytest.param(make, id=name, marks=[pytest.mark.slow] * name.startswith("a student's"))
+        for name, make in AGENTS.items()
+    ],
+)
 
 
 @each_agent

@@ -21,7 +21,7 @@ NO_SENTENCE = re.compile(
     r"(?i:and|but|nor|or|so|than|then|that|which|who|whose|it|its|they|their|this|these|too|also)\b|[a-z]{2,}"
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
-LONG_REPORTS = {"several_agents", "search", "model_based"}
+LONG_REPORTS = {"bandits", "several_agents", "search", "model_based"}
 """The lessons whose reports take eight seconds or more."""
 QUICK_CELLS = {"objectives", "loop", "depth", "goals", "own_problem"}
 """The lessons whose cells take some three seconds or less."""
