@@ -209,6 +209,11 @@ def run_program(
             f"{NAME} takes {len(recorder.steps)} of its {n_steps} steps: go on, episode after episode, until all are"
             " taken"
         )
+    if len(recorder.steps) == n_steps - 1 and not (recorder.steps[-1].terminated or recorder.steps[-1].truncated):
+        raise WrongAnswer(
+            f"{NAME} takes {n_steps - 1} of its {n_steps} steps: one is missing; does the loop begin at 1, or end at"
+            " n_steps - 1?"
+        )
     if not recorder.is_seeded:
         raise WrongAnswer(
             f"{NAME} gives no seed to its first reset, so two runs with one seed differ: begin with state, info ="

@@ -28,6 +28,10 @@ N_STEPS, PULLS = 3_000, 100
 SHORT_RUNS = 60
 """So many runs of 10 steps are looked at: which of several equal arms is pulled, and what the policy is. After so few
 pulls the best arm is often another one than the last, or than the most pulled."""
+PAIR_PULLS, LATE_IN_PAIR = 4_000, 3_500
+"""With two arms it matters most whether the random one is one of both: the worse arm gets half of the random pulls."""
+FAINT, FAINT_RUNS, FAINT_PULLS = 0.01, 20, 16
+"""What arms pay where first values other than 0 show, and how many first pulls are looked at there."""
 SURE_PULLS, SURE_ARMS = 8_000, 50
 """In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end.
 With so many arms it hardly matters whether the random one is one of all."""
@@ -85,15 +89,16 @@ class Certain(gymnasium.Env[Any, Any]):
     Args:
         seed: the number from which it is drawn which arm pays how much.
         fades: whether the best arm fades; the others then pay 0.6 and less.
+        scale: what the best arm pays.
     """
 
     observation_space, action_space = spaces.Discrete(1), spaces.Discrete(CERTAIN_ARMS)
 
-    def __init__(self, seed: int, fades: bool) -> None:
+    def __init__(self, seed: int, fades: bool, scale: float = 1.0) -> None:
         """Draw which arm pays how much."""
-        ranks = np.random.default_rng(APART + seed).permutation(CERTAIN_ARMS)
-        self._pays = [1 - (0.35 + 0.05 * rank if fades and rank else 0.001 * rank) for rank in ranks.tolist()]
-        self._fading = int(ranks.argmin()) if fades else -1
+        ranks = np.random.default_rng(APART + seed).permutation(CERTAIN_ARMS).tolist()
+        self._pays = [scale - (0.35 + 0.05 * rank if fades and rank else 0.001 * rank) for rank in ranks]
+        self._fading = ranks.index(0) if fades else -1
         self._pulls = 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
@@ -288,6 +293,8 @@ def project_0b(answer: Any, seed: int) -> str:
             " arm is random, and do not count to ten"
         )
     _require_mean_alone(answer, seed)
+    _require_first_values(answer, seed)
+    _require_any_arm(answer, seed)
     RULE.look_closer(answer, seed, tries)
     return f"Right: every reward counts equally. {compare_with_ours(answer, TEN_ARMS, seed)}"
 
@@ -316,6 +323,41 @@ def _require_mean_alone(answer: Any, seed: int) -> None:
                 f"{shows}, {found.found.sum():.0f} of {CERTAIN_PULLS} pulls are not of the arm with the largest mean,"
                 f" and it should be some {found.expected:.0f}: {why}"
             )
+
+
+def _require_first_values(answer: Any, seed: int) -> None:
+    """Refuse first values other than 0, where what arms pay is so near 0 that they count.
+
+    Raises:
+        WrongAnswer: it has others.
+    """
+    for scale in (FAINT, -FAINT):
+        numbers = range(FAINT_RUNS * seed, FAINT_RUNS * (seed + 1))
+        runs = [run_program(answer, Certain(number, False, scale), FAINT_PULLS, number) for number in numbers]
+        found = Surprises.of(replay([run.steps for run in runs], RULE.right, (1, CERTAIN_ARMS), EPSILON))
+        if not found.is_usual(slack=1 / (CERTAIN_ARMS - 1)):
+            raise WrongAnswer(
+                f"with arms that always pay {scale} or a few thousandths less, {found.found.sum():.0f} of"
+                f" {found.found.size} first pulls are not of an arm with the largest value, and it should be some"
+                f" {found.expected:.0f}: the first values are 0, those of all arms"
+            )
+
+
+def _require_any_arm(answer: Any, seed: int) -> None:
+    """Refuse a program whose random arm is never the best one.
+
+    Raises:
+        WrongAnswer: it is.
+    """
+    pair = make_environment("Bandit", n_arms=2, gap=1.0, layout_seed=seed, max_steps=PULLS)
+    arms = [step.action for step in run_program(answer, pair, PAIR_PULLS, seed).steps[-LATE_IN_PAIR:]]
+    others, expected = LATE_IN_PAIR - Counter(arms).most_common(1)[0][1], LATE_IN_PAIR * EPSILON / 2
+    if others > 1.5 * expected:  # halfway to twice as many
+        raise WrongAnswer(
+            f"in a bandit with two arms, one of which always pays, my_program pulls the other one in {others} of"
+            f" {LATE_IN_PAIR} late steps, and it should be some {expected:.0f}: a random arm may be any of them, the"
+            " best one too"
+        )
 
 
 def _ties(run: Run) -> Iterator[tuple[int, list[int]]]:

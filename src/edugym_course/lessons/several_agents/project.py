@@ -179,7 +179,8 @@ RIDDLES = (
     ),
     Riddle(
         _soon,
-        "there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9",
+        "there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five"
+        " is random, so that all are tried)",
     ),
     Riddle(
         partial(_soon, at_once=17.5),

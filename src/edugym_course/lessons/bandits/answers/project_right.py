@@ -41,7 +41,7 @@ def my_program(environment, n_steps, seed):
     return lambda state: (total / np.maximum(N, 1)).argmax()
 
 
-# %% a probability for each arm, and a random arm that is another one
+# %% a probability for each arm
 # slow
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
@@ -50,8 +50,8 @@ def my_program(environment, n_steps, seed):
     environment.reset(seed=seed)
     for t in range(n_steps):
         looks_best = np.flatnonzero(Q == Q.max())
-        if rng.random() < 0.1 and len(looks_best) < n:
-            looks_best = np.setdiff1d(arms, looks_best)
+        if rng.random() < 0.1:
+            looks_best = arms
         arm = int(rng.choice(n, p=np.isin(arms, looks_best) / len(looks_best)))
         _, reward, terminated, truncated, _ = environment.step(arm)
         N[arm] += 1

@@ -306,3 +306,36 @@
 # in: with lists
 # - pulls[arm] += 1
 # + pulls[arm] = min(pulls[arm] + 1, 300)
+
+# %% among the others
+# slow
+# says: in a bandit with two arms, one of which always pays, my_program pulls the other one in
+# says:  late steps, and it should be some 175: a random arm may be any of them, the best one too
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = best()
+# + if rng.random() < 0.1:
+# +     arm = int(rng.choice([a for a in range(n) if a != arm]))
+
+# %% first values of a half
+# slow
+# says: with arms that always pay 0.01 or a few thousandths less,
+# says: first pulls are not of an arm with the largest value, and it should be some
+# says: : the first values are 0, those of all arms
+# in: sums of rewards
+# - Q = total / np.maximum(N, 1)
+# + Q = np.where(N > 0, total / np.maximum(N, 1), 0.5)
+
+# %% first values below 0
+# slow
+# says: with arms that always pay -0.01 or a few thousandths less,
+# in: sums of rewards
+# - Q = total / np.maximum(N, 1)
+# + Q = np.where(N > 0, total / np.maximum(N, 1), -1.0)
+
+# %% one step short
+# says: of its
+# says: steps: one is missing; does the loop begin at 1, or end at n_steps - 1?
+# in: sums of rewards
+# - for t in range(n_steps):
+# + for t in range(1, n_steps):

@@ -54,7 +54,7 @@
 
 # %% no discount
 # slow
-# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9
+# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five is random, so that all are tried)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += value(int(seen[me]))
@@ -172,7 +172,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.95
 # slow
-# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9
+# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five is random, so that all are tried)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.95 * value(int(seen[me]))
