@@ -205,7 +205,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# From its highest point (the cells print the fall from $\beta = 0.5$ on) the meant return fell by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
+# With a prior of 0.1 the meant return fell from its highest point (other cells print the fall from $\beta = 0.5$ on) by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
 # was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell more (by nearly 3 in these 30 runs, and by 1.5 in 200 others), and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
 # </details>
@@ -337,7 +337,7 @@ in_rounds.measured(rounds.at(methods.MODEST).mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth 0.8 more. The fall is
+# **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth 0.8 more (about 1 in other runs). The fall is
 # smaller and not gone. So four things helped here: more comparisons, comparisons of what the policy does now, a penalty for
 # leaving the reference, and a stronger prior. And a second reward, for which other answers must be paid, shows the fall in the mean over the runs (for a single clock it is a weak sign).
 # </details>
@@ -457,7 +457,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 #
 # How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
 #
-# The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds.) Then it lets three *other* teachers answer, who want something
+# The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds, if the clock that plays them still tries things at random.) Then it lets three *other* teachers answer, who want something
 # else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>

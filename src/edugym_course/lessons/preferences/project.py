@@ -105,7 +105,8 @@ PARTS = (
         "hates to doze",
         0.65,
         "after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the"
-        " error y - p that is learned from, with p by the rewards as they are then, and in many passes?",
+        " error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few"
+        " comparisons asked, has each night the same luck, or is the depth left out?)",
     ),
     Other(
         Wish(TASK, (-6.0, 0.0, 8.0), (8.0, 0.0, 0.0)),

@@ -26,7 +26,7 @@
 # slow
 # says: With a teacher who
 # says: hates to doze
-# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes?
+# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few comparisons asked, has each night the same luck, or is the depth left out?)
 # in: visits as vectors
 # - p = 0.5 * (1 + np.tanh(differences @ rewards / 2))
 # + p = 0.5
