@@ -8,7 +8,6 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.agents.q_learning import QLearning
-from edugym.agents.search_tree import ROOT
 from edugym.agents.tables import random_action
 from edugym.agents.uct import UCT
 from edugym.compiled.execution import executable
@@ -103,6 +102,18 @@ class KnownLeaves(UCT):
     def roll_out(self, state: int, steps: int, rng: Random) -> float:
         """The value that it was told."""
         return float(self.Q[state, 0])
+
+
+class HighestReturns(KnownLeaves):
+    """The same, and the value of an action is the highest of the returns that followed it, not their mean."""
+
+    def back_up(self, steps: int, G: float) -> None:
+        """Keep the highest return of each action on the path."""
+        for step in range(steps - 1, -1, -1):
+            node, action = self.tree.path_nodes[step], self.tree.path_actions[step]
+            G = self.tree.path_rewards[step] + self.discount * G
+            known = self.tree.values[node, action] if self.tree.counts[node, action] > 1 else G
+            self.tree.values[node, action] = max(known, G)
 
 
 class FourInRollOuts(UCT):
@@ -233,25 +244,19 @@ def worth(play: str, door: tuple[int, int] | None = None) -> Reals:
     return table
 
 
-def told(play: str, *, door: tuple[int, int] | None = None, **settings: Any) -> Reals:
-    """Return what UCT gets that is told what new nodes are worth if one plays so; other arguments as in `searched`."""
+def told(play: str, *, door: tuple[int, int] | None = None, highest: bool = False, **settings: Any) -> Reals:
+    """Return what UCT gets that is told what new nodes are worth if one plays so.
+
+    Args:
+        play: "well", or "at random".
+        door: where the map shows a door that is bricked up, if anywhere.
+        highest: whether the value of an action is the highest of its returns, not their mean.
+        **settings: other arguments as in `searched`.
+    """
     how = {name: settings.pop(name) for name in ("repetitions", "seed", "stop") if name in settings}
-    return returns(shop(), told_search(play, door, **settings), **how)
-
-
-def told_search(play: str, door: tuple[int, int] | None = None, **settings: Any) -> KnownLeaves:
-    """Return UCT that is told what new nodes are worth if one plays so; other arguments as in `searcher`."""
-    agent = KnownLeaves(*searcher(model_of_map(door), **settings))
+    agent = (HighestReturns if highest else KnownLeaves)(*searcher(model_of_map(door), **settings))
     agent.Q[:] = worth(play, door)[:, np.newaxis]
-    return agent
-
-
-def tries_at_entrance(play: str, c: float) -> list[int]:
-    """Return how often such a search tries each action at the entrance."""
-    agent = told_search(play, c=c)
-    agent.greedy(shop().initial(np.random.default_rng(0)), np.random.default_rng(1))
-    tries: list[int] = agent.tree.counts[ROOT].tolist()
-    return tries
+    return returns(shop(), agent, **how)
 
 
 def in_crowd(n_actions: int, *, copies: bool = False, **settings: Any) -> Reals:
