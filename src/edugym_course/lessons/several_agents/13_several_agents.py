@@ -31,7 +31,7 @@ print(rock_paper_scissors.payoffs[:, :, 0])
 
 # %% [markdown]
 # ### Soccer
-# The second game takes many steps. It is that of Littman (1994).
+# The second game, that of Littman (1994), takes many steps.
 
 # %%
 soccer = games.Soccer.create()
@@ -55,7 +55,7 @@ soccer.scene(soccer.initial(np.random.default_rng(1)))
 source(games.Soccer, "moved", "rewards")
 
 # %% [markdown]
-# **Play it yourself.** You are blue. Your opponent never learns, and its policy is *safe*: not even the best player wins from it on average.
+# **Play it yourself.** You are blue. Your opponent never learns, and its policy is *safe*: nobody wins from it on average, if late goals count less (by $\gamma$).
 # How do you get past it?
 
 # %%
@@ -108,7 +108,7 @@ for name, pair in {
     print(f"{name:29} {games.exploitability(model, pair):.3f}")
 
 # %% [markdown]
-# Always rock can be beaten every time.
+# Rock alone always loses to paper.
 #
 # ### What Q-learning takes for granted
 # Q-learning learns $Q(s, a)$, the return of an action in a world with *one* $p(s' \mid s, a)$. But this $p$ contains $\rho$. When the
@@ -220,8 +220,8 @@ who.measured(who.options[options.get(close, 3)])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Minimax Q-learning only. The Q-learners differ widely from run to run, and the average of fictitious play
-# comes down slowly. (In zero-sum games of one move it is known to reach the equilibrium; in games of many steps this simple
-# form has no such guarantee.)
+# comes down slowly. (It is known to reach the equilibrium of zero-sum games of one move, but not, in this form,
+# of games of many steps.)
 #
 # The returns are about 0 for all: what one of a pair wins the other
 # loses. Who judges these players by their learning curves sees no difference. Only a *stranger* finds out who is not safe.
@@ -256,7 +256,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1, if they explore, both end up talking, and the
 # exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. So learning alone is harmless there, but not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it depends on
-# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 nine of ten pairs end up silent. The lines begin with an estimate: ties are drawn 100 times.)
+# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 most pairs end up silent. The lines begin with an estimate: ties are drawn 100 times.)
 # </details>
 
 # %% [markdown]
@@ -276,7 +276,7 @@ sliders(one_match, contact=[0.0, 0.5, 1.0], discount=(0.5, 0.95, 0.05))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Without contact both kinds were at 0 at the first look: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
+# Without contact both kinds were at 0 at their first measurement: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
 # 0.03 in the mean of three runs, and 0.11 from random play.
 # </details>
 
@@ -425,7 +425,7 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 #
 # **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
 # loses hardly anything to it. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these states it has never been: all its values there are still 1, and it draws any action. In the others it seldom is:
-# against its teacher 3 to 5 % of its steps begin there. A challenger leads it, in 9 to 42 % of the steps, into such states, never visited or seldom. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since such an answer need not be safe. So a world that stands still was not enough: a safe teacher
+# against its teacher 3 to 5 % of its steps begin there (without random actions). A challenger leads it, in 9 to 42 % of the steps, into such states, never visited or seldom. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since such an answer need not be safe. So a world that stands still was not enough: a safe teacher
 # does not make a safe pupil.
 # </details>
 
