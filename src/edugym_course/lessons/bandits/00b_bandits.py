@@ -112,7 +112,7 @@ finds.measured(100 * settled)
 # A = \arg\max_a \left[ Q(a) + c \sqrt{\frac{\ln t}{N(a)}} \right]
 # $$
 #
-# An arm that was never pulled comes first.
+# An arm that was never pulled comes first. (In the code `choose` keeps counts of its own.)
 #
 # - **Thompson sampling**: draw a plausible value $\theta(a)$ of each arm, from a normal distribution around $Q(a)$ that gets narrower with $N(a)$, and take the largest. $\sigma$ is how much
 #   the rewards of an arm spread; an arm that was never pulled comes first here too:
@@ -196,7 +196,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 
 # %% [markdown] tags=["aside"]
 # ### Aside: two that grow more slowly than the bound
-# From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come. For the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long. Here it does so with $\alpha = 1$, in 14 % of 2000 runs after 10 000 pulls, and in 6 % of 900 runs after 100 000.
+# From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come. For the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long. Here it does so with $\alpha = 1$, in about 13 % of the runs after 10 000 pulls, and in about 7 % after 100 000 (from thousands of runs, and from 900).
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -210,7 +210,7 @@ for temperature in (0.02, 0.05, 0.1, 0.2):
     print(f"{temperature:11} {one.regret().mean():8.0f} {cost:19.3f} {known:21.3f} {one.settled().mean():13.0%}")
 
 # %% [markdown]
-# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it loses the best arm in some four of ten runs, and draws several worse ones in turn. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means (and these, too, would give the best arm only 45 % of the pulls). With each of these temperatures
+# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs: it has hardly ever pulled it there, and goes from one worse arm to another. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means (and these, too, would give the best arm only 45 % of the pulls). With each of these temperatures
 # it pays more than ε-greedy (240). The formula asks how far two means differ, and not how well they are known. UCB and Thompson sampling ask both.
 
 # %% [markdown]
