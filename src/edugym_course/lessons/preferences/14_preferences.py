@@ -207,7 +207,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 #
 # With a prior of 0.1 the meant return fell from its highest point (other cells print the fall from $\beta = 0.5$ on) by 0.6 to 1.6 with 10, 30, 100 and 300 comparisons, and by some 0.2 with 1 000. (Below
 # there are 3 000.) With a weak prior, 0.01, its highest point was lower (8.1, and 8.5 with a prior of 0.1); with a strong one, 1, it was higher (9), and the fall
-# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell more (by nearly 3 in these 30 runs, and by 1.5 in 200 others), and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
+# was smaller. Learned returns and $\beta$ are in units of $\tau$. With 100 comparisons and $\tau = 3$ it fell more (by nearly 3 in these 30 runs, and by 1.5 to 1.9 in 200 others), and with $\tau = 10$ the clock became worse than the one from the factory, while the learned return rose as ever. With 1 000 comparisons it stayed better than the factory's, even with $\tau = 10$.
 # </details>
 
 # %% [markdown]
@@ -228,7 +228,7 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # and some too low, and whoever looks for the highest return goes where they are too high. (So does Q-learning with its
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
-# On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises to the end. (Both
+# On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises nearly to the end. (Both
 # promise only half of what is meant: an aside says why.)
 
 # %% [markdown] tags=["aside"]

@@ -142,7 +142,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly (a little with 300, as the figure above shows). Most other differences are within the luck of 20 episodes.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly (with 300, too, as the figure above shows). Most other differences are within the luck of 20 episodes.
 # With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ the tree gets about what plain roll-outs get.
 # </details>
 
@@ -210,7 +210,7 @@ print(f"told the value of good play: {few:.0f} with 100 simulations and c = 10, 
 # %% [markdown]
 # At these settings neither change is enough alone. Told the value of good play, but with $c = 10$, it gets 78; with $c = 1$, but roll-outs, 65; with both it gets 95.
 #
-# - Why 78? A value in the tree is the mean over all tries, those into walls too. If it is the *highest* return of these tries, UCT gets 95.
+# - Why 78? A value in the tree is the mean over all tries, the poor ones too. If it is the *highest* return of these tries, UCT gets 95.
 # - A smaller $c$ is not the only cure, and more simulations are none: 10 000 get 78, too, but 100 get 95, and so does $c = 60$.
 # - Told the value of random play, it gets 59, as plain roll-outs do in the long run. So here even the errors of the roll-outs help.
 
@@ -297,7 +297,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
-# the same plan each time. With 8 steps the door changes no value on the way: from where it could be reached, leaving is worth more. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# the same plan each time. With 8 steps the door changes no value on the way: it is no short cut to anything within so few steps. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
 # where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells of walls, three change nothing; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
 #
 # On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
@@ -320,7 +320,7 @@ print(f"UCT on the old map, if it knows what each place is worth there: {certain
 # %% [markdown]
 # There the deeper look is the better one, and the *short* one suffers more: it gets 13 instead of 59, and the deeper one 79 instead of 95. Where an error makes
 # a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 79 of 300 models. If what costs in truth costs at least a little in the model, too, it gets −100 in only 13 of them, and 48 on average.
-# And UCT, too, loses on the old map, though less than the exact look-ahead. That is because its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
+# And UCT, too, loses on the old map, though less than the exact look-ahead. It loses less because its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
 #
 # ### What does it cost?
 # With 1000 simulations of up to 20 steps, UCT takes up to 20 000 steps of the model before *each* step of its own. And it learns nothing: in the next episode it begins again.
