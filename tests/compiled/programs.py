@@ -156,7 +156,9 @@ RAISE = {
     "largest of nothing": program("return s + 1 + self.Q[int(s / 70):, 0].max()", **Q),
     "largest as NumPy has it": program("return s + np.max(self.Q, 2)", **Q),
     "of another shape": program("a = np.zeros(3)\nb = np.zeros(2 + int(s < 700))\nreturn s + 1 + (a + b)[0]"),
-    "unset, after a line that may be": program("for j in range(1): pass\nfor j in range(int(s) % 3): pass\nk = j\nu -= k\nreturn s + k"),
+    "unset, after a line that may be": program(
+        "for j in range(1): self.Q[0] = 0.5\nfor j in range(int(self.N[0]) % 3): self.N[0] *= 1\nk = j\nu -= 1.0\nreturn 7",
+        "Q: np.ndarray\n    N: np.ndarray", "np.zeros((4, 2)), np.ones(4, np.int64)"),
     "misspelt": program("return s + self.y"),
     "unknown name": program("return s + unknown"),
 }  # fmt: skip

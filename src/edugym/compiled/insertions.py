@@ -17,7 +17,7 @@ def insert_call(state: Any, block: Any, before: Any, function: Any, variable: An
 
 
 def insert_name(state: Any, block: Any, before: Any, function: Any) -> Any:
-    """Adds a name for a function, so that it can be called: the variable."""
+    """Adds a variable that holds a function, so that it can be called, and returns it."""
     named = ir.Global(function.__name__, function, before.loc)
     return _insert(state, block, before, named, state.typingctx.resolve_value_type(function))
 
@@ -30,7 +30,7 @@ def insert_operation(state: Any, block: Any, before: Any, operation: Any, variab
 
 
 def _insert(state: Any, block: Any, before: Any, value: Any, kind: Any) -> Any:
-    """Adds an assignment to a new variable of a type: the variable."""
+    """Assigns a value to a new variable of a type, and returns the variable."""
     target = ir.Var(block.scope, ir_utils.mk_unique_var("$check"), value.loc)
     place = len(block.body) - 1 if before is None else block.body.index(before)
     block.body.insert(place, ir.Assign(value, target, value.loc))
