@@ -261,7 +261,8 @@ def test_a_lesson_has_sliders_that_are_live(browser: Any, address: str) -> None:
     opened(browser, address, "lessons/01_exploration")
     loaded = "return document.querySelector('.live iframe').contentDocument?.body?.childElementCount ?? 0"
     assert browser.execute_script(loaded) == 0
-    browser.execute_script("const fold = document.querySelector('.live'); fold.open = true; fold.scrollIntoView()")
+    browser.execute_script("const fold = document.querySelector('.live'); fold.open = true")
+    browser.execute_script("document.querySelector('.live').scrollIntoView({behavior: 'instant'})")  # or a click misses
     until(lambda: browser.execute_script(loaded), "the race")
     browser.switch_to.frame(browser.find_element("css selector", ".live iframe"))
     until(lambda: browser.execute_script("return document.documentElement.dataset.ready"), "the first race")

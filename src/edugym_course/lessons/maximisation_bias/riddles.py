@@ -24,6 +24,8 @@ SIGMAS = 4.25
 
 NEAR = 0.0005
 """How near to the border a reward is with which it shows what the future is worth."""
+MANY, OFTEN = 20, 8
+"""So many actions that a random one is hardly ever the best; steps after which both tables have nearly always learned."""
 IDLE = 60
 """Steps after which it shows whether α has fallen: at 0.095 or less a share of a half becomes the whole."""
 
@@ -46,7 +48,7 @@ class Riddle(NamedTuple):
         n_paid: how many steps pay 1 before the second one; only runs count in which all of them have the same action.
         with_mean: the reward from which on who takes the *mean* over ties in the target takes the action again in half
             of the runs, and in none with `reward`.
-        share_with_mean: the share for such a program, where it is another one.
+        n_actions: how many there are. With two, a random one is the best one in half of the runs.
     """
 
     share: float
@@ -62,7 +64,7 @@ class Riddle(NamedTuple):
     idle: int = 0
     n_paid: int = 1
     with_mean: float | None = None
-    share_with_mean: float | None = None
+    n_actions: int = 2
 
     @property
     def n_steps(self) -> int:
@@ -178,15 +180,25 @@ RIDDLES = (
         truncated=True,
     ),
     Riddle(
-        0.625,
-        "the same action pays 1 in two episodes of one step, and then an action in state 1 pays -0.0975 and leads to"
-        " state 0, where the episode goes on",
+        0.5 + 0.25 / MANY,
+        f"of {MANY} actions the same one pays 1 in two episodes of one step, and then an action in state 1 pays -0.0975"
+        " and leads to state 0, where the episode goes on",
         _OTHER,
         _OTHER,
         begins=1,
         reward=-0.0975,
         n_paid=2,
-        share_with_mean=0.5,
+        n_actions=MANY,
+    ),
+    Riddle(
+        1 - 2 / 2**OFTEN * (1 - 0.5 / MANY),
+        f"of {MANY} actions the same one pays 1 in {OFTEN} episodes of one step, and then an action in state 1 pays"
+        " -0.05 and leads to state 0, where the episode goes on",
+        f"{_OTHER}. This is the *best* one, not one drawn at random nor the one that is taken next",
+        begins=1,
+        reward=-0.05,
+        n_paid=OFTEN,
+        n_actions=MANY,
     ),
 )
 
@@ -198,10 +210,11 @@ class Twice(gymnasium.Env[Any, Any]):
         riddle: the riddle.
     """
 
-    observation_space, action_space = spaces.Discrete(2), spaces.Discrete(2)
+    observation_space = spaces.Discrete(2)
 
     def __init__(self, riddle: Riddle) -> None:
         """No step was taken."""
+        self.action_space = spaces.Discrete(riddle.n_actions)
         self._riddle, self._taken = riddle, -riddle.idle
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
@@ -227,20 +240,19 @@ def require_riddles(answer: Any, seed: int) -> None:
         WrongAnswer: it does.
     """
     for riddle in RIDDLES:
-        kept = _kept(answer, riddle, seed)
-        shares = [share for share in (riddle.share, riddle.share_with_mean) if share is not None]
-        usual = any(_is_usual(kept, share) for share in shares)
-        if not usual and not (kept == 0 and _takes_the_mean(answer, riddle, seed)):
+        again = _again(answer, riddle, seed)
+        kept = float(np.mean(again))
+        if not _is_usual(again, riddle.share) and not (kept == 0 and _takes_the_mean(answer, riddle, seed)):
             why = riddle.fewer if kept < riddle.share else riddle.more
             raise WrongAnswer(
                 f"in an environment of {riddle.n_steps} step{'s'[: riddle.n_steps - 1]} {riddle.shows}; after that the"
-                f" policy takes this action again in {kept:.0%} of {RUNS} runs, and it should in"
+                f" policy takes this action again in {kept:.0%} of {len(again)} runs, and it should in"
                 f" {'about ' * (0 < riddle.share < 1)}{riddle.share:.0%}{'' if nobody_asks_why() else f': {why}'}"
             )
 
 
-def _is_usual(kept: float, share: float) -> bool:
-    return abs(kept - share) <= SIGMAS * math.sqrt(share * (1 - share) / RUNS)
+def _is_usual(again: list[bool], share: float) -> bool:
+    return abs(float(np.mean(again)) - share) <= SIGMAS * math.sqrt(share * (1 - share) / len(again))
 
 
 def _takes_the_mean(answer: Any, riddle: Riddle, seed: int) -> bool:
@@ -248,17 +260,17 @@ def _takes_the_mean(answer: Any, riddle: Riddle, seed: int) -> bool:
     if riddle.with_mean is None:
         return False
     below, above = (riddle._replace(reward=riddle.with_mean + by) for by in (-NEAR, NEAR))
-    return _is_usual(_kept(answer, above, seed), 0.5) and _kept(answer, below, seed) == 0
+    return _is_usual(_again(answer, above, seed), 0.5) and not any(_again(answer, below, seed))
 
 
-def _kept(answer: Any, riddle: Riddle, seed: int) -> float:
-    """Return the share of runs in which the policy takes the action of the last step of a riddle again."""
-    again = []
+def _again(answer: Any, riddle: Riddle, seed: int) -> list[bool]:
+    """Return for each run that counts whether the policy takes the action of the last step of a riddle again."""
+    again = list[bool]()
     for number in range(RUNS * seed, RUNS * (seed + 1)):
         run = run_program(answer, Twice(riddle), riddle.n_steps, number)
         steps = run.steps[riddle.idle : riddle.n_steps]
         same = steps[: riddle.n_paid] if riddle.begins else steps
         if len({step.action for step in same}) == 1:
             with student_code(POLICY):
-                again.append(action_of(POLICY, run.policy(steps[-1].state), 2) == steps[-1].action)
-    return float(np.mean(again))
+                again.append(action_of(POLICY, run.policy(steps[-1].state), riddle.n_actions) == steps[-1].action)
+    return again

@@ -48,7 +48,7 @@
 
 # %% the mean of the other's values
 # slow
-# says: the same action pays 1 in two episodes of one step
+# says: the same one pays 1 in two episodes of one step
 # says: what does the table that learns ask the *other* table?
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
@@ -60,6 +60,29 @@
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += own[after, other[after].argmax()]
+
+# %% a random action next
+# slow
+# says: of 20 actions the same one pays 1 in two episodes of one step
+# says: what does the table that learns ask the *other* table?
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += other[after, rng.integers(shape[1])]
+
+# %% double SARSA
+# slow
+# says: what does the table that learns ask the *other* table?
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += other[after, (Q1 + Q2)[after].argmax() if rng.random() > 0.1 else rng.integers(shape[1])]
+
+# %% double SARSA by the table that learns
+# slow
+# says: of 20 actions the same one pays 1 in 8 episodes of one step
+# says: This is the *best* one, not one drawn at random nor the one that is taken next
+# in: two tables and a dictionary of names
+# - target += other[after, own[after].argmax()]
+# + target += other[after, own[after].argmax() if rng.random() > 0.1 else rng.integers(shape[1])]
 
 # %% a discount
 # slow
@@ -84,7 +107,7 @@
 
 # %% the other's action 0
 # slow
-# says: the same action pays 1 in two episodes of one step
+# says: the same one pays 1 in two episodes of one step
 # says: what does the table that learns ask the *other* table?
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
