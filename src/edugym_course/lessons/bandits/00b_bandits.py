@@ -112,7 +112,7 @@ finds.measured(100 * settled)
 # A = \arg\max_a \left[ Q(a) + c \sqrt{\frac{\ln t}{N(a)}} \right]
 # $$
 #
-# An arm that was never pulled comes first. (In the code `choose` keeps counts of its own.)
+# An arm that was never pulled comes first. (In the code, `UCB` counts them apart from the agent.)
 #
 # - **Thompson sampling**: draw a plausible value $\theta(a)$ of each arm, from a normal distribution around $Q(a)$ that gets narrower with $N(a)$, and take the largest. $\sigma$ is how much
 #   the rewards of an arm spread; an arm that was never pulled comes first here too:
@@ -192,7 +192,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
 # These three and the falling ε end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 #
-# Optimism explores mostly at the beginning, until its first values have come down. In the end 94 % of its runs pull the best arm. The other 6 % had found it, too, and lost it again. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
+# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm (the other 6 % had found it, too, and lost it again). The likely reason for both: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: two that grow more slowly than the bound
@@ -231,7 +231,7 @@ sliders(one_setting, n_arms=[2, 5, 10, 20], gap=[0.1, 0.2, 0.5, 1.0], drift=[0.0
 # <details><summary>What to look for</summary>
 #
 # More arms cost more, since each has to be tried. With a large gap the regret of UCB and of Thompson sampling soon
-# rises slowly (UCB's in steps with a gap of 1, where it tests all worse arms again at about the same time), and ε-greedy's is a straight line. With drift, all curves go on rising: whoever has found the best arm must find the next one.
+# rises slowly (UCB's in steps with a gap of 1, where it tests all worse arms again at about the same time), and ε-greedy's is a straight line after a few hundred pulls. With drift, all curves go on rising: whoever has found the best arm must find the next one.
 # </details>
 
 # %% [markdown]

@@ -42,6 +42,8 @@ LAYOUTS = 0, 1
 """Two such bandits, with another best arm each."""
 LATE, TWICE = 7_000, 150
 """So many of these pulls are looked at; in so many steps both runs may pull another arm. It is 67 by chance."""
+AT_ONE_STEP = 0.4
+"""The share of the late episodes that may pull another arm at one step of theirs. It is 0.1 by chance."""
 EXACTLY = 0.05
 """What a mistake may leave that sticks to one arm: a little of this is in much else that goes wrong."""
 
@@ -248,7 +250,8 @@ CERTAIN = (
     (
         False,
         "with arms that always pay the same, 1 or a few thousandths less",
-        "the best arm is that with the largest mean, with nothing added for arms that were pulled seldom",
+        "the best arm is that with the largest mean, with nothing added: no bonus for arms that were pulled seldom, and"
+        " no noise to break ties",
     ),
     (
         True,
@@ -268,6 +271,9 @@ def project_0b(answer: Any, seed: int) -> str:
             f"in the last {LATE} of {SURE_PULLS} steps my_program pulls one arm only: a random one has the probability"
             " ε up to the last step, and it is drawn from one generator, made before the loop"
         )
+    at_once = sum(one != best[0][0] and other != best[1][0] for one, other in zip(*late, strict=True))
+    if at_once <= TWICE:
+        _require_fresh_numbers(late)
     pulls, share = LATE * len(LAYOUTS), 1 - 1 / SURE_ARMS
     others = pulls - sum(times for _, times in best)
     tries = others / pulls / share
@@ -285,7 +291,6 @@ def project_0b(answer: Any, seed: int) -> str:
                 f" {others} of {pulls} late steps, and with ε = {EPSILON} it should be some"
                 f" {EPSILON * share * pulls:.0f}: its ε is about {tries:.2f}"
             )
-    at_once = sum(one != best[0][0] and other != best[1][0] for one, other in zip(*late, strict=True))
     if at_once > TWICE:
         raise WrongAnswer(
             f"in two runs with other seeds {at_once} of {LATE} late pulls are at the same step, and both of another arm"
@@ -307,6 +312,17 @@ def _late_arms(answer: Any, seed: int) -> list[list[int]]:
         run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
         arms.append([step.action for step in run.steps[-LATE:]])
     return arms
+
+
+def _require_fresh_numbers(late: list[list[int]]) -> None:
+    """Refuse a program whose generator begins anew in each episode, so that all have their random pulls at one step."""
+    others = np.array([[arm != Counter(arms).most_common(1)[0][0] for arm in arms] for arms in late])
+    shares = others.reshape(-1, PULLS).mean(axis=0)
+    if shares.max() > AT_ONE_STEP:
+        raise WrongAnswer(
+            f"in {shares.max():.0%} of its late episodes step {shares.argmax() + 1} pulls another arm than the best;"
+            f" by chance it would be some {EPSILON:.0%}: make rng once, before the loop, and not anew in each episode"
+        )
 
 
 def _require_mean_alone(answer: Any, seed: int) -> None:
@@ -374,11 +390,11 @@ def _ties(run: Run) -> Iterator[tuple[int, list[int]]]:
 def _require_random_ties(ties: Sequence[tuple[int, list[int]]]) -> None:
     """Refuse a program that takes the first of several equal arms, or the last, more often than by chance."""
     chances = np.array([1 / len(equal) for _, equal in ties])
-    for which, at in (("first", 0), ("last", -1)):
+    for which, at, why in (("first", 0, "argmax"), ("last", -1, "a loop with >=")):
         found = sum(action == equal[at] for action, equal in ties)
         if found - chances.sum() > SIGMAS * math.sqrt((chances * (1 - chances)).sum()):
             raise WrongAnswer(
                 f"in {found} of {len(ties)} pulls of one of several arms that look equally good, my_program takes the"
-                f" {which} of them, and by chance it would be some {chances.sum():.0f}: argmax takes the first of"
-                " several equal values; draw one of them at random"
+                f" {which} of them, and by chance it would be some {chances.sum():.0f}: {why}"
+                f" takes the {which} of several equal values; draw one of them at random"
             )

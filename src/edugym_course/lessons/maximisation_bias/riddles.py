@@ -25,7 +25,7 @@ SIGMAS = 4.25
 NEAR = 0.0005
 """How near to the border a reward is with which it shows what the future is worth."""
 MANY, OFTEN = 20, 8
-"""So many actions that a random one is hardly ever the best; steps after which both tables have nearly always learned."""
+"""So many actions that a random one is seldom the best; steps after which both tables have nearly always learned."""
 IDLE = 60
 """Steps after which it shows whether α has fallen: at 0.095 or less a share of a half becomes the whole."""
 

@@ -84,7 +84,7 @@ for action, name in enumerate(shop.action_names):
 # when it is selected, which comes to the same as in step 4. Where the model was never told of an action, the simulation ends; here it knows all.)
 
 # %%
-source(UCT, "simulate", "select", "back_up")
+source(UCT, "simulate", "select", "roll_out", "back_up")
 
 # %% [markdown]
 # (`select` gives the values and counts of the node to `choose` of `UCB`: that is the formula of step 1, as in lesson 0b.)
@@ -142,7 +142,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly (with 300, too, as the figure above shows). Most other differences are within the luck of 20 episodes.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly; with 300 the bands still overlap. Most other differences are within the luck of 20 episodes.
 # With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ the tree gets about what plain roll-outs get.
 # </details>
 
@@ -198,7 +198,7 @@ print("new nodes are judged by      c = 10   c = 1")
 judges = {"random roll-outs": None, "the value of random play": "at random", "the value of good play": "well"}
 for name, told in judges.items():
     search = methods.searched if told is None else partial(methods.told, told)
-    large, small = (search(c=c, repetitions=20).mean() for c in (10.0, 1.0))
+    large, small = (search(c=c, repetitions=100).mean() for c in (10.0, 1.0))
     print(f"{name:27} {large:7.0f} {small:7.0f}")
 longer = [methods.told(told, simulations=10_000, repetitions=5).mean() for told in ("at random", "well")]
 print(f"10 000 simulations, c = 10: told the value of random play {longer[0]:.0f}, of good play {longer[1]:.0f}")
@@ -208,10 +208,10 @@ few, wide = (methods.told("well", repetitions=20, **change).mean() for change in
 print(f"told the value of good play: {few:.0f} with 100 simulations and c = 10, {wide:.0f} with 1000 and c = 60")
 
 # %% [markdown]
-# At these settings neither change is enough alone. Told the value of good play, but with $c = 10$, it gets 78; with $c = 1$, but roll-outs, 65; with both it gets 95.
+# At these settings neither change is enough alone. Told the value of good play, but with $c = 10$, it gets 78; with $c = 1$, but roll-outs, 61; with both it gets 95.
 #
 # - Why 78? A value in the tree is the mean over all tries, the poor ones too. If it is the *highest* return of these tries, UCT gets 95.
-# - A smaller $c$ is not the only cure, and more simulations are none: 10 000 get 78, too, but 100 get 95, and so does $c = 60$.
+# - A smaller $c$ is not the only cure, and more simulations are none: 10 000 get 78, too, but 100 get 95, and so does $c = 60$. (Why these two help, we do not know.)
 # - Told the value of random play, it gets 59, as plain roll-outs do in the long run. So here even the errors of the roll-outs help.
 
 # %% [markdown]
@@ -298,9 +298,9 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way: it is no short cut to anything within so few steps. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells of walls, three change nothing; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
+# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells of walls, three change nothing at 8 and 20 steps; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
 #
-# On the right: soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
+# The right panel shows soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
 # </details>
 

@@ -72,7 +72,7 @@ play(games.against(soccer, 0, opponent))
 # p(s' \mid s, a) = \sum_o \rho(o \mid s) \, p(s' \mid s, a, o)
 # $$
 #
-# You know everything that there is to know about MDPs. Q-learning finds the best answer to $\rho$ in the states that it visits often enough, and value iteration computes it
+# Q-learning finds the best answer to $\rho$ in the states that it visits often enough, and value iteration computes it
 # exactly. This player takes rock in half of its games:
 
 # %%
@@ -190,7 +190,7 @@ in_the_end.measured(str(round(games.exploitability(model, run.policies[-1]))))
 # | all | $\gamma = 0.9$, $\varepsilon = 0.2$, first values of 1 |
 # | learning rate | from 1 to 0.01, as Littman's, for Q-learning and minimax Q; 0.1 for fictitious play |
 # | training | 1 000 000 steps, 55 000 to 67 000 games |
-# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play, its random actions included (with as many of them even safe policies have 0.19) |
+# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play with its random actions (safe policies with as many have 0.19) |
 # | repetitions | 3 here, 5 in the full experiment; bands are 95 % intervals |
 #
 # The dotted line is an equilibrium. Random players have an exploitability of 0.55.
@@ -254,9 +254,9 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # <details><summary>What came out</summary>
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1, if they explore, both end up talking, and the
-# exploitability comes to 0 (near 3 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. So learning alone is harmless there, but not good: both get 1, and could
+# exploitability comes to 0 (up to 4 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. So learning alone is harmless there, but not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it depends on
-# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 most pairs end up silent. The lines begin with an estimate: ties are drawn 100 times.)
+# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 most pairs end up silent. At step 0 all values are equal, and a line shows the mean of 100 draws.)
 # </details>
 
 # %% [markdown]
@@ -328,7 +328,7 @@ soccer.scene(state)
 
 # %%
 challenger = methods.best_answer(field, 0, alone)
-print(f"the challenger wins {methods.can_lose(field, 0, alone):.2f} a game; from a safe policy it wins 0")
+print(f"the challenger wins {methods.can_lose(field, 0, alone):.2f} a game; from a safe policy nobody wins anything")
 frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, challenger), seed=1)
 
 # %% [markdown]
@@ -369,7 +369,7 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 #
 # **Measured.** Less than 0.1. Both learn, the world changes for each of them, and
 # the other matters. But in every state one action by itself is safe.
-# So learning as if alone is not wrong in itself. (A step is the move of one player here, so $\gamma = 0.9$ discounts a round twice.)
+# So learning as if alone is not wrong in itself. (A step is the move of one player here, so $\gamma = 0.9$ discounts a round twice; with $\sqrt{0.9}$ it is 0.09.)
 #
 # In the figure minimax Q-learning is still at 0.15 after a million steps. Why? It learns the value of each pair of actions, five times five in each state, and in turns only the five of one player count.
 # The green line tests this: here it is told whose turn it is, and learns from each step for all five actions of the one whose action does
@@ -424,8 +424,8 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
-# loses hardly anything to it. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these states it has never been: all its values there are still 1, and it draws any action. In the others it seldom is:
-# against its teacher 3 to 5 % of its steps begin there (without random actions). A challenger leads it, in 9 to 42 % of the steps, into such states, never visited or seldom. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since such an answer need not be safe. So a world that stands still was not enough: a safe teacher
+# loses hardly anything to it in these three runs. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these it has never been: all its values there are still 1, and it draws any action. The other third it seldom visits:
+# against its teacher 3 to 5 % of its steps begin there (without random actions). A challenger leads it into states of both kinds in 9 to 42 % of the steps. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since such an answer need not be safe. So a world that stands still was not enough: a safe teacher
 # does not make a safe pupil.
 # </details>
 

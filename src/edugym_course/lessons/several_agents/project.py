@@ -29,6 +29,8 @@ N_STEPS, TRIAL, LONGER = 6_000, 60, 4
 """Training steps in a riddle, in a first trial, and how many times as long a slow program may take."""
 NEAR = 0.2
 """How much less than the value of a place a policy may guarantee there."""
+SLOW = 0.6
+"""Who still loses much, but less than this share of it after longer training, learns too slowly."""
 SURE = 0.99
 """An action with this probability or more leaves nothing to chance."""
 N_ACTIONS, HALL, OVER = 3, 0, 100
@@ -332,7 +334,10 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
     """Return the sentence about what is likely wrong."""
     if riddle is ROOMS:
         if np.abs(policy - 1 / N_ACTIONS).max() < 0.01:
-            return "It is random play: does the policy that is returned come from what was learned?"
+            return (
+                "It is random play: does the policy that is returned come from what was learned, and is the last step"
+                " of an episode learned from, too?"
+            )
         worth = game.rooms[1].sum(axis=1)
         if policy[2, worth.argmin()] > SURE:
             return (
@@ -352,10 +357,12 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
                 " where hardly any pair of actions was tried: are some moves random?)"
             )
     longer = run(program, game, LONGER * N_STEPS, seed)[1]
-    if weak_points(game_model(game), longer).max() < NEAR:
+    before, after = (weak_points(game_model(game), one).max() for one in (policy, longer))
+    if after < max(NEAR, SLOW * before):
         return (
-            f"After {LONGER * N_STEPS} steps it is safe, so it learns too slowly: is the learning rate, or the share of"
-            " random actions, too small, or does something count that comes after `terminated`?"
+            f"After {LONGER * N_STEPS} steps only {after:.2f} can be won, so it learns too slowly: is the learning"
+            " rate, or the share of random actions, too small, is not every *pair* of actions learned, or does"
+            " something count that comes after `terminated`?"
         )
     return f"Look at this state: {riddle.asks}"
 

@@ -284,7 +284,7 @@
 # slow
 # says: with arms that always pay the same, 1 or a few thousandths less
 # says: pulls are not of the arm with the largest mean, and it should be some
-# says: the best arm is that with the largest mean, with nothing added for arms that were pulled seldom
+# says: the best arm is that with the largest mean, with nothing added: no bonus for arms that were pulled seldom, and no noise to break ties
 # in: sums of rewards
 # - arm = rng.choice(np.flatnonzero(Q == Q.max()))
 # + bound = Q + 0.05 * np.sqrt(np.log(t + 1) / np.maximum(N, 1))
@@ -339,3 +339,22 @@
 # in: sums of rewards
 # - for t in range(n_steps):
 # + for t in range(1, n_steps):
+
+# %% ties go to the last arm
+# slow
+# says: pulls of one of several arms that look equally good, my_program takes the last of them, and by chance it would be some
+# says: a loop with >=
+# says: takes the last of several equal values; draw one of them at random
+# in: with lists
+# - return int(rng.choice([a for a in range(n) if means[a] == top]))
+# + return max(a for a in range(n) if means[a] == top)
+
+# %% a generator for each episode
+# slow
+# says: of its late episodes step
+# says: pulls another arm than the best; by chance it would be some
+# says: : make rng once, before the loop, and not anew in each episode
+# in: with lists
+# - environment.reset(seed=seed if taken == 0 else None)
+# + environment.reset(seed=seed if taken == 0 else None)
+# + rng = np.random.default_rng(seed)

@@ -2,13 +2,13 @@
 # says: every action gains, and one gains most
 # says: in a task in which
 # says: , it finds the right action in
-# says: searches: is the action with the highest value returned, and does an action that was never tried come first in its node, as if its bound were infinite?
+# says: searches: is the action with the highest value returned, and does an action that was never tried come first in its node, as if its bound were infinite? Is each reward in G, also in the tree?
 # in: nodes are objects
 # - return max(tried, key=root.mean)
 # + return min(tried, key=root.mean)
 
 # %% untried is worth 0
-# says: is the action with the highest value returned, and does an action that was never tried come first in its node, as if its bound were infinite?
+# says: is the action with the highest value returned, and does an action that was never tried come first in its node, as if its bound were infinite? Is each reward in G, also in the tree?
 # in: a loop and a path
 # - untried = np.flatnonzero(N[node] == 0)
 # + untried = []
@@ -125,7 +125,7 @@
 # %% five steps
 # says: a reward comes nine steps later that is worth waiting for
 # says: does each simulation look
-# says: steps ahead, roll-out included, and is γ not below 0.9?
+# says: steps ahead, with a roll-out after the tree, and is γ not below 0.9?
 # in: nodes are objects
 # - visit(root, state, 10)
 # + visit(root, state, 5)
@@ -224,7 +224,7 @@ my_program = 3
 
 # %% the action that was simulated most often
 # says: one action pays most, and each is simulated once
-# says: is the action with the highest *value* returned, and not the one that was simulated most often?
+# says: is the action with the highest *value* returned, and not the one that was simulated most often? Is the root in the tree from the start, so that the first simulation takes an action there?
 # in: a loop and a path
 # - return int(np.argmax(np.where(N[()] > 0, Q[()], -np.inf)))
 # + return int(np.argmax(N[()]))
@@ -239,7 +239,7 @@ my_program = 3
 # %% γ = 0.8
 # slow
 # says: in a task in which a reward comes nine steps later that is worth waiting for
-# says: steps ahead, roll-out included, and is γ not below 0.9?
+# says: steps ahead, with a roll-out after the tree, and is γ not below 0.9?
 # in: a loop and a path
 # - weight *= 0.9
 # + weight *= 0.8
@@ -302,7 +302,7 @@ my_program = 3
 
 # %% γ = 0.89
 # slow
-# says: steps ahead, roll-out included, and is γ not below 0.9?
+# says: steps ahead, with a roll-out after the tree, and is γ not below 0.9?
 # in: nodes are objects
 # - G += 0.9 * visit(child, after, left - 1)
 # + G += 0.89 * visit(child, after, left - 1)
@@ -373,3 +373,10 @@ my_program = 3
 # in: a loop and a path
 # - return int(np.argmax(np.where(N[()] > 0, Q[()], -np.inf)))
 # + return max(range(n_actions), key=lambda a: (N[()][a], Q[()][a]))
+
+# %% the first simulation rolls out from the root
+# slow
+# says: in a task in which one action pays most, and each is simulated once
+# in: a loop and a path
+# - if node != ():
+# + if True:

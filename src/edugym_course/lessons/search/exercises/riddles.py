@@ -75,7 +75,7 @@ def changing(place: int, action: int, rng: Random) -> Step:
 
 BASICS = (
     "is the action with the highest value returned, and does an action that was never tried come first in its node, as"
-    " if its bound were infinite?"
+    " if its bound were infinite? Is each reward in G, also in the tree?"
 )
 ROUND = Riddle(
     "two actions are nearly as good as the best one",
@@ -115,7 +115,8 @@ RIDDLES = (
     ),
     Riddle(
         "one action pays most, and each is simulated once",
-        "is the action with the highest *value* returned, and not the one that was simulated most often?",
+        "is the action with the highest *value* returned, and not the one that was simulated most often? Is the root in"
+        " the tree from the start, so that the first simulation takes an action there?",
         ONE_PAYS_MOST,
         n_simulations=N_ACTIONS,
     ),
@@ -132,7 +133,7 @@ RIDDLES = (
     ),
     Riddle(
         "a reward comes nine steps later that is worth waiting for",
-        f"does each simulation look {DEPTH} steps ahead, roll-out included, and is γ not below 0.9?",
+        f"does each simulation look {DEPTH} steps ahead, with a roll-out after the tree, and is γ not below 0.9?",
         written({ROOT: ((0.0, 1), (8.0, END), (8.0, END)), **line(0.0, 22.0, 9)}),
     ),
     Riddle(

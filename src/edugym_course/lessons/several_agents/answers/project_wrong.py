@@ -11,7 +11,7 @@
 
 # %% random play
 # slow
-# says: It is random play: does the policy that is returned come from what was learned?
+# says: It is random play: does the policy that is returned come from what was learned, and is the last step of an episode learned from, too?
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda state: [1 / shape[1]] * shape[1]
@@ -83,7 +83,7 @@
 # %% too slow
 # slow
 # says: After
-# says:  steps it is safe, so it learns too slowly: is the learning rate, or the share of random actions, too small, or does something count that comes after `terminated`?
+# says: can be won, so it learns too slowly: is the learning rate, or the share of random actions, too small, is not every *pair* of actions learned, or does something count that comes after `terminated`?
 # in: all pairs at random
 # - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
 # + Q[state, a, o] += 0.2 * (target - Q[state, a, o]) * (rng.random() < 0.07)
