@@ -56,8 +56,8 @@ frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study",
 # *terminates* after the last day, so every episode has ten steps. The lecture days and the prices $r_a$ are the
 # *layout* of the task. They are drawn once, and the agent is not told.
 #
-# These methods are the environment. (`Student` is the state $s$, with one more field for the picture. `missing` counts
-# what the exam still asks for.)
+# These methods are the environment. (`Student` is the state $s$, with one more field, `passed`, for the reward and the
+# picture. `missing` counts what the exam still asks for.)
 
 # %%
 source(type(study), "transition", "reward", "passes", "missing", "terminal", "observation")
@@ -488,8 +488,8 @@ print("from one action to the next, by their prices:", np.diff(np.sort(-make_mdp
 # %% [markdown]
 # The last line compares this with the task. (On all days before the exam the value scatters hardly less: most of it comes from the
 # exam. For smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap scatter too.
-# Simulated with the best policy held, the values scatter by 0.26, 0.34, 0.44 and 0.72, and the *difference* of two actions by
-# 0.3 to 0.4 with $n = 1$ and by about 1 with Monte Carlo.)
+# Simulated with the best policy held, from its true values on, the values scatter by 0.18, 0.31, 0.45 and 0.69, and the *difference*
+# between the best action and another one by 0.2 with $n = 1$ and by about 1 with Monte Carlo.)
 
 # %% [markdown]
 # ### The price of depth can be paid by the learning rate
@@ -512,7 +512,7 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them),
+# **Measured.** Monte Carlo. Of these six rates, the three smallest are best for Monte Carlo (with little between them),
 # 0.1 for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. One-step targets need a large rate to get down the staircase in
 # time. Monte Carlo explores more with a small one (see “why a small rate suits Monte Carlo”).
 #
@@ -593,8 +593,8 @@ for trace_decay in (0.0, 0.5, 0.8, 1.0):
 # So $\lambda = 0$ is $n = 1$, and $\lambda = 1$ is Monte Carlo. *SARSA(λ)* learns by this target, and it need not wait
 # for the end of the episode. Every pair of a state and an action has an *eligibility trace*. It is set to 1 when the
 # pair is visited, and shrinks by the factor $\gamma \lambda$ with each step. Each one-step error moves *all* pairs, each
-# as far as its trace says. (If the values stayed the same within an episode, the sum of these moves would be exactly
-# one step towards the λ-return. They change a little.)
+# as far as its trace says. (In Study no state comes twice in an episode, so the sum of these moves is exactly one step
+# towards the λ-return. Where states come back, their values change on the way, and it is only nearly so.)
 #
 # **Predict.** Over the first 500 episodes, averaged over the learning rates 0.03, 0.1 and 0.3: which has the highest
 # return?
@@ -1038,7 +1038,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its
 # loop, some 40 lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the
 # episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended (by
-# `terminated` or by `truncated`), all pairs have the rewards that there are.
+# `terminated` or by `truncated`), all pairs have the rewards that there are. (A value after an episode that was only truncated may count, too.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from them. In the end it returns its *policy*: a function that takes a state and returns the

@@ -100,7 +100,7 @@ figures.measured_promises()
 # $$
 #
 # and else the same with $Q_1$ and $Q_2$ swapped. If a machine looks good in $Q_1$ by luck, $Q_2$ has had luck of its own. An agent acts $\varepsilon$-greedily by the mean of both tables.
-# (Where several actions are best in $Q_1$, our code takes the mean of $Q_2$ over them. To take the first of them is double Q-learning, too, and it goes in somewhat more often in the experiment below.)
+# (Where several actions are best in $Q_1$, our code takes the mean of $Q_2$ over them. To take the first of them is double Q-learning, too, and it goes in more often in the experiment below: in 15 % of the episodes 31 to 100 instead of 9 %. `act` throws the coin: it says which table learns.)
 
 # %%
 source(DoubleQLearning, "learn")
@@ -501,7 +501,7 @@ check(project_17, my_program)
 # ### Limits
 # A table and an episode of two steps show the bias itself. In longer tasks it is carried back from state to state, and
 # a network spreads it to states that look alike; that is where double DQN comes from. Here $\alpha$ stays 0.1, so a value is no mean of all
-# tries: recent ones count more. The first values matter, too: begun at −0.1 in the casino, Q-learning enters it in 2 % of episodes 31 to 100. The exact sums are for means. In a casino that does not pay, the bias only harms. It is also a reason to
+# tries: recent ones count more. The first values matter, too: begun at −0.1 in the casino, Q-learning enters it in 2 % of episodes 31 to 100. The exact sums are for means. In a casino that does not pay, the bias only harms. Elsewhere it is also a reason to
 # try what is uncertain: lesson 1 has agents that are too hopeful on purpose.
 #
 # ### Further reading

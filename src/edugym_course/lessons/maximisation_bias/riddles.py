@@ -93,7 +93,8 @@ RIDDLES = (
     Riddle(
         1.0,
         f"{_ONCE}, the next one begins in state 1, and an action there pays 1",
-        "learn about the state that reset() gives: state, info = environment.reset()",
+        "learn about the state that reset() gives: state, info = environment.reset(), and change its value, not that of"
+        " the next one",
         begins=1,
         reward=1.0,
         terminated=True,
@@ -144,7 +145,8 @@ RIDDLES = (
     Riddle(
         0.25,
         f"{_ONCE}, and then an action in state 1 pays -0.07 and leads to state 0, where the episode is truncated",
-        "only `terminated` means that nothing follows; a step that is truncated has its future",
+        "only `terminated` means that nothing follows; a step that is truncated has its future, from the state that"
+        " step gave, not the one that reset gives",
         _OTHER,
         begins=1,
         reward=-0.07,
@@ -218,8 +220,10 @@ class Twice(gymnasium.Env[Any, Any]):
         self._riddle, self._taken = riddle, -riddle.idle
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin the next of the steps."""
+        """Begin the next of the steps; after the last one, where nothing was learned."""
         super().reset(seed=seed)
+        if self._taken > self._riddle.n_paid:
+            return 1, {}
         return self._riddle.begins if self._taken == self._riddle.n_paid else 0, {}
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:

@@ -93,7 +93,7 @@
 
 # %% cut off is not ended
 # slow
-# says: only `terminated` means that nothing follows; a step that is truncated has its future
+# says: only `terminated` means that nothing follows; a step that is truncated has its future, from the state that step gave, not the one that reset gives
 # in: two tables and a dictionary of names
 # - if not terminated:
 # + if not (terminated or truncated):
@@ -221,7 +221,7 @@
 # %% the reset is not looked at
 # slow
 # says: the next one begins in state 1, and an action there pays 1
-# says: learn about the state that reset() gives: state, info = environment.reset()
+# says: learn about the state that reset() gives: state, info = environment.reset(), and change its value, not that of the next one
 # in: two tables and a dictionary of names
 # - state, _ = environment.reset()
 # + environment.reset()
@@ -339,3 +339,14 @@
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.2:
+
+# %% the next episode follows a truncated step
+# slow
+# says: a step that is truncated has its future, from the state that step gave, not the one that reset gives
+# in: two tables and a dictionary of names
+# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + if truncated: after, _ = environment.reset()
+# - if terminated or truncated:
+# + if truncated: continue
+# + if terminated:
