@@ -296,6 +296,12 @@ def useless_door(name: str) -> str:
     return f"On a map with a door that leads nowhere, beside the one {name}, 20 steps are worth more than 8"
 
 
+def never_less(name: str, returns: Reals) -> Claim:
+    """Return the claim that a deeper look is never worth less."""
+    gain = exactly(float(np.diff(returns).min()))
+    return Claim(name, "smallest gain from one depth to the next, exactly", gain, Above(-1e-6))
+
+
 def map_claims(name: str, door: tuple[int, int], discount: float) -> list[Claim]:
     """Return the claims on looking ahead on maps of the shop, exactly."""
     at = [SHALLOW, DEEP]
@@ -312,12 +318,7 @@ def map_claims(name: str, door: tuple[int, int], discount: float) -> list[Claim]
             "the longer look gets to a door that is not there",
             (right_map(name), mended_map(name), useless_door(name)),
         ),
-        Claim(
-            right_map(name),
-            "smallest gain from one depth to the next, exactly",
-            exactly(float(np.diff(right).min())),
-            Above(-1e-6),
-        ),
+        never_less(right_map(name), right),
         Claim(mended_map(name), more, exactly(mending(DEEP, door, discount) - shallow), Above(10)),
         Claim(useless_door(name), more, exactly(useless[1] - useless[0]), Above(10)),
     ]
@@ -338,12 +339,7 @@ def soccer_claims(contact: float) -> list[Claim]:
             "the model has the wrong opponent",
             (known,),
         ),
-        Claim(
-            known,
-            "smallest gain from one depth to the next, exactly",
-            exactly(float(np.diff(knows).min())),
-            Above(-1e-6),
-        ),
+        never_less(known, knows),
     ]
 
 
