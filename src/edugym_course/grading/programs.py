@@ -30,6 +30,7 @@ NAME = "my_program"
 POLICY = f"the policy that {NAME} returns"
 ENOUGH = 0.9
 """The share of the steps that a program must take."""
+UNSEEDED = "gives no seed to its first reset, so two runs with one seed differ: begin with"
 APART = 1_000_003
 """How far the seed of an environment is from that of a program: two generators with one seed draw the same numbers."""
 SELDOM = 0.02
@@ -215,10 +216,7 @@ def run_program(
             " n_steps - 1?"
         )
     if not recorder.is_seeded:
-        raise WrongAnswer(
-            f"{NAME} gives no seed to its first reset, so two runs with one seed differ: begin with state, info ="
-            " environment.reset(seed=seed)"
-        )
+        raise WrongAnswer(f"{NAME} {UNSEEDED} state, info = environment.reset(seed=seed)")
     require_policy(call, policy)
     return Run(recorder.steps, policy)
 

@@ -7,7 +7,7 @@ import pytest
 
 from edugym import UCB, finite_model, make_mdp, mean_interval, paired_difference, regret
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.lessons.bandits import methods, project
+from edugym_course.lessons.bandits import methods, project, worlds
 from edugym_course.lessons.bandits.methods import Pulls
 
 
@@ -93,7 +93,7 @@ def test_who_pays_less() -> None:
 )
 def test_worlds_of_the_project(seed: int, truncates: bool, lower: float, noise: float) -> None:
     """Rewards follow means of their own, which may be below 0; an end is a truncation where it should be."""
-    world = project.Machines(seed, truncates)
+    world = worlds.Machines(seed, truncates)
     world.reset(seed=seed)
     rewards = np.array([[world.step(arm)[1] for _ in range(4_000)] for arm in range(4)])
     assert sorted(rewards.mean(axis=1)) == pytest.approx(np.array([-0.5, 0.5, 0.8, 1.0]) - lower, abs=0.15)

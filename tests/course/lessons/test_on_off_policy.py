@@ -83,7 +83,7 @@ def test_claims() -> None:
         for of in (elsewhere, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
     )
     assert measured(experiments.condition_claims(runs, runs, runs)) == [-1.0, 0.25, -1.0, 0.25, 0.25, 0.75]
-    both = (methods.LEARNING_RATE, experiments.GENTLE)
+    both = (methods.LEARNING_RATE, experiments.TINY)
     rare = experiments.rare_claims({(size, rate): runs for size in experiments.ROADS for rate in both})
     assert measured(rare) == [0.25, *[-1.0] * 3, *[0.25] * 3, *[-1.0] * 3]
     ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})

@@ -7,9 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
-import gymnasium
 import numpy as np
-from gymnasium import spaces
 
 from edugym.adapters.registration import make_environment
 from edugym.agents.q_learning import QLearning
@@ -19,12 +17,13 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import LOW, Learner, mistakes_of_loops, other_tables
-from edugym_course.grading.programs import APART, SELDOM, Run, Step, learn_from, run_program, shape_of
+from edugym_course.grading.programs import SELDOM, Run, Step, learn_from, run_program, shape_of
 from edugym_course.grading.replay import Rule, replay
 from edugym_course.grading.surprises import SIGMAS, SLACK, Surprises
 from edugym_course.lessons.bandits.methods import EPSILON, LEARNING_RATE
+from edugym_course.lessons.bandits.worlds import CERTAIN_ARMS, FADES, PULLS, Certain, Machines
 
-N_STEPS, PULLS = 3_000, 100
+N_STEPS = 3_000
 SHORT_RUNS = 60
 """So many runs of 10 steps are looked at: which of several equal arms is pulled, and what the policy is. After so few
 pulls the best arm is often another one than the last, or than the most pulled."""
@@ -35,9 +34,7 @@ FAINT, FAINT_RUNS, FAINT_PULLS = 0.01, 20, 16
 SURE_PULLS, SURE_ARMS = 8_000, 50
 """In a bandit whose best arm always pays, while no other ever does, random pulls alone go to the others in the end.
 With so many arms it hardly matters whether the random one is one of all."""
-CERTAIN_PULLS, CERTAIN_ARMS = 2_000, 8
-FADES = 900
-"""So many pulls the best arm pays 1, and 0 from then on. Its mean says for 600 more that it is the best one."""
+CERTAIN_PULLS = 2_000
 LAYOUTS = 0, 1
 """Two such bandits, with another best arm each."""
 LATE, TWICE = 7_000, 150
@@ -46,73 +43,6 @@ AT_ONE_STEP = 0.4
 """The share of the late episodes that may pull another arm at one step of theirs. It is 0.1 by chance."""
 EXACTLY = 0.05
 """What a mistake may leave that sticks to one arm: a little of this is in much else that goes wrong."""
-
-
-class Machines(gymnasium.Env[Any, Any]):
-    """Four arms with rewards around means of their own; episodes end after 40 pulls, or after 2.
-
-    In every third world all means are below 0. An arm that was never pulled looks best there, with its value of 0. In
-    every third one rewards hardly depend on chance: whoever begins with other values than 0 pulls other arms there. In
-    three of six episodes are short: whoever does not learn from their last pull misses half of all.
-
-    Args:
-        seed: the number from which the means are drawn, and which says which of these worlds it is.
-        truncates: whether an end is a truncation.
-        noisy: whether rewards also depend on chance.
-    """
-
-    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
-        """Draw the means."""
-        rng = np.random.default_rng(APART + seed)
-        self.observation_space, self.action_space = spaces.Discrete(1), spaces.Discrete(4)
-        self._means: Reals = rng.permutation([-0.5, 0.5, 0.8, 1.0]) - 2.0 * (seed % 3 == 1)
-        self._truncates, self._noise, self._pulls = truncates, (0.1 if seed % 3 == 2 else 2.0) * noisy, 0
-        self._length = 2 if seed % 6 > 2 else 40
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin an episode; the arms stay the same."""
-        super().reset(seed=seed)
-        self._pulls = 0
-        return 0, {}
-
-    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
-        """Pull an arm."""
-        self._pulls += 1
-        reward = float(self._means[action] + self._noise * self.np_random.normal())
-        over = self._pulls == self._length
-        return 0, reward, over and not self._truncates, over and self._truncates, {}
-
-
-class Certain(gymnasium.Env[Any, Any]):
-    """Arms without chance: each always pays the same, 1 or a few thousandths less; or one pays 1 until it fades.
-
-    Where they are alike a small bonus decides which looks best, and where one fades the weight of its old rewards.
-
-    Args:
-        seed: the number from which it is drawn which arm pays how much.
-        fades: whether the best arm fades; the others then pay 0.6 and less.
-        scale: what the best arm pays.
-    """
-
-    observation_space, action_space = spaces.Discrete(1), spaces.Discrete(CERTAIN_ARMS)
-
-    def __init__(self, seed: int, fades: bool, scale: float = 1.0) -> None:
-        """Draw which arm pays how much."""
-        ranks = np.random.default_rng(APART + seed).permutation(CERTAIN_ARMS).tolist()
-        self._pays = [scale - (0.35 + 0.05 * rank if fades and rank else 0.001 * rank) for rank in ranks]
-        self._fading = ranks.index(0) if fades else -1
-        self._pulls = 0
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin an episode; the arms stay the same."""
-        super().reset(seed=seed)
-        return 0, {}
-
-    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
-        """Pull an arm."""
-        self._pulls += 1
-        has_faded = action == self._fading and self._pulls > FADES
-        return 0, 0.0 if has_faded else self._pays[action], False, self._pulls % PULLS == 0, {}
 
 
 class Counting(NamedTuple):
@@ -264,7 +194,8 @@ TEN_ARMS = Race(partial(make_environment, "Bandit", gap=0.5, max_steps=PULLS), N
 
 def project_0b(answer: Any, seed: int) -> str:
     """Check a program with ε-greedy and sample averages."""
-    late = _late_arms(answer, seed)
+    sure = _sure_arms(answer, seed)
+    late = [arms[-LATE:] for arms in sure]
     best = [Counter(arms).most_common(1)[0] for arms in late]
     if any(times == LATE for _, times in best):
         raise WrongAnswer(
@@ -274,6 +205,7 @@ def project_0b(answer: Any, seed: int) -> str:
     at_once = sum(one != best[0][0] and other != best[1][0] for one, other in zip(*late, strict=True))
     if at_once <= TWICE:
         _require_fresh_numbers(late)
+        _require_steady_start(sure)
     pulls, share = LATE * len(LAYOUTS), 1 - 1 / SURE_ARMS
     others = pulls - sum(times for _, times in best)
     tries = others / pulls / share
@@ -304,14 +236,35 @@ def project_0b(answer: Any, seed: int) -> str:
     return f"Right: every reward counts equally. {compare_with_ours(answer, TEN_ARMS, seed)}"
 
 
-def _late_arms(answer: Any, seed: int) -> list[list[int]]:
-    """Return the arms that a program pulls late, in bandits whose best arm it has long found."""
+def _sure_arms(answer: Any, seed: int) -> list[list[int]]:
+    """Return the arms that a program pulls in bandits whose best arm always pays, and no other ever does."""
     arms = []
     for number in LAYOUTS:
         sure = make_environment("Bandit", n_arms=SURE_ARMS, gap=1.0, layout_seed=number, max_steps=PULLS)
         run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
-        arms.append([step.action for step in run.steps[-LATE:]])
+        arms.append([step.action for step in run.steps[:SURE_PULLS]])
     return arms
+
+
+def _require_steady_start(runs: list[list[int]]) -> None:
+    """Refuse a program whose ε is larger at first.
+
+    Looked at are the pulls after the first one that pays, to the end of its episode. An arm that was not pulled before
+    does not count: some pull each arm once.
+    """
+    repeated = n_pulls = 0
+    for arms in runs:
+        best = Counter(arms[-LATE:]).most_common(1)[0][0]
+        first = arms.index(best) + 1
+        after = range(first, first + -first % PULLS)
+        n_pulls += len(after)
+        repeated += sum(arms[t] != best and arms[t] in arms[:t] for t in after)
+    if repeated > EPSILON * n_pulls + SIGMAS * math.sqrt(EPSILON * (1 - EPSILON) * n_pulls):
+        raise WrongAnswer(
+            f"in bandits whose best arm always pays, and no other ever does, my_program has found the best one and"
+            f" pulls others again in {repeated} of the next {n_pulls} pulls, and by chance it would be some"
+            f" {EPSILON * n_pulls:.0f}: ε is {EPSILON} from the first pull to the last"
+        )
 
 
 def _require_fresh_numbers(late: list[list[int]]) -> None:

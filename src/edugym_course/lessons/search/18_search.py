@@ -208,10 +208,10 @@ few, wide = (methods.told("well", repetitions=20, **change).mean() for change in
 print(f"told the value of good play: {few:.0f} with 100 simulations and c = 10, {wide:.0f} with 1000 and c = 60")
 
 # %% [markdown]
-# At these settings neither change is enough alone. Told the value of good play, but with $c = 10$, it gets 78; with $c = 1$, but roll-outs, 61; with both it gets 95.
+# At these settings neither change is enough alone. Told the value of good play, but with $c = 10$, it gets 78; with $c = 1$, but roll-outs, 63; with both it gets 95.
 #
 # - Why 78? A value in the tree is the mean over all tries, the poor ones too. If it is the *highest* return of these tries, UCT gets 95.
-# - A smaller $c$ is not the only cure, and more simulations are none: 10 000 get 78, too, but 100 get 95, and so does $c = 60$. (Why these two help, we do not know.)
+# - A smaller $c$ is not the only cure, and more simulations are none: 10 000 get 78, too, but 100 get 95, and so does $c = 60$. (Why, we do not know; with 3000 and $c = 60$ it is 78 again.)
 # - Told the value of random play, it gets 59, as plain roll-outs do in the long run. So here even the errors of the roll-outs help.
 
 # %% [markdown]
@@ -267,8 +267,8 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More. So the direction depends on what the values come to. And note: even with the right model the *shorter* look was the better
-# one for plain roll-outs, 78 against 59. If what you see there is random play, a deeper look is better only up to a point: here up to 8 to 10 steps.
+# **Measured.** More. So the direction depends on what the values come to. Even with the right model the *shorter* look was the better
+# one for plain roll-outs: 78 against 59. If you see random play there, a deeper look is better only up to 8 to 10 steps.
 # </details>
 
 # %% [markdown]
@@ -298,7 +298,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way: it is no short cut to anything within so few steps. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where nobody would use it, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in each of the two other cells of that wall. It depends on where the door is. Of seven other cells of walls, three change nothing at 8 and 20 steps; in two 20 steps get 62 and 42 instead of 95 (and 8 steps still 59); in two both looks get less than 0, and 20 steps still more than 8.
+# where it is of no use, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in the two other cells of that wall. It depends on where the door is. Of seven other cells of inner walls, three change nothing at 8 and 20 steps; in two 20 steps get 62 and 42 (and 8 steps still 59); in two both get less than 0, and 20 steps still more than 8.
 #
 # The right panel shows soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
@@ -518,7 +518,7 @@ check(project_18, my_program)
 # ## What you saw
 #
 # - Plain roll-outs come to the values of random play. From 300 to 3000 simulations they got *worse* here: their limit, 59, can be computed.
-# - UCT got about 80 with 1000 simulations, and no more with 3000. Told the value of good play, and with a small c, it got 95; at 1000 simulations each of these alone was not enough.
+# - UCT got about 80 with 1000 simulations, and no more with 3000. Told the value of good play, and with a small c, it got 95; one of these alone, with $c = 10$ or with roll-outs, was not enough.
 # - Twelve actions that stand still ruined UCT. In the tree alone, or in the roll-outs alone, they cost much less.
 # - On an old map 8 steps of look-ahead got 59, and 20 steps −50. On the right map deeper was never worse, and with errors as large as the cost of a step in all rewards deeper was better.
 # - Nothing is kept. UCT simulates up to 20 000 steps before each of its own; value iteration asks the model about as often, once, and has the best way.

@@ -108,8 +108,6 @@ for name, pair in {
     print(f"{name:29} {games.exploitability(model, pair):.3f}")
 
 # %% [markdown]
-# Rock alone always loses to paper.
-#
 # ### What Q-learning takes for granted
 # Q-learning learns $Q(s, a)$, the return of an action in a world with *one* $p(s' \mid s, a)$. But this $p$ contains $\rho$. When the
 # other learns, $\rho$ changes, and what was learned about an action is out of date. And in the end Q-learning has a policy
@@ -190,7 +188,7 @@ in_the_end.measured(str(round(games.exploitability(model, run.policies[-1]))))
 # | all | $\gamma = 0.9$, $\varepsilon = 0.2$, first values of 1 |
 # | learning rate | from 1 to 0.01, as Littman's, for Q-learning and minimax Q; 0.1 for fictitious play |
 # | training | 1 000 000 steps, 55 000 to 67 000 games |
-# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play with its random actions (safe policies with as many have 0.19) |
+# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play with its random actions (safe policies with as many random actions have 0.19) |
 # | repetitions | 3 here, 5 in the full experiment; bands are 95 % intervals |
 #
 # The dotted line is an equilibrium. Random players have an exploitability of 0.55.
@@ -253,16 +251,15 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1, if they explore, both end up talking, and the
-# exploitability comes to 0 (up to 4 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more some pairs change their minds again and again. So learning alone is harmless there, but not good: both get 1, and could
+# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1 and $\varepsilon = 0.1$ both end up talking, and the
+# exploitability comes to 0 (up to 4 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more, or up to 4 with $\varepsilon = 0.3$ or more, some pairs change their minds again and again. So learning alone is harmless there, but not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it depends on
 # the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 most pairs end up silent. At step 0 all values are equal, and a line shows the mean of 100 draws.)
 # </details>
 
 # %% [markdown]
 # ### Soccer with other rules
-# With `contact` 0 who has the ball runs through the other, and the other does not matter at all. (Each line is a single run of a million
-# steps.)
+# With `contact` 0 who has the ball runs through the other, and the other does not matter at all.
 
 
 # %%
@@ -276,7 +273,7 @@ sliders(one_match, contact=[0.0, 0.5, 1.0], discount=(0.5, 0.95, 0.05))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Without contact both kinds were at 0 at their first measurement: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
+# Without contact both kinds were at 0 at their first measurement after the start: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
 # 0.03 in the mean of three runs, and 0.11 from random play.
 # </details>
 
@@ -335,8 +332,8 @@ frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, chal
 # ## Predict, then check
 #
 # ### Is it that a random choice is needed?
-# We said: some states of soccer need a random choice. Let us take this away. In *soccer in turns* the players move one after the
-# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if it did not loses 0.38, and random play 0.37.
+# Let us take away that some states need a random choice. In *soccer in turns* the players move one after the
+# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if there were no contact has an exploitability of 0.38, and random play 0.37.
 #
 # **Predict.** Two Q-learners play soccer in turns for a million steps. Their exploitability in the end is ...
 

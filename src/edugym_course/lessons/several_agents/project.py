@@ -21,7 +21,7 @@ from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import APART, ENOUGH, NAME, POLICY
+from edugym_course.grading.programs import APART, ENOUGH, NAME, POLICY, UNSEEDED
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.several_agents.methods import DARING, DISCOUNT
 
@@ -235,6 +235,8 @@ class Watched:
                 f"{NAME} calls reset(seed=...) more than once: give the seed at the first reset only, and call reset()"
                 " after that"
             )
+        if not self._has_begun and seed is None:
+            raise WrongAnswer(f"{NAME} {UNSEEDED} environment.reset(seed=seed)")
         if self._has_begun and not self._is_new and self.agents:
             raise WrongAnswer(
                 f"{NAME} calls reset() in the middle of an episode: go on until `environment.agents` is empty"
@@ -361,8 +363,8 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
     if after < max(NEAR, SLOW * before):
         return (
             f"After {LONGER * N_STEPS} steps only {after:.2f} can be won, so it learns too slowly: is the learning"
-            " rate, or the share of random actions, too small, is not every *pair* of actions learned, or does"
-            " something count that comes after `terminated`?"
+            " rate, or the share of random actions, too small, is not every *pair* of actions learned, does player_1"
+            " learn from its own reward, or does something count that comes after `terminated`?"
         )
     return f"Look at this state: {riddle.asks}"
 

@@ -181,7 +181,7 @@
 
 # %% a falling ε
 # slow
-# says: Their share falls during a run: ε should be the same from the first step to the last
+# says: from the first pull to the last
 # in: sums of rewards
 # - if rng.random() < 0.1:
 # + if rng.random() < min(1, 200 / (t + 1)):
@@ -358,3 +358,19 @@
 # - environment.reset(seed=seed if taken == 0 else None)
 # + environment.reset(seed=seed if taken == 0 else None)
 # + rng = np.random.default_rng(seed)
+
+# %% an ε that falls to 0.1
+# slow
+# says: in bandits whose best arm always pays, and no other ever does, my_program has found the best one and pulls others again in
+# says: pulls, and by chance it would be some
+# says: from the first pull to the last
+# in: sums of rewards
+# - if rng.random() < 0.1:
+# + if rng.random() < max(0.1, 1 - t / 500):
+
+# %% random pulls at first
+# slow
+# says: has found the best one and pulls others again in
+# in: sums of rewards
+# - if rng.random() < 0.1:
+# + if t < 100 or rng.random() < 0.1:

@@ -83,7 +83,7 @@
 # %% too slow
 # slow
 # says: After
-# says: can be won, so it learns too slowly: is the learning rate, or the share of random actions, too small, is not every *pair* of actions learned, or does something count that comes after `terminated`?
+# says: can be won, so it learns too slowly: is the learning rate, or the share of random actions, too small, is not every *pair* of actions learned, does player_1 learn from its own reward, or does something count that comes after `terminated`?
 # in: all pairs at random
 # - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
 # + Q[state, a, o] += 0.2 * (target - Q[state, a, o]) * (rng.random() < 0.07)
@@ -216,3 +216,9 @@ my_program = games.MinimaxQ
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda state: 0.95 * solved[state].first + 0.05 / shape[1]
+
+# %% no seed for the environment
+# says: gives no seed to its first reset, so two runs with one seed differ: begin with
+# in: all pairs at random
+# - seen, _ = environment.reset(seed=seed)
+# + seen, _ = environment.reset()
