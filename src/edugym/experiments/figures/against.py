@@ -11,11 +11,12 @@ from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
+    Stroke,
     add_legend,
     axes_or_new,
     dress,
     plot_with_band,
-    stroke,
+    strokes_of,
 )
 from edugym.experiments.results.statistics import by_point
 from edugym.mdp.protocol import Reals
@@ -35,6 +36,7 @@ class Against(NamedTuple):
         y_label: the label of the y axis.
         theory: by label, the values that theory predicts, shape (n,). A third line looks like the first.
         log: whether the x axis is logarithmic; then each x has a tick.
+        strokes: by label, the look of a method; others look as their place among the methods says.
     """
 
     x: Sequence[float]
@@ -44,12 +46,14 @@ class Against(NamedTuple):
     y_label: str = ""
     theory: Mapping[str, Reals] = MappingProxyType({})
     log: bool = False
+    strokes: Mapping[str, Stroke] = MappingProxyType({})
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
         ax = axes_or_new(ax)
-        for i, (method, rows) in enumerate(self.measured.items()):
-            plot_with_band(ax, stroke(i), np.array(self.x), by_point(np.array(rows)), method, marker="o", markersize=3)
+        for method, drawn in strokes_of(self.measured, self.strokes).items():
+            means = by_point(np.array(self.measured[method]))
+            plot_with_band(ax, drawn, np.array(self.x), means, method, marker="o", markersize=3)
         for (label, line), look in zip(self.theory.items(), cycle((REFERENCE, SOFT_REFERENCE)), strict=False):
             ax.plot(self.x, line, label=label, **look)
         if self.log:

@@ -10,16 +10,20 @@ from edugym.exact.regret import lai_robbins
 from edugym.experiments.figures.against import Against
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import BROWN, STROKES, Stroke, add_legend, axes_or_new, dress, strokes_of
 from edugym.experiments.results.statistics import by_point
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.bandits.methods import (
+    AT_FIRST,
     BOUNDS,
+    DECAY,
     GAP,
     GRADIENT,
+    HOPE,
     N_ARMS,
     N_PULLS,
     SLIPS,
+    STEADY,
     THOMPSON,
     Pulls,
     pulls,
@@ -34,6 +38,9 @@ EVENLY = 20
 POWERS = (10, 30, 100, 300, 1_000, 3_000, 10_000)
 """The points of a line over pulls on a logarithmic axis."""
 GAPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
+LOOKS = dict(zip((SLIPS, DECAY, HOPE, BOUNDS, THOMPSON, GRADIENT, STEADY), STROKES, strict=True))
+LOOKS[AT_FIRST] = Stroke(BROWN, "solid")
+"""A method looks the same in all figures."""
 BOUND = "Lai and Robbins, C ln t"
 EITHER = "the smaller of: random pulls, C ln t"
 
@@ -58,7 +65,7 @@ def over_pulls(
     x = list(at) or [*range(n_pulls // EVENLY, n_pulls + 1, n_pulls // EVENLY)]
     lines = {label: [mine.regret(t) for t in x] for label, mine in found.items()}
     theory = {} if n_arms is None or one.gap == 0 else {BOUND: constant_of(n_arms, one.gap) * np.log(x)}
-    return Against(x, lines, title, "pulls", "regret", theory, log=bool(at))
+    return Against(x, lines, title, "pulls", "regret", theory, log=bool(at), strokes=LOOKS)
 
 
 def over_gaps(found: Mapping[str, Sequence[Reals]], n_arms: int = N_ARMS, n_pulls: int = N_PULLS) -> Sheet:
@@ -66,7 +73,7 @@ def over_gaps(found: Mapping[str, Sequence[Reals]], n_arms: int = N_ARMS, n_pull
     chance = np.array([slope(1.0, n_arms, gap) * n_pulls for gap in GAPS])
     bound = np.array([constant_of(n_arms, gap) * np.log(n_pulls) for gap in GAPS])
     theory = {EITHER: np.minimum(chance, bound)}
-    panel = Against(GAPS, found, "", "gap Δ", f"regret after {n_pulls} pulls", theory, log=True)
+    panel = Against(GAPS, found, "", "gap Δ", f"regret after {n_pulls} pulls", theory, log=True, strokes=LOOKS)
     return Sheet("over_gaps", [[panel]])
 
 
@@ -95,10 +102,11 @@ class ByArm(NamedTuple):
         """Draw bars on a logarithmic axis, by default in a new figure, and return the axes."""
         ax = axes_or_new(ax)
         width = 0.8 / len(self.counts)
+        strokes = strokes_of(self.counts, LOOKS)
         for i, (label, counts) in enumerate(self.counts.items()):
             mean, low, high = by_point(counts.T).T
             x = np.arange(len(mean)) + (i - (len(self.counts) - 1) / 2) * width
-            ax.bar(x, mean, width, color=stroke(i).color, label=label)
+            ax.bar(x, mean, width, color=strokes[label].color, label=label)
             ax.errorbar(x, mean, yerr=[np.maximum(mean - low, 0), high - mean], fmt="none", ecolor="black", lw=0.7)
         ax.set_yscale("log")
         n_arms = len(next(iter(self.counts.values()))[0])

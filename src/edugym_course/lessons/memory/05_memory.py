@@ -583,8 +583,8 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 # from one last action to the next one, none gets to the goal.
 #
 # Three actions contain all that two contain, and yet two of the five runs with $k = 4$ ended without the goal. One
-# pushes against the wall for ever, the other walks to and fro between the first two cells. (We also made 20 runs of
-# each: 19 got there with two actions, and 18 with three.) "Enough to know" does not yet mean "learned".
+# pushes against the wall for ever, the other walks to and fro between the first two cells. (Of 80
+# other runs of each, 67 got there.) "Enough to know" does not yet mean "learned".
 # </details>
 
 # %% [markdown]
@@ -840,7 +840,7 @@ display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluat
 # percent of 64, and at most 100. 64 is what an agent gets *on average* that keeps the right notes, never tries a door
 # twice for a sign for which it was wrong, and never tries a door that already belongs to another sign. Ten runs have
 # luck in them: one such agent gets between 90 and 100 points, depending on the name. (The column "return at the end"
-# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and it does not count.)
+# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and it does not count, but `act` must get through it.)
 #
 # Half a page with it: what does your agent keep from step to step, what from episode to episode, and what of it was
 # your knowledge and not learned? In which task would that be wrong?
