@@ -13,8 +13,8 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import Learner, mistakes_of_loops
-from edugym_course.grading.programs import APART
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.programs import APART, run_program
+from edugym_course.grading.replay import TRIAL, Rule
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
 
 N_STEPS, LEARNING_RATE, EPSILON = 5_000, 0.01, 0.1
@@ -30,9 +30,9 @@ class TalkingWorld(gymnasium.ObservationWrapper[Any, Any, Any]):
     An observation looks as that of Tamagotchi. Its hit points say nothing.
     """
 
-    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True) -> None:
+    def __init__(self, seed: int, truncates: bool = True, noisy: bool = True, n_actions: int = ACTIONS) -> None:
         """Draw a small world, and two words that each of its states likes."""
-        super().__init__(SmallWorld(seed, truncates, noisy))
+        super().__init__(SmallWorld(seed, truncates, noisy, n_actions))
         self.observation_space = spaces.MultiDiscrete([101, *[WORDS] * HEARD])
         assert isinstance(self.env.observation_space, spaces.Discrete)
         self._likes = np.random.default_rng(APART + seed).integers(WORDS, size=(int(self.env.observation_space.n), 2))
@@ -244,5 +244,6 @@ TOY = Race(
 
 def project_6(answer: Any, seed: int) -> str:
     """Check a program with a listener that learns on counts."""
+    run_program(answer, TalkingWorld(seed, n_actions=ACTIONS - 1), TRIAL, seed)  # does it ask for their number?
     RULE.check(answer, seed)
     return f"Right: what it learns of a word, it knows in every message. {compare_with_ours(answer, TOY, seed)}"

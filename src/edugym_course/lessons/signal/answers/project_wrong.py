@@ -254,3 +254,10 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 # + theta[:, a] += 0.01 * delta
+
+# %% always four actions
+# slow
+# says: my_program chooses the action 3: there are the actions 0 to 2
+# in: weights in an array
+# - environment.action_space.n,
+# + 4,
