@@ -112,7 +112,7 @@ finds.measured(100 * settled)
 # A = \arg\max_a \left[ Q(a) + c \sqrt{\frac{\ln t}{N(a)}} \right]
 # $$
 #
-# An arm that was never pulled comes first. (In the code, `UCB` counts them apart from the agent.)
+# An arm that was never pulled comes first.
 #
 # - **Thompson sampling**: draw a plausible value $\theta(a)$ of each arm, from a normal distribution around $Q(a)$ that gets narrower with $N(a)$, and take the largest. $\sigma$ is how much
 #   the rewards of an arm spread; an arm that was never pulled comes first here too:
@@ -231,7 +231,7 @@ sliders(one_setting, n_arms=[2, 5, 10, 20], gap=[0.1, 0.2, 0.5, 1.0], drift=[0.0
 # <details><summary>What to look for</summary>
 #
 # More arms cost more, since each has to be tried. With a large gap the regret of UCB and of Thompson sampling soon
-# rises slowly (UCB's in steps with a gap of 1, where it tests all worse arms again at about the same time), and ε-greedy's is a straight line after a few hundred pulls. With drift, all curves go on rising: whoever has found the best arm must find the next one.
+# rises slowly (UCB's in steps with a gap of 1, where it tests all worse arms again at about the same time), and ε-greedy's is a straight line once it knows the best arm. With drift, all curves go on rising: whoever has found the best arm must find the next one.
 # </details>
 
 # %% [markdown]
@@ -319,7 +319,7 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
 # too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
-# test costs about as much as Thompson sampling, or less, at any of these gaps (37 is luck: over 1000 runs ten tries cost about 70 there). But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
+# test costs about as much as Thompson sampling, or less, at any of these gaps (37 is what most runs pay there; with the few that keep a worse arm the mean is 58). But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
 # </details>
 
 # %% [markdown]
