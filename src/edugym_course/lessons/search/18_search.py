@@ -142,7 +142,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly; with 300 the bands still overlap. Most other differences are within the luck of 20 episodes.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly. Most other differences are within the luck of 20 episodes.
 # With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ the tree gets about what plain roll-outs get.
 # </details>
 
@@ -186,7 +186,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. With $c = 10$ this search needed 3000 simulations to get far (with other random numbers it may not). Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. With $c = 10$ this search needed 3000 simulations to get far (with most other random numbers these are too few). Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
 
 # %% [markdown]
 # ### What holds UCT back?
@@ -273,7 +273,7 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 
 # %% [markdown]
 # ### A deeper look in a wrong model
-# Now no sampling at all: we look ahead *exactly*, and so we need no seeds. But the map is an old one. It shows a door in the wall between the second and the third item (row 7, column 3, both counted from 0), which is
+# Now no sampling at all: we look ahead *exactly*, and so we need no seeds. But the map is an old one. It shows a door in the wall between two of the items (row 7, column 3, both counted from 0), which is
 # bricked up by now. In the right model 8 steps of look-ahead get 59, and 20 steps get 95. On the old map 8 steps get 59, too.
 #
 # **Predict.** What do 20 steps of look-ahead get on the old map?

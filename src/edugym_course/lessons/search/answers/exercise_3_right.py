@@ -1,5 +1,5 @@
 # %% in one line
-# says: Right: exact, and with b actions and k outcomes its work grows as (bk)^d.
+# says: Right: exact, and with b actions and k outcomes recursion takes work that grows as (bk)^d.
 def look_ahead(model, state, depth):
     def action_value(outcomes):
         return sum(p * (r + (0 if end else 0.9 * look_ahead(model, after, depth - 1))) for p, after, r, end in outcomes)

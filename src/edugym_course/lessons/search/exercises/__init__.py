@@ -304,4 +304,4 @@ def exercise_3(answer: Any, seed: int, discount: Discount = 0.9) -> str:
         mistakes = {why: right(case, **change) for why, change in LOOK_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases)
-    return "Right: exact, and with b actions and k outcomes its work grows as (bk)^d."
+    return "Right: exact, and with b actions and k outcomes recursion takes work that grows as (bk)^d."
