@@ -187,9 +187,16 @@ class Run(NamedTuple):
 
 
 def run_program(
-    program: Any, environment: Environment, n_steps: int, seed: int, environment_seed: int | None = None
+    program: Any,
+    environment: Environment,
+    n_steps: int,
+    seed: int,
+    environment_seed: int | None = None,
+    noun: str = "state",
 ) -> Run:
     """Run a program, with the seed that it gives to the environment or with another one.
+
+    `noun` says what its policy is given.
 
     Raises:
         WrongAnswer: it breaks the contract, raises an error or does not end.
@@ -217,7 +224,7 @@ def run_program(
         )
     if not recorder.is_seeded:
         raise WrongAnswer(f"{NAME} {UNSEEDED} state, info = environment.reset(seed=seed)")
-    require_policy(call, policy)
+    require_policy(call, policy, noun)
     return Run(recorder.steps, policy)
 
 
@@ -228,7 +235,7 @@ def require_policy(call: str, policy: Any, noun: str = "state") -> None:
         raise WrongAnswer(f"{call} gives None: return the policy, {what}")
     if isinstance(policy, type) or not callable(policy):
         kind = f"the class {policy.__name__}" if isinstance(policy, type) else f"of the type {type(policy).__name__}"
-        at = noun if noun == "state" else f"tuple({noun})"
+        at = {"state": noun, "history": "window(history)"}.get(noun, f"tuple({noun})")
         is_row = isinstance(policy, np.ndarray) and policy.ndim == 1
         one_row = f", for the values of a single state `lambda {noun}: int(np.argmax(Q))`" if is_row else ""
         raise WrongAnswer(

@@ -13,7 +13,8 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, stays
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.programs import run_program
+from edugym_course.grading.replay import TRIAL, Rule
 from edugym_course.grading.small_world import WIDTH, SmallWorld
 from edugym_course.lessons.memory.riddles import require_riddles
 
@@ -222,6 +223,7 @@ CORRIDOR = Race(
 
 def project_5(answer: Any, seed: int) -> str:
     """Check a program with a window."""
+    run_program(answer, VeiledWorld(seed), TRIAL, seed, noun="history")
     RULE.check(answer, seed)
     require_riddles(answer, seed)
     return f"Right: what it saw and did is its state. {compare_with_ours(answer, CORRIDOR, seed)}"

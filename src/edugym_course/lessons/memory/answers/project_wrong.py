@@ -270,3 +270,10 @@ def my_program(environment, n_steps, seed):
 # in: numbered rows, filled up
 # - a = rng.integers(m) if rng.random() < 0.1 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
 # + a = rng.integers(m) if rng.random() < 0.12 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
+
+# %% the table is returned
+# says: should return a function from a history to an action, but what it returns is of the type dict
+# says: lambda history: int(Q[window(history)].argmax())
+# in: tuples in a dictionary
+# - return lambda history: int(values(history[-5:]).argmax())
+# + return Q
