@@ -625,7 +625,7 @@ all_at_once.measured(highest)
 # But $n = 1$ and $n = 3$ need a large rate and Monte Carlo a small one, $n = 5$ is steady but lower, and
 # $\lambda = 0.8$ does well with all three rates. The runs, taken apart, show that it has some of both: it meets the exam about as
 # often as $n = 3$, and where it has met it, it passes in the end, as Monte Carlo does. With the noisier rewards of
-# $\sigma = 1$ its lead over Monte Carlo is gone.
+# $\sigma = 1$ its lead over Monte Carlo is about half as large.
 # </details>
 #
 # Here $\lambda$ is a slider beside $n$:

@@ -325,9 +325,8 @@ soccer.scene(state)
 
 # %%
 challenger = methods.best_answer(field, 0, alone)
-print(
-    f"the challenger wins {methods.can_lose(field, 0, alone):.2f} a game (discounted); from a safe policy nobody wins anything"
-)
+won = methods.can_lose(field, 0, alone)
+print(f"the challenger wins {won:.2f} a game (discounted); from a safe policy nobody wins anything")
 frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, challenger), seed=1)
 
 # %% [markdown]
