@@ -20,6 +20,7 @@ from edugym_course.lessons.search.exercises.riddles import (
     ALIKE,
     DEPTH,
     END,
+    ENDLESS,
     N_ACTIONS,
     N_SIMULATIONS,
     RIDDLES,
@@ -295,6 +296,7 @@ def project_18(answer: Any, seed: int) -> str:
             f"{NAME} begins every search with the action {begun.pop()}, though none was tried yet: among equals draw"
             " one at random, and begin the generator with the seed that is given"
         )
+    search(answer, ENDLESS, seed)
     require_tree(answer, seed)
     require_highest_value(answer, seed)
     require_repeatable(answer, seed)

@@ -252,7 +252,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # <details><summary>What came out</summary>
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1 and $\varepsilon = 0.1$ both end up talking, and the
-# exploitability comes to 0 (up to 4 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more, or up to 4 with $\varepsilon = 0.3$ or more, some pairs change their minds again and again. So, above 3, learning alone is harmless, but not good: both get 1, and could
+# exploitability comes to 0 (up to 4 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more, or $\varepsilon = 0.3$ or more, some pairs change their minds again and again. So, above 3, learning alone is harmless, but not good: both get 1, and could
 # have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it depends on
 # the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 most pairs end up silent. At step 0 all values are equal, and the policies are estimated from 100 draws.)
 # </details>

@@ -380,3 +380,10 @@ my_program = 3
 # in: a loop and a path
 # - if node != ():
 # + if True:
+
+# %% the tree has no last step
+# slow
+# says: my_program simulates more than 10 steps in a row: each simulation looks 10 steps ahead
+# in: a loop and a path
+# - while len(path) < 10 and not ended:
+# + while not ended:

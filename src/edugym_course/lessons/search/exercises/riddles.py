@@ -164,5 +164,9 @@ RIDDLES = (
         N_ACTIONS - 1,
     ),
 )
+ENDLESS = Riddle(
+    "", "", written({place: ((20.0, 1 + place % 2), (-20.0, END), (-20.0, END)) for place in (ROOT, 1, 2)})
+)
+"""The best action goes on for ever: a tree without a last step grows deeper than a simulation may look."""
 ALIKE = Riddle("", "", lambda place, action, rng: (float(rng.random()), place + 1 if place + 1 < DEPTH else END))
 """All actions pay alike, and every simulation has all its steps."""
