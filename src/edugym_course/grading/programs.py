@@ -31,6 +31,7 @@ POLICY = f"the policy that {NAME} returns"
 ENOUGH = 0.9
 """The share of the steps that a program must take."""
 UNSEEDED = "gives no seed to its first reset, so two runs with one seed differ: begin with"
+"""What is said of a program without a seed, before how its first reset should look."""
 APART = 1_000_003
 """How far the seed of an environment is from that of a program: two generators with one seed draw the same numbers."""
 SELDOM = 0.02

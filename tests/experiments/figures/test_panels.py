@@ -64,15 +64,19 @@ def test_lines_of_methods_and_of_theory(name: str) -> None:
     assert {key for key in REFERENCE if REFERENCE[key] != SOFT_REFERENCE[key]} == {"linestyle"}
 
 
-@pytest.mark.parametrize("kind", [Curves, Lines])
+@pytest.mark.parametrize("kind", [Curves, Lines, Against])
 def test_strokes_that_are_chosen(kind: Any) -> None:
     """By the label of the method, with the band in the same colour; the others have that of their place."""
     own = Stroke("#123456", "solid")
-    data = {"results": made_results(2)} if kind is Curves else {"x": X, "lines": {"A": X, "B": X}}
-    ax = kind(**data, strokes={"A": own, "unknown": own}).draw(new_axes())
+    data: dict[Any, dict[str, Any]] = {
+        Curves: {"results": made_results(2)},
+        Lines: {"x": X, "lines": {"A": X, "B": X}},
+        Against: {"x": X, "measured": {"A": [X, X, X], "B": [X, X, X]}},
+    }
+    ax = kind(**data[kind], strokes={"A": own, "unknown": own}).draw(new_axes())
     assert [line.get_color() for line in ax.lines] == [own.color, stroke(1).color]
     bands = [to_hex(band.get_facecolor()[0]) for band in ax.collections]
-    assert bands == ([own.color, stroke(1).color] if kind is Curves else [])
+    assert bands == ([] if kind is Lines else [own.color, stroke(1).color])
 
 
 def test_steps_are_labelled_by_a_few_round_numbers() -> None:

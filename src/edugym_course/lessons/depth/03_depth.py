@@ -625,7 +625,7 @@ all_at_once.measured(highest)
 # But $n = 1$ and $n = 3$ need a large rate and Monte Carlo a small one, $n = 5$ is steady but lower, and
 # $\lambda = 0.8$ does well with all three rates. The runs, taken apart, show that it has some of both: it meets the exam about as
 # often as $n = 3$, and where it has met it, it passes in the end, as Monte Carlo does. With the noisier rewards of
-# $\sigma = 1$ its lead over Monte Carlo is about half as large.
+# $\sigma = 1$ its lead over Monte Carlo is smaller.
 # </details>
 #
 # Here $\lambda$ is a slider beside $n$:
@@ -1038,7 +1038,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its
 # loop, some 40 lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the
 # episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended (by
-# `terminated` or by `truncated`), all pairs have the rewards that there are. (A value after an episode that was only truncated may count, too.)
+# `terminated` or by `truncated`), all pairs have the rewards that there are. (After an episode that was only truncated, a learned value may count, too.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from them. In the end it returns its *policy*: a function that takes a state and returns the

@@ -100,7 +100,7 @@ figures.measured_promises()
 # $$
 #
 # and else the same with $Q_1$ and $Q_2$ swapped. If a machine looks good in $Q_1$ by luck, $Q_2$ has had luck of its own. An agent acts $\varepsilon$-greedily by the mean of both tables.
-# (Where several actions are best in $Q_1$, our code takes the mean of $Q_2$ over them. To take the first of them is double Q-learning, too, and it goes in more often in the experiment below: in 15 % of the episodes 31 to 100 instead of 9 %. `act` throws the coin: it says which table learns.)
+# (Where several actions are best in $Q_1$, our code takes the mean of $Q_2$ over them. To take the first of them is double Q-learning, too, and it goes in more often in the experiment below: in 15 % of the episodes 31 to 100 instead of 9 %. `act` throws the coin that says which table learns.)
 
 # %%
 source(DoubleQLearning, "learn")

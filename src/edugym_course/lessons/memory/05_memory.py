@@ -584,7 +584,7 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 #
 # Three actions contain all that two contain, and yet two of the five runs with $k = 4$ ended without the goal. One
 # pushes against the wall for ever, the other walks to and fro between the first two cells. (Of 80
-# other runs 67 got there with two actions, and 67 with three.) "Enough to know" does not yet mean "learned".
+# more runs with two actions 67 got there, and of 80 with three, 67.) "Enough to know" does not yet mean "learned".
 # </details>
 
 # %% [markdown]

@@ -158,7 +158,7 @@ for contact in (1.0, 0.5):
     print(f"return, contact {contact:3}  " + "".join(f"{mean:7.2f}" for mean in got) + f"{exact:19.2f}")
 
 # %% [markdown]
-# A hundred simulations are about as good as the exact look-ahead. In the shop, ten times as many were not (81 of 95). Our guess is that it helps to have the goal only a few steps away.
+# A hundred simulations are nearly as good as the exact look-ahead. In the shop, ten times as many were not (81 of 95). Our guess is that it helps to have the goal only a few steps away.
 
 # %% [markdown]
 # ## See inside: where the tree grows
@@ -268,7 +268,7 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 # <details><summary>What was measured</summary>
 #
 # **Measured.** More. So the direction depends on what the values come to. Even with the right model the *shorter* look was the better
-# one for plain roll-outs: 78 against 59. If you see random play there, a deeper look is better only up to 8 to 10 steps.
+# one for many plain roll-outs: 78 against 59. Where random play is all that they see, a deeper look is better only up to 8 to 10 steps.
 # </details>
 
 # %% [markdown]
@@ -361,7 +361,7 @@ from edugym_course.lessons.search.exercises import exercise_1, exercise_2, exerc
 # %% [markdown]
 # ### Exercise 1: the upper bound
 # Return the number by which UCT selects an action: `q` is its mean return in this node, `n_action` how often it was tried there, `n_node` how many choices the
-# node has seen. What was never tried comes before everything else: its bound is infinite.
+# node has seen (it may be 0). What was never tried comes before everything else: its bound is infinite.
 #
 # <details><summary>Hint</summary><code>float("inf")</code> is larger than every number.</details>
 

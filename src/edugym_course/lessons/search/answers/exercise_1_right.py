@@ -9,9 +9,3 @@ def upper_bound(q, n_action, n_node, c):
     if not n_action:
         return np.inf
     return q + c * np.sqrt(np.log(n_node)) / np.sqrt(n_action)
-
-
-# %% the logarithm first
-def upper_bound(q, n_action, n_node, c):
-    logarithm = log(n_node)
-    return q + c * sqrt(logarithm / n_action) if n_action else inf

@@ -155,3 +155,11 @@ def upper_bound(q, n_action, n_node, c):
 # in: the solution of upper_bound
 # - if n_action == 0:
 # + if n_action <= 1:
+
+
+# %% the logarithm first
+# says: should be infinite, but
+# says: raises ValueError
+def upper_bound(q, n_action, n_node, c):
+    logarithm = log(n_node)
+    return q + c * sqrt(logarithm / n_action) if n_action else inf

@@ -127,7 +127,7 @@ def exercise_1(answer: Any, seed: int, power: Power = 0.5) -> str:
         mistakes = {why: right(case, **change) for why, change in BOUND_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right(case), mistakes))
     compare_all(cases)
-    for n_node, c in ((7, 2.0), (7, 0.0), (1, 2.0)):
+    for n_node, c in ((7, 2.0), (7, 0.0), (0, 2.0)):
         call = f"upper_bound({-3 - seed % 3}, 0, {n_node}, {c:g})"
         try:
             with student_code(call):
