@@ -77,6 +77,8 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         """
         super().__init__(environment)
         environment.action_space.seed(seed)
+        self._chance = environment.action_space.np_random
+        self._unused = self._chance.bit_generator.state
         self.steps: list[Step] = []
         self.is_seeded = False
         self.slip = ""
@@ -88,6 +90,12 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
     def unwrapped(self) -> Environment:
         """This environment: what is inside would tell the way."""
         return self
+
+    @property
+    def samples_unseeded(self) -> bool:
+        """Whether actions were drawn from the action space, and it was not given a seed."""
+        chance = self.env.action_space.np_random  # a seed puts another one into its place
+        return chance is self._chance and chance.bit_generator.state != self._unused
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin an episode."""
@@ -225,6 +233,11 @@ def run_program(
         )
     if not recorder.is_seeded:
         raise WrongAnswer(f"{NAME} {UNSEEDED} state, info = environment.reset(seed=seed)")
+    if recorder.samples_unseeded:
+        raise WrongAnswer(
+            f"{NAME} draws from environment.action_space.sample(), and gives it no seed, so two runs with one seed"
+            " differ: draw from rng = np.random.default_rng(seed), or begin with environment.action_space.seed(seed)"
+        )
     require_policy(call, policy, noun)
     return Run(recorder.steps, policy)
 

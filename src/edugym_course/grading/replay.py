@@ -35,7 +35,7 @@ from edugym_course.grading.programs import (
     shape_of,
 )
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
-from edugym_course.grading.surprises import BOTH, NATS, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
+from edugym_course.grading.surprises import BOTH, NATS, NEAR, OTHERS, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
@@ -183,8 +183,8 @@ class Rule:
         world: makes one, with the arguments of `SmallWorld`.
         remembers: whether the policy that is returned is given the history of an episode, O_0, A_0, O_1, ..., O_t, in
             the place of O_t alone. The agents of the rule then have a method `row(history)`, the values at its end.
-        slack: the share by which a right program may try more often than ε says; less where the random action is one
-            of all in any case.
+        slack: the share by which a right program may try more often or less often; more where other tasks, which come
+            later, tell better what is amiss.
         looks_closer: whether a program takes longer runs too, and may not take the second best action too often. Off
             where that takes long, or where other tasks come first, which tell better what is amiss (`look_closer`).
     """
@@ -270,12 +270,14 @@ class Rule:
         is_clear = together > max(alone, float(likely.logs[late].sum())) + NATS
         if is_clear and right.too_many < MANY * right.expected and right.are_drawn():
             raise self._refused(right, ONCE)
-        if not is_better and (right.is_usual() or right.too_many < 0):
+        if not is_better and (right.is_usual(NEAR) or right.too_many < 0):
             self._require_steady_tries(runs, right)
-        if not is_better and right.is_usual(self.slack):
+        if not is_better and right.is_usual(NEAR):
             self._require_tries(runs, shape)
             if self._are_drawn(right):
-                return self._require_steady_tries(runs, right, grows=True)
+                self._require_steady_tries(runs, right, grows=True)
+                if right.is_usual(self.slack):
+                    return
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
         if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
             cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
@@ -283,7 +285,7 @@ class Rule:
             cause = f"They fit a usual mistake: {sentence}"
         else:
             others = right.among(~first)
-            only_first = others.is_usual() and others.are_drawn() and not right.among(first).is_usual()
+            only_first = others.is_usual(NEAR) and others.are_drawn() and not right.among(first).is_usual(NEAR)
             cause = FIRST if only_first else self._cause(right, tries)
         raise self._refused(right, cause)
 
@@ -382,6 +384,9 @@ class Rule:
             )
         if found < right.expected:
             return "So it seldom tries an action at random: is ε that of the text, up to the last step?"
-        is_known = tries is not None and abs(tries / self.epsilon - 1) <= SLACK
-        unknown = f"If all else is right, ε is about {found / by_chance:.2f}. If ε is right, compare"
+        is_known = tries is not None and abs(tries / self.epsilon - 1) <= NEAR
+        if_others = self.epsilon * np.count_nonzero(right.chances)
+        is_other = abs(found - if_others) < SIGMAS * right.deviation
+        others = f", or the random action is drawn among the others: {OTHERS}" if is_other else ""
+        unknown = f"If all else is right, ε is about {found / by_chance:.2f}{others}. If ε is right, compare"
         return f"{'ε is right, so compare' if is_known else unknown} {compare}"

@@ -7,11 +7,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.mdp.protocol import Reals
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.programs import NAME
 
-SLACK = 0.3
-"""The share by which a right program may explore more often, as one that draws among the *other* actions."""
-LESS = 0.1
-"""The share by which it may explore less often."""
+SLACK = 0.05
+"""The share by which a right program may explore more often. Who draws among the *other* of four does by a third."""
+NEAR = 0.3
+"""How far, as a share of it, ε may be from that of the text where something else is the likely cause."""
 NATS = 20.0
 """How much more probable, as a logarithm, a mistake must make the actions than the right equation."""
 UNEXPLAINED = 0.25
@@ -21,6 +23,8 @@ SIGMAS, CLEARLY = 4.0, 2.0
 
 BOTH = 3.0
 """How many standard deviations are more than chance where a second number speaks against it too."""
+
+OTHERS = "a random action may be any of them all, the best one too"
 
 Row = tuple[bool, float, float, float, float]
 """Of one step: whether its action was a surprise, how likely that was by ε, the logarithm of its probability; and of a
@@ -103,9 +107,9 @@ class Surprises(NamedTuple):
         return float(np.logaddexp(random, greedy).sum()), float(steps.sum())
 
     def is_usual(self, slack: float = SLACK) -> bool:
-        """Whether there are as many as are to be expected, or more by chance and a share of them, or a little fewer."""
+        """Whether there are as many as are to be expected, but for chance and a share of them."""
         by_chance = SIGMAS * self.deviation
-        return -by_chance - min(slack, LESS) * self.expected <= self.too_many <= by_chance + slack * self.expected
+        return abs(self.too_many) <= by_chance + slack * self.expected
 
     def explains_better_than(self, other: "Surprises", nats: float = NATS) -> bool:
         """Whether it makes the actions more probable, by more than chance.
@@ -118,3 +122,23 @@ class Surprises(NamedTuple):
     def explains_those_of(self, other: "Surprises", leaves: float = UNEXPLAINED) -> bool:
         """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
         return self.too_many < leaves * other.too_many + CLEARLY * self.deviation
+
+
+def require_any_of_two(where: str, others: int, n_steps: int, epsilon: float) -> None:
+    """Refuse a program whose random action is never the best one: with two actions it takes the other twice as often.
+
+    Args:
+        where: what the two actions are, for the message.
+        others: in how many steps the program took another action than the best one.
+        n_steps: of so many.
+        epsilon: the probability of a random action.
+
+    Raises:
+        WrongAnswer: it is never the best one.
+    """
+    expected = n_steps * epsilon / 2
+    if others > 1.5 * expected:  # halfway to twice as many
+        raise WrongAnswer(
+            f"{where}, {NAME} takes the other one in {others} of {n_steps} late steps, and it should be some"
+            f" {expected:.0f}: {OTHERS}"
+        )

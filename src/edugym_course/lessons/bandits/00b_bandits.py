@@ -138,6 +138,9 @@ source(ThompsonSampling, "choose")
 source(GradientBandit, "learn")
 
 # %% [markdown]
+# `baseline` is $m$, and `follow_log_gradient` adds `size` $\cdot\, (1\{a = A\} - \pi(a))$ to each $H(a)$. UCB and Thompson sampling keep a count of pulls of their own.
+
+# %% [markdown]
 # ## The experiment: regret over time
 #
 # | setting | value |
@@ -319,13 +322,13 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
 # too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
-# test costs about as much as Thompson sampling, or less, at any of these gaps (37 is what most runs pay there; with the few that keep a worse arm the mean is 58). But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
+# test costs about as much as Thompson sampling, or less, at any of these gaps. (At 0.4 most runs pay just what the ten tries cost, 36. About one in 200, and none of these 100, keeps a worse arm and pays 4000, so the mean of many runs is about 60.) But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
 # </details>
 
 # %% [markdown]
 # ### What if the arms drift?
 # Now another arm becomes the best one with probability 0.001 at each pull, so about ten times in a run. Two ε-greedy agents: one has sample averages, the other learns with a constant rate $\alpha = 0.1$,
-# $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade.
+# $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade. The figure also has a UCB that loses its bonus at pull 1000 ("bonus at first").
 #
 # **Predict.** Which one has less regret?
 
@@ -349,8 +352,7 @@ follows.measured(follows.options[2 if abs(mean / constant - 1) < 0.1 else 1 if c
 #
 # **Measured.** The constant rate: 905 against 1397. After thousands of pulls $1/N(A)$ is tiny, and the mean of an arm that was once the best hardly moves. The sample average forgets nothing,
 # and here what it remembers is no longer true. Without drift it is the other way round, 240 against 730: a value that forgets never becomes exact. Each agent is right about
-# one world. UCB does best here, though it has sample averages too: its bonus goes on sending it to arms that it left. Without this bonus from pull 1000 on (the last
-# line) it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
+# one world. UCB does best here, though it has sample averages too: its bonus goes on sending it to arms that it left. Without this bonus from pull 1000 on it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
 # </details>
 
 # %% [markdown]
@@ -457,7 +459,7 @@ check(exercise_3, gradient_update, seed=1, quiet=True)
 # - An episode begins with `state, info = environment.reset()`, the very first one with `reset(seed=seed)`. A pull is `state, reward, terminated, truncated, info = environment.step(arm)`; the episode is over if `terminated`
 #   or `truncated` is True.
 #
-# The check looks at your pulls only: are they the arms that look best by the rewards that your program got? Then it compares what it earns with ours, in episodes of 100 pulls.
+# The check looks at your pulls, and at the policy that you return: are they the arms that look best by the rewards that your program got? Then it compares what it earns with ours, in episodes of 100 pulls.
 # <details><summary>A plan</summary>Reset. In each step: choose the arm, step, count the pull, move the mean, and reset if the episode is over.</details>
 
 # %% tags=["project"]

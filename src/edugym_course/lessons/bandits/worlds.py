@@ -21,11 +21,12 @@ class Machines(gymnasium.Env[Any, Any]):
 
     In every third world all means are below 0. An arm that was never pulled looks best there, with its value of 0. In
     every third one rewards hardly depend on chance: whoever begins with other values than 0 pulls other arms there. In
-    three of six episodes are short: whoever does not learn from their last pull misses half of all.
+    three of six episodes are short: whoever does not learn from their last pull misses half of all. In every second
+    one episodes end with `terminated`.
 
     Args:
         seed: the number from which the means are drawn, and which says which of these worlds it is.
-        truncates: whether an end is a truncation.
+        truncates: whether ends may be truncations.
         noisy: whether rewards also depend on chance.
     """
 
@@ -34,7 +35,8 @@ class Machines(gymnasium.Env[Any, Any]):
         rng = np.random.default_rng(APART + seed)
         self.observation_space, self.action_space = spaces.Discrete(1), spaces.Discrete(4)
         self._means: Reals = rng.permutation([-0.5, 0.5, 0.8, 1.0]) - 2.0 * (seed % 3 == 1)
-        self._truncates, self._noise, self._pulls = truncates, (0.1 if seed % 3 == 2 else 2.0) * noisy, 0
+        self._truncates = truncates and seed % 2 == 0
+        self._noise, self._pulls = (0.1 if seed % 3 == 2 else 2.0) * noisy, 0
         self._length = 2 if seed % 6 > 2 else 40
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:

@@ -26,7 +26,7 @@ from edugym_course.grading.programs import (
     require_reproducible,
     run_program,
 )
-from edugym_course.grading.surprises import SIGMAS, Surprises
+from edugym_course.grading.surprises import SIGMAS, Surprises, require_any_of_two
 from edugym_course.lessons.maximisation_bias.methods import DISCOUNT, EPSILON, LEARNING_RATE, MIDDLE
 from edugym_course.lessons.maximisation_bias.riddles import require_riddles
 
@@ -85,17 +85,22 @@ class Shuffled(gymnasium.Env[Any, Any]):
         return int(self._actions[action])
 
 
+ARMS = 50
+
+
 class Arms(gymnasium.Env[Any, Any]):
-    """Arms that pay 1 at each pull, so many that it hardly matters whether a random one is one of all.
+    """Arms that pay 1 at each pull.
 
     Args:
         pulls: how many an episode has, 1 or 2. The second one is made in state 1.
+        n_arms: how many arms there are. With many it hardly matters whether a random one is one of all.
     """
 
-    observation_space, action_space = spaces.Discrete(2), spaces.Discrete(50)
+    observation_space = spaces.Discrete(2)
 
-    def __init__(self, pulls: int = 1) -> None:
+    def __init__(self, pulls: int = 1, n_arms: int = ARMS) -> None:
         """Nothing was pulled."""
+        self.action_space = spaces.Discrete(n_arms)
         self._pulls, self._left = pulls, pulls
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
@@ -166,7 +171,7 @@ def require_arms(answer: Any, seed: int) -> Surprises:
     _require_single_tries(answer, seed)
     found = others[:, SETTLED:].ravel()
     none = np.zeros(found.size)
-    return Surprises(found, np.full(found.size, EPSILON * (1 - 1 / int(Arms.action_space.n))), none, none, none)
+    return Surprises(found, np.full(found.size, EPSILON * (1 - 1 / ARMS)), none, none, none)
 
 
 def _require_single_tries(answer: Any, seed: int) -> None:
@@ -185,6 +190,16 @@ def _require_single_tries(answer: Any, seed: int) -> None:
             " favourite ones, and it should be about 1%: draw anew in each step whether its action is random, not once"
             " an episode"
         )
+
+
+def _require_any_arm(answer: Any, seed: int) -> None:
+    """Refuse a program whose random action is never the best one."""
+    others = 0
+    for number in range(PAIR_RUNS * seed, PAIR_RUNS * (seed + 1)):
+        taken = [step.action for step in run_program(answer, Arms(n_arms=2), PULLS, number).steps][SETTLED:]
+        others += len(taken) - Counter(taken).most_common(1)[0][1]
+    where = "where each of two actions ends an episode, and one is a favourite"
+    require_any_of_two(where, others, PAIR_RUNS * (PULLS - SETTLED), EPSILON)
 
 
 def require_steady(tries: Surprises) -> None:
@@ -210,7 +225,7 @@ def require_steady(tries: Surprises) -> None:
             f"{_WHERE}{first:.1%} of its actions are others than its favourite one in the first half of its runs, and"
             f" {second:.1%} in the second, and {share} from the first step to the last: is ε always 0.1?"
         )
-    if not tries.is_usual(slack=1 / (int(Arms.action_space.n) - 1)):  # the random one may be one of the others
+    if not tries.is_usual():
         raise WrongAnswer(
             f"{_WHERE}{tries.found.mean():.1%} of its actions are others than its favourite one, and {share}: its ε is"
             f" about {tries.found.sum() / tries.expected * EPSILON:.2f}"
@@ -289,6 +304,7 @@ def project_17(answer: Any, seed: int) -> str:
     tries = require_arms(answer, seed)
     require_riddles(answer, seed)
     require_steady(tries)
+    _require_any_arm(answer, seed)
     found = [
         visit(answer, GOOD, PAYING_STEPS, number) for number in range(PAYING_RUNS * seed, PAYING_RUNS * (seed + 1))
     ]

@@ -209,7 +209,6 @@ RULE = Rule(
     worlds=8,
     world=VeiledWorld,
     remembers=True,
-    slack=0.05,
 )
 CORRIDOR = Race(
     partial(gymnasium.make, "edugym/MemoryCorridor-v0"),

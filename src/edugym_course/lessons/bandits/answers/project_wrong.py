@@ -153,7 +153,7 @@
 
 # %% counted twice
 # slow
-# says: ; N has a number for each arm, and N(A) counts the pull that is learned from
+# says: ; N has a number for each arm, and N(A) counts the pull that is learned from; but for ε, the arm with the largest mean is pulled
 # in: with lists
 # - pulls[arm] += 1
 # + pulls[arm] += 2
@@ -181,7 +181,7 @@
 
 # %% a falling ε
 # slow
-# says: from the first pull to the last
+# says: from the first pull to the last, and every reward counts, an arm's first one too
 # in: sums of rewards
 # - if rng.random() < 0.1:
 # + if rng.random() < min(1, 200 / (t + 1)):
@@ -309,8 +309,9 @@
 
 # %% among the others
 # slow
-# says: in a bandit with two arms, one of which always pays, my_program pulls the other one in
-# says:  late steps, and it should be some 175: a random arm may be any of them, the best one too
+# says: in a bandit with two arms, one of which always pays
+# says: my_program takes the other one in
+# says:  late steps, and it should be some 175: a random action may be any of them all, the best one too
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = best()
@@ -363,7 +364,7 @@
 # slow
 # says: in bandits whose best arm always pays, and no other ever does, my_program has found the best one and pulls others again in
 # says: pulls, and by chance it would be some
-# says: from the first pull to the last
+# says: from the first pull to the last, and every reward counts, an arm's first one too
 # in: sums of rewards
 # - if rng.random() < 0.1:
 # + if rng.random() < max(0.1, 1 - t / 500):
@@ -374,3 +375,16 @@
 # in: sums of rewards
 # - if rng.random() < 0.1:
 # + if t < 100 or rng.random() < 0.1:
+
+# %% the old mean is forgotten
+# slow
+# says: the old mean is not subtracted from the reward: is it Q(A) + [R − Q(A)] / N(A)?
+# in: with lists
+# - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
+# + means[arm] += reward / pulls[arm]
+
+# %% only truncated ends
+# says: takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True
+# in: with lists
+# - over, taken = terminated or truncated, taken + 1
+# + over, taken = truncated, taken + 1

@@ -230,3 +230,13 @@
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 1 or (over and tau < len(R) - n):
+
+# %% never the best one by chance
+# slow
+# says: , or the random action is drawn among the others:
+# says: a random action may be any of them all, the best one too
+# in: when the episode is over
+# - a = rng.integers(Q.shape[1]) if rng.random() < 0.1 else Q[s].argmax()
+# + a = Q[s].argmax()
+# + if rng.random() < 0.1:
+# +     a = rng.choice([other for other in range(Q.shape[1]) if other != a])

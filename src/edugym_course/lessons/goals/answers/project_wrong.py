@@ -357,3 +357,11 @@ def my_program(environment, n_steps, seed):
 # + for i in reversed(range(len(episode))):
 # +     s, a, s2 = episode[i]
 # +     new = episode[rng.integers(i, len(episode))][2]
+
+# %% never the best one by chance
+# slow
+# says: , or the random action is drawn among the others:
+# says: a random action may be any of them all, the best one too
+# in: a class
+# - return int(self.rng.integers(0, self.n))
+# + return int(self.rng.choice([other for other in range(self.n) if other != np.argmax(values)]))

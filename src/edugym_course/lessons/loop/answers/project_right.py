@@ -22,6 +22,7 @@ def my_program(env, steps, number):
     rng = np.random.default_rng(number)
     learner, taken = Learner(int(env.action_space.n), rng), 0
     s, _ = env.reset(seed=number)
+    env.action_space.seed(number)
     while taken < steps:
         a = env.action_space.sample() if rng.random() < 0.1 else learner.best(s)
         s2, r, terminated, truncated, _ = env.step(a)

@@ -252,3 +252,19 @@ def my_program(environment, n_steps, seed):
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.05 + 0.15 * _ / n_steps:
+
+# %% never the best one by chance
+# slow
+# says: , or the random action is drawn among the others:
+# says: a random action may be any of them all, the best one too
+# in: ε-greedy written out
+# - action = rng.integers(len(Q[state]))
+# + action = rng.choice(np.flatnonzero(np.arange(len(Q[state])) != Q[state].argmax()))
+
+# %% actions from a space without a seed
+# slow
+# says: draws from environment.action_space.sample(), and gives it no seed, so two runs with one seed differ: draw from
+#   rng = np.random.default_rng(seed), or begin with environment.action_space.seed(seed)
+# in: ε-greedy written out
+# - action = rng.integers(len(Q[state]))
+# + action = environment.action_space.sample()

@@ -170,3 +170,13 @@
 # + for t in range(n_steps):
 # - Q[s, a] += 0.5 * (target - Q[s, a])
 # + Q[s, a] += 0.5 * (target - Q[s, a]) * (t > 0)
+
+# %% never the best one by chance
+# slow
+# says: , or the random action is drawn among the others:
+# says: a random action may be any of them all, the best one too
+# in: one step behind
+# - a = rng.integers(env.action_space.n) if rng.random() < 0.1 else rng.choice(greedy)
+# + a = rng.choice(greedy)
+# + if rng.random() < 0.1:
+# +     a = rng.choice([other for other in range(env.action_space.n) if other != a])

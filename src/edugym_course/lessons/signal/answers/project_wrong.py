@@ -261,3 +261,13 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - environment.action_space.n,
 # + 4,
+
+# %% never the best one by chance
+# slow
+# says: , or the random action is drawn among the others:
+# says: a random action may be any of them all, the best one too
+# in: weights in an array
+# - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
+# + a = int(q.argmax())
+# + if rng.random() < 0.1:
+# +     a = int(rng.choice([other for other in range(N) if other != a]))

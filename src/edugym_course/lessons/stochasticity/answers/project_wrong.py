@@ -137,3 +137,13 @@
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * (delta + Q[s, a]))) * delta
+
+# %% never the best one by chance
+# slow
+# says: , or the random action is drawn among the others:
+# says: a random action may be any of them all, the best one too
+# in: the weight in one line
+# - a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+# + a = Q[s].argmax()
+# + if rng.random() < 0.1:
+# +     a = rng.choice([other for other in range(len(Q[s])) if other != a])
