@@ -100,7 +100,7 @@ class Score:
 
     def _comparison(self) -> str:
         low, high = self.ahead.low, self.ahead.high
-        where = "ahead of" if low > 0 else "behind" if high < 0 else "level with"
+        where = "ahead of" if low > 0 else "behind" if high < 0 else "not clearly apart from"
         return (
             f"{self.name}: {self.points:.0f} of 100 points, {where} {self.best_baseline} "
             f"(difference {self.ahead.estimate:+.2f}, 95 % interval {low:+.2f} to {high:+.2f})."

@@ -52,6 +52,7 @@ FALLS, GROWS = (
     f"Their share {how} during a run: ε should be the same from the first step to the last"
     for how in ("falls", "grows")
 )
+NEVER_FIRST = "These are the first actions of episodes: an action after a reset is drawn by ε-greedy, too"
 ONCE = "They come together, in few episodes: draw anew in each step whether its action is random, not once an episode"
 MANY = 1.5
 """How many times the expected number there may be then, by chance. If there are more, something else is wrong too."""
@@ -274,6 +275,9 @@ class Rule:
             self._require_steady_tries(runs, right)
         if not is_better and right.is_usual(NEAR):
             self._require_tries(runs, shape)
+            begun = right.among(first)
+            if begun.too_many < -SIGMAS * begun.deviation:
+                raise self._refused(begun, NEVER_FIRST)
             if self._are_drawn(right):
                 self._require_steady_tries(runs, right, grows=True)
                 if right.is_usual(self.slack):

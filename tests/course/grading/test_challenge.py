@@ -82,7 +82,12 @@ def test_points(best: float, average: float, points: float) -> None:
 
 @pytest.mark.parametrize(
     ("low", "high", "where"),
-    [(0.1, 0.7, "ahead of"), (-0.1, 0.9, "level with"), (0.0, 0.0, "level with"), (-0.9, -0.1, "behind")],
+    [
+        (0.1, 0.7, "ahead of"),
+        (-0.1, 0.9, "not clearly apart from"),
+        (0.0, 0.0, "not clearly apart from"),
+        (-0.9, -0.1, "behind"),
+    ],
 )
 def test_the_table_of_a_score(low: float, high: float, where: str) -> None:
     """As text and in a notebook."""

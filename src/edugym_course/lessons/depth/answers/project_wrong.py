@@ -44,7 +44,7 @@
 
 # %% beyond the end
 # slow
-# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards
+# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards. And the actions in the lists are those that were taken, in this episode
 # in: three steps later
 # - if not over:
 # -     G += 0.8**n * Q[S[tau + n], A[tau + n]]

@@ -180,3 +180,12 @@
 # + a = rng.choice(greedy)
 # + if rng.random() < 0.1:
 # +     a = rng.choice([other for other in range(env.action_space.n) if other != a])
+
+# %% the first action is the best one
+# slow
+# says: These are the first actions of episodes: an action after a reset is drawn by ε-greedy, too
+# in: the next action is kept
+# - s2, _ = environment.reset()
+# - a2 = choose(Q[s2], rng)
+# + s2, _ = environment.reset()
+# + a2 = choose(Q[s2], rng, 0.0)
