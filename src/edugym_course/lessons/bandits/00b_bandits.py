@@ -7,7 +7,7 @@
 # **You will be able to** say what regret is, and compute it exactly; say what each of seven agents pays while it learns, and why; and
 # write upper confidence bounds and the gradient bandit.
 #
-# **Time.** {time} **Before you start.** You need means, logarithms and the normal distribution, and a little Python. This is chapter 2 of Sutton and
+# **Time.** {time} **Before you start.** You need means, logarithms and the normal distribution, and a little Python. This goes with chapter 2 of Sutton and
 # Barto, 2nd edition. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
@@ -517,5 +517,5 @@ check(project_0b, my_program)
 # - Lai and Robbins (1985), *Asymptotically efficient adaptive allocation rules*: the bound.
 # - Auer, Cesa-Bianchi and Fischer (2002), *Finite-time analysis of the multiarmed bandit problem*: UCB, and an ε that falls as $1/t$.
 # - Thompson (1933), *On the likelihood that one unknown probability exceeds another in view of the evidence of two samples*.
-# - Lattimore and Szepesvári (2020), *Bandit algorithms*: all of this, with proofs.
+# - Lattimore and Szepesvári (2020), *Bandit algorithms*: most of this, with proofs.
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 2.2 and 2.4 (ε-greedy, sample averages), 2.5 (arms that drift), 2.6 (optimism), 2.7 (UCB), 2.8 (gradient bandit).

@@ -18,6 +18,8 @@ from edugym_course.grading.replay import TRIAL, Rule
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
 
 N_STEPS, LEARNING_RATE, EPSILON = 5_000, 0.01, 0.1
+ALIKE = 3_000.0
+"""By how much, as a logarithm, a random choice must be more probable: an ε of a half is so by a few hundred."""
 TAU, LENGTH = 0.05, 8
 """The noise and the number of words of the toy."""
 WORDS, HEARD, NOISE = 6, 4, 0.25
@@ -112,6 +114,7 @@ class Listener:
         take: what it takes from a message, with its weight.
         learning_rate: α.
         surprised: whether it learns from R less the value, or from R alone.
+        largest: whether the value in the difference is the largest one, and not that of the action.
         one: whether the weights of the action that was taken change, or those of all.
         moved: whether the weights of the message "before" the action move, or of the one "after" it.
         valued: whether the value in the difference is that "before" the action, or "after" it.
@@ -128,6 +131,7 @@ class Listener:
         take: Callable[[Message], Weights] = shares,
         learning_rate: float = LEARNING_RATE,
         surprised: bool = True,
+        largest: bool = False,
         one: bool = True,
         moved: str = "before",
         valued: str = "before",
@@ -138,7 +142,7 @@ class Listener:
         unheard: bool = False,
     ) -> None:
         """Know no word."""
-        self._alone, self._fully, self._unheard = alone, fully, unheard
+        self._alone, self._fully, self._unheard, self._largest = alone, fully, unheard, largest
         self._n_actions = shape[1]
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
@@ -154,7 +158,8 @@ class Listener:
         messages = {"before": state, "after": next_state}
         actions = action if self._one else slice(None)
         future = self._discount * self.values(next_state).max() if self._discount and not terminated else 0.0
-        delta = reward + future - self.values(messages[self._valued])[actions] * self._surprised
+        values = self.values(messages[self._valued])
+        delta = reward + future - (values.max() if self._largest else values[actions]) * self._surprised
         heard = self._take(messages[self._moved][1:])
         for word, weight in [(word, 1.0) for word in range(WORDS)] if self._unheard else heard:
             delta = reward - self._theta[word][actions] if self._alone else delta
@@ -206,8 +211,11 @@ RULE = Rule(
         "the weights move by R, not by R − q(O, A): without the difference they grow without end": mistake(
             surprised=False
         ),
+        "the *largest* value is subtracted from R, and it should be q(O, A), that of the action that was taken": mistake(
+            largest=True
+        ),
         "the values of all actions are alike: do the weights of all move, or of none? Learn about the one "
-        "that was taken": mistake(one=False),
+        "that was taken": mistake(one=False)._replace(nats=ALIKE),
         "the weights of the *next* message move: those of the message before the action should": mistake(moved="after"),
         "it learns from the *next* message alone: keep the one before the action until its weights have moved": mistake(
             moved="after", valued="after"

@@ -271,3 +271,17 @@ def my_program(environment, n_steps, seed):
 # + a = int(q.argmax())
 # + if rng.random() < 0.1:
 # +     a = int(rng.choice([other for other in range(N) if other != a]))
+
+# %% R less the largest value
+# slow
+# says: the *largest* value is subtracted from R, and it should be q(O, A), that of the action that was taken
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r - q.max()
+
+# %% ε is a half
+# slow
+# says: If all else is right, ε is about 0.5
+# in: weights in an array
+# - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
+# + a = int(rng.integers(N)) if rng.random() < 0.5 else int(q.argmax())
