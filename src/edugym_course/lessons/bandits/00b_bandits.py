@@ -148,6 +148,7 @@ source(GradientBandit, "learn")
 # | bandit | $n = 10$ arms, gap $\Delta = 0.2$ |
 # | methods | $\varepsilon = 0.1$; UCB $c = 0.7$; Thompson sampling $\sigma = 0.5$; $\alpha = 0.1$ for optimistic values and the gradient bandit |
 # | repetitions | 100, each with a best arm of its own; bands are 95 % intervals |
+# | not in the figure | greedy, which pays far more; the table has it |
 # | "best arm in" | the share of runs in which it gets more than half of the last tenth of the pulls |
 #
 # How little regret is possible? Lai and Robbins proved that a strategy which is good on *every* bandit (its regret grows more slowly than any power of $t$) cannot do better, in the long run, than $C \ln t$ with
@@ -192,7 +193,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # </details>
 
 # %% [markdown]
-# On the right, pulls are on a logarithmic axis, so $C \ln t$ is a straight line there. UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less.
+# On the right, pulls are on a logarithmic axis: what becomes a straight line there, as $C \ln t$ is, grows as a logarithm. On the left one sees that UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less for a pull.
 # These three and the falling ε end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 #
 # Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm (the other 6 % had found it, too, and lost it again). The likely reason for both: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
@@ -213,7 +214,7 @@ for temperature in (0.02, 0.05, 0.1, 0.2):
     print(f"{temperature:11} {one.regret().mean():8.0f} {cost:19.3f} {known:21.3f} {one.settled().mean():13.0%}")
 
 # %% [markdown]
-# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs: it has hardly ever pulled it there, and goes from one worse arm to another. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means (and these, too, would give the best arm only 45 % of the pulls). With each of these temperatures
+# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs: it has hardly ever pulled it there, and goes from one worse arm to another. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means. (These, too, would give the best arm only 45 % of the pulls, and it counts as found from half on.) With each of these temperatures
 # it pays more than ε-greedy (240). The formula asks how far two means differ, and not how well they are known. UCB and Thompson sampling ask both.
 
 # %% [markdown]
@@ -328,7 +329,7 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 # %% [markdown]
 # ### What if the arms drift?
 # Now another arm becomes the best one with probability 0.001 at each pull, so about ten times in a run. Two ε-greedy agents: one has sample averages, the other learns with a constant rate $\alpha = 0.1$,
-# $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade. The figure also has a UCB that loses its bonus at pull 1000 ("bonus at first").
+# $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade. The figure also has, as a control, a UCB that loses its bonus at pull 1000 ("bonus at first").
 #
 # **Predict.** Which one has less regret?
 
@@ -506,7 +507,7 @@ check(project_0b, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. So an agent must go on looking, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
 # and pays at the same rate for ever. UCB and Thompson sampling try an arm the less, the less likely it is the best one: UCB by a bonus that shrinks with the number of pulls (optimism in the face of uncertainty), Thompson sampling
-# by a draw from what it believes. No agent that is good on every bandit pays less, in the long run, than a logarithm of time. If the arms change, an agent must forget what is old, or go on putting it to the test.
+# by a draw from what it believes. No agent that is good on every bandit pays less, in the long run, than a logarithm of time (unless a single pull can give a worse arm away). If the arms change, an agent must forget what is old, or go on putting it to the test.
 #
 # ### Limits
 # There is one state, and an arm changes nothing of what comes. In the next lessons an action also leads somewhere, and what is to be explored may be a hundred steps away: lesson 1

@@ -185,8 +185,8 @@ CERTAIN = (
     (
         False,
         "with arms that always pay the same, 1 or a few thousandths less",
-        "the best arm is that with the largest mean, with nothing added: no bonus for arms that were pulled seldom, and"
-        " no noise to break ties",
+        "the best arm is that with the largest mean, with nothing added: no bonus for arms that were pulled seldom, no"
+        " noise, and no tie of means that differ",
     ),
     (
         True,

@@ -266,8 +266,8 @@ middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore",
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** ε-greedy solves only the low wall, and more slowly than the others: after 2 000 steps it solves it in
-# about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well.
+# **Measured.** ε-greedy solves only the low wall, and more slowly in the end: after 2 000 steps it solves
+# it in about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well.
 # Go-Explore solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high
 # they got. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so the two
 # black lines coincide. On the high wall it does so in a quarter only; "See inside" says why.)
@@ -304,9 +304,9 @@ sliders(
 #
 # **Measured.** With ten runs each, and the other sliders as they were:
 #
-# - **height.** The novelty reward solves 20 in all runs and 40 in half of them. At 60 and 80 it gets to about 40.
+# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (of more, in a quarter). At 60 and 80 it gets to about 40.
 # - **n_grips.** At height 60 the novelty agent gets to 40 with two grips, to 27 with three and to 19 with five. Go-Explore
-#   still solves it with three, and in eight of ten runs with five.
+#   still solves it with three, and with five in eight of ten runs (in nearly all of more).
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on. (With $\varepsilon = 1$ it acts at random, as the agent called ε-greedy does.)
 #   Go-Explore does not use ε.
@@ -340,8 +340,8 @@ Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 # %% [markdown]
 # The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
 # faster, because it is a mean over runs that have reached different heights. Go-Explore returns without exploring, so
-# its climbs do not derail. Its line is flat because nearly all goals of the second half of training are close to the
-# top. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
+# its climbs do not derail. Its line is flat, up to the last positions, because nearly all goals of the second half of
+# training are close to the top. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
 # The others are on their way to a goal, and they arrive.
 #
 # An agent whose frontier is at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
@@ -616,10 +616,10 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It is optimism. With $\alpha = 1$ it solves both walls, it first gets to the top sooner than Go-Explore, and
-# it is not behind in the evaluations: level with two grips, ahead with three. (With $\alpha = 0.5$, in your race above, it
+# it is ahead in the evaluations, with two grips hardly, with three clearly. (With $\alpha = 0.5$, in your race above, it
 # rarely solves the high wall: each disappointment then takes only half of the optimism away.) We think that it is ahead
 # since Go-Explore reaches for random grips, and so also for some that it has tried. With more grips both take longer:
-# with four, neither gets to the top in 20 000 steps.
+# with four, neither gets to the top in 20 000 steps (in some 3 % of other runs Go-Explore does).
 # </details>
 #
 # <details><summary>A trap: values that are equal but for rounding</summary>
@@ -721,7 +721,7 @@ display(figures.race({"my explorer": MyExplorer.create}))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In the end it solves the high wall in every run shown (in 98 to 100 of 100 in others): systematic trying takes the place of random steps. It needs
+# **Measured.** In the end it solves the high wall in every run shown (in 97 to 100 of 100 in others): systematic trying takes the place of random steps. It needs
 # more steps than Go-Explore. (A guess: it has no goals, and returns to where the bonus is high, which is not always its
 # frontier.) On the middle wall its line trembles after 12 000 steps, probably because the bonus is still paid and still
 # moves the values of the grips, so that now and then the greedy policy has a wrong one.
@@ -763,7 +763,7 @@ check(exercise_4, frozen)
 # points are its average return over training, in percent of what is possible: an explorer that takes no avoidable
 # step needs 975 steps on average to reach the top for the first time, and knows the way from then on.
 #
-# Everything is allowed that learns from its own steps. Half a page with it: what does your agent remember, why does that
+# Everything is allowed that learns from its own steps. Write half a page: what does your agent remember, why does that
 # find the top, and where would it fail?
 
 

@@ -78,8 +78,8 @@ def _why(run: Run, n_grips: int) -> str:
             " ones hold: below the top there is no reward to learn from, so remember what was tried and what held"
         )
     return (
-        f"{seen}, and {low:.0%} of the steps begin below place {LOW}: likely it also tries actions at random where it"
-        " knows the way, and falls; go the known way without trying, and try at its end"
+        f"{seen}, and {low:.0%} of the steps begin below place {LOW}: likely it still tries where it knows the way, at"
+        " random or by a bonus, and falls; go the known way without trying, and try at its end"
     )
 
 

@@ -284,7 +284,7 @@
 # slow
 # says: with arms that always pay the same, 1 or a few thousandths less
 # says: pulls are not of the arm with the largest mean, and it should be some
-# says: the best arm is that with the largest mean, with nothing added: no bonus for arms that were pulled seldom, and no noise to break ties
+# says: the best arm is that with the largest mean, with nothing added: no bonus for arms that were pulled seldom, no noise, and no tie of means that differ
 # in: sums of rewards
 # - arm = rng.choice(np.flatnonzero(Q == Q.max()))
 # + bound = Q + 0.05 * np.sqrt(np.log(t + 1) / np.maximum(N, 1))

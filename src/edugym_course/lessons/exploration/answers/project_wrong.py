@@ -14,7 +14,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% slips on the known way
-# says: of the steps begin below place 3: likely it also tries actions at random where it knows the way, and falls; go the known way without trying, and try at its end
+# says: of the steps begin below place 3: likely it still tries where it knows the way, at random or by a bonus, and falls; go the known way without trying, and try at its end
 # in: a random grip where none is known
 # - a = known[s] if s in known else int(rng.integers(n_actions))
 # + a = known[s] if s in known and rng.random() > 0.3 else int(rng.integers(n_actions))
