@@ -8,6 +8,7 @@ has learned. Everything else is the student's.
 import math
 import operator
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
@@ -32,6 +33,8 @@ ENOUGH = 0.9
 """The share of the steps that a program must take."""
 UNSEEDED = "gives no seed to its first reset, so two runs with one seed differ: begin with"
 """What is said of a program without a seed, before how its first reset should look."""
+MANY, ALIKE = 200, 0.97
+"""Of so many episodes, the share that begins with one action: 0.93 at most by ε-greedy, with four actions."""
 APART = 1_000_003
 """How far the seed of an environment is from that of a program: two generators with one seed draw the same numbers."""
 SELDOM = 0.02
@@ -240,6 +243,25 @@ def run_program(
         )
     require_policy(call, policy, noun)
     return Run(recorder.steps, policy)
+
+
+def require_varied_starts(runs: Iterable[Sequence[Step]]) -> None:
+    """Refuse a program that begins all its episodes with one action, where ε-greedy would often take another.
+
+    Raises:
+        WrongAnswer: it does.
+    """
+    alike = n_episodes = 0
+    for steps in runs:
+        over = [True, *(step.terminated or step.truncated for step in steps[:-1])]
+        begun = Counter(step.action for step, first in zip(steps, over, strict=True) if first)
+        alike += begun.most_common(1)[0][1]
+        n_episodes += begun.total()
+    if n_episodes > MANY and alike > ALIKE * n_episodes:
+        raise WrongAnswer(
+            f"{NAME} begins {alike} of {n_episodes} episodes in small worlds with one and the same action: after a"
+            " reset draw the action by ε-greedy, too, from the values of the state that reset() gives"
+        )
 
 
 def require_policy(call: str, policy: Any, noun: str = "state") -> None:

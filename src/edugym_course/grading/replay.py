@@ -31,6 +31,7 @@ from edugym_course.grading.programs import (
     actions_of,
     learn_from,
     require_reproducible,
+    require_varied_starts,
     run_program,
     shape_of,
 )
@@ -266,6 +267,8 @@ class Rule:
         likely = Surprises.of(replay(runs, mistake, shape, self.epsilon))
         is_better = likely.explains_better_than(right, mistake.nats)
         first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
+        if right.among(~first).is_usual(NEAR):
+            require_varied_starts(runs)
         late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])
         together, alone = right.among(late).once_an_episode(np.cumsum(first)[late], self.epsilon, shape[1])
         is_clear = together > max(alone, float(likely.logs[late].sum())) + NATS
@@ -276,7 +279,7 @@ class Rule:
         if not is_better and right.is_usual(NEAR):
             self._require_tries(runs, shape)
             begun = right.among(first)
-            if begun.too_many < -SIGMAS * begun.deviation:
+            if self.looks_closer and begun.too_many < -SIGMAS * begun.deviation:
                 raise self._refused(begun, NEVER_FIRST)
             if self._are_drawn(right):
                 self._require_steady_tries(runs, right, grows=True)

@@ -24,7 +24,7 @@ SIGMAS, CLEARLY = 4.0, 2.0
 BOTH = 3.0
 """How many standard deviations are more than chance where a second number speaks against it too."""
 
-OTHERS = "a random action may be any of them all, the best one too"
+OTHERS = "a random action may be any of them, the best one too"
 
 Row = tuple[bool, float, float, float, float]
 """Of one step: whether its action was a surprise, how likely that was by ε, the logarithm of its probability; and of a

@@ -95,7 +95,7 @@ finds.measured(100 * settled)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 15 %, hardly more than the tenth that a blind choice finds. The first arm that pays has a mean above 0, for ever; the other means stay 0: those arms did not pay, or were never pulled, and nobody pulls them any more. A mean becomes
+# **Measured.** 15 %; a blind choice finds a tenth. The first arm that pays has a mean above 0, for ever; the other means stay 0: those arms did not pay, or were never pulled, and nobody pulls them any more. A mean becomes
 # right only for an arm that is pulled. So greedy stays with the first arm that pays. That is the best one with the probability $0.6 / (0.6 + 9 \cdot 0.4)$,
 # or 1/7. If each arm was tried 30 times first, greedy finds the best one in 98 %. The same formula gives 27 % for five arms (measured 28 %), and 21 % for a gap of 0.4 (measured 20 %).
 # </details>
@@ -157,7 +157,7 @@ source(GradientBandit, "learn")
 # C = \sum_{a\,:\,p_a < p_*} \frac{p_* - p_a}{p_a \ln \frac{p_a}{p_*} + (1 - p_a) \ln \frac{1 - p_a}{1 - p_*}}
 # $$
 #
-# where arm $a$ pays with probability $p_a$, and the best one with $p_*$. That is the dashed line.
+# where arm $a$ pays with probability $p_a$, and the best one with $p_*$. That is the thin dashed line.
 #
 # **Predict.** After some thousand pulls ε-greedy knows the best arm. What does its regret do from then on?
 
@@ -259,7 +259,7 @@ for method, one in shown.items():
 agent = methods.agent_of("UCB", mdp)
 train(mdp, agent, methods.N_PULLS, seed=1)
 N, Q = agent.counts[0], agent.Q[0]
-bonus = methods.C * np.sqrt(np.log(1 + N.sum()) / N)
+bonus = methods.BONUS * np.sqrt(np.log(1 + N.sum()) / N)
 print("arm   pulls   mean   bonus   upper bound")
 for arm in np.argsort(-N):
     print(f"{arm:3} {N[arm]:7} {Q[arm]:6.2f} {bonus[arm]:7.2f} {Q[arm] + bonus[arm]:10.2f}")

@@ -23,7 +23,7 @@ from edugym_course.lessons.maximisation_bias.methods import seeds
 N_ARMS, GAP, N_PULLS, REPETITIONS = 10, 0.2, 10_000, 100
 SHORT = 300
 """Greedy has found its arm by then."""
-EPSILON, LEARNING_RATE, DISCOUNT, C, SPREAD, FALLING = 0.1, 0.1, 0.0, 0.7, 0.5, 200.0
+EPSILON, LEARNING_RATE, DISCOUNT, BONUS, SPREAD, FALLING = 0.1, 0.1, 0.0, 0.7, 0.5, 200.0
 
 
 class TryFirst(NamedTuple):
@@ -100,11 +100,11 @@ METHODS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(
         SLIPS: averages(lambda mdp: EpsilonGreedy(EPSILON)),
         DECAY: averages(lambda mdp: ScheduledEpsilonGreedy.create(OneOverT(FALLING))),
         HOPE: constant(exploration=Greedy(), initial_value=1.0),
-        BOUNDS: averages(partial(UCB.create, c=C)),
+        BOUNDS: averages(partial(UCB.create, c=BONUS)),
         THOMPSON: averages(partial(ThompsonSampling.create, spread=SPREAD)),
         GRADIENT: partial(GradientBandit.create, learning_rate=LEARNING_RATE),
         STEADY: constant(exploration=EpsilonGreedy(EPSILON)),
-        AT_FIRST: averages(lambda mdp: BonusAtFirst(UCB.create(mdp, c=C), N_FIRST)),
+        AT_FIRST: averages(lambda mdp: BonusAtFirst(UCB.create(mdp, c=BONUS), N_FIRST)),
     }
 )
 IN_THE_FIGURE = (GREEDY, SLIPS, DECAY, HOPE, BOUNDS, THOMPSON, GRADIENT)

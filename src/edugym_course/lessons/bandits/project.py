@@ -39,6 +39,8 @@ LAYOUTS = 0, 1
 """Two such bandits, with another best arm each."""
 LATE, TWICE = 7_000, 150
 """So many of these pulls are looked at; in so many steps both runs may pull another arm. It is 67 by chance."""
+LAST = 400
+"""In so many last pulls some 39 are others than the best one, and hardly ever none."""
 AT_ONE_STEP = 0.4
 """The share of the late episodes that may pull another arm at one step of theirs. It is 0.1 by chance."""
 EXACTLY = 0.05
@@ -202,11 +204,7 @@ def project_0b(answer: Any, seed: int) -> str:
     sure = _sure_arms(answer, seed)
     late = [arms[-LATE:] for arms in sure]
     best = [Counter(arms).most_common(1)[0] for arms in late]
-    if any(times == LATE for _, times in best):
-        raise WrongAnswer(
-            f"in the last {LATE} of {SURE_PULLS} steps my_program pulls one arm only: a random one has the probability"
-            " ε up to the last step, and it is drawn from one generator, made before the loop"
-        )
+    _require_tries(late, LATE)
     at_once = sum(one != best[0][0] and other != best[1][0] for one, other in zip(*late, strict=True))
     if at_once <= TWICE:
         _require_fresh_numbers(late)
@@ -217,6 +215,7 @@ def project_0b(answer: Any, seed: int) -> str:
     impossible = {} if abs(tries / EPSILON - 1) <= NEAR else WHOLE_NUMBERS
     possible = {sentence: mistake for sentence, mistake in RULE.mistakes.items() if sentence not in impossible}
     replace(RULE, mistakes=possible).check(answer, seed, tries)
+    _require_tries(late, LAST)
     short = range(SHORT_RUNS * seed, SHORT_RUNS * (seed + 1))
     runs = [run_program(answer, Machines(number), 10, number) for number in short]
     _require_random_ties([tie for run in runs for tie in _ties(run)])
@@ -249,6 +248,15 @@ def _sure_arms(answer: Any, seed: int) -> list[list[int]]:
         run = run_program(answer, sure, SURE_PULLS, len(LAYOUTS) * seed + number)  # other random pulls in each
         arms.append([step.action for step in run.steps[:SURE_PULLS]])
     return arms
+
+
+def _require_tries(late: list[list[int]], last: int) -> None:
+    """Refuse a program that pulls only one arm in its last pulls; `last` says how many."""
+    if any(len({*arms[-last:]}) == 1 for arms in late):
+        raise WrongAnswer(
+            f"in the last {last} of {SURE_PULLS} steps my_program pulls one arm only: a random one has the probability"
+            " ε up to the last step, and it is drawn from one generator, made before the loop"
+        )
 
 
 def _require_steady_start(runs: list[list[int]]) -> None:

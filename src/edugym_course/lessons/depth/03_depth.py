@@ -239,7 +239,7 @@ for n in (1, math.inf):
 print(f"optimum      {study.reward_threshold:.2f}")
 
 # %% [markdown]
-# Both pass now. Here going out and sleeping are cheap. One-step SARSA has found that out. Monte Carlo still spends free
+# Both pass now. Here going out and sleeping are cheap. One-step SARSA has mostly found that out. Monte Carlo still spends free
 # days on expensive things. Is that so in general?
 
 # %% [markdown]
@@ -312,7 +312,7 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs never pass the exam, and return
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs do not pass the exam, and return
 # about 10 less, which hides small differences in the mean. So which share of the runs passes in the end? And how much
 # better is one method *on the layouts on which both pass*? These returns are computed without noise.
 
@@ -447,7 +447,7 @@ noise.measured(100 * targets.noise_share(0.2))
 #
 # **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the
 # agent's own exploration*. With $\varepsilon = 0.1$ two of three episodes contain at least one random action
-# ($1 - 0.9^{10} = 0.65$), and some of these actions miss a lecture or the exam, which costs 10. That goes into the
+# ($1 - 0.9^{10} = 0.65$), and some of these actions miss the exam, or a second lecture, which costs 10. That goes into the
 # target of the first day, although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of
 # the rewards.
 # </details>
@@ -459,7 +459,7 @@ noise.measured(100 * targets.noise_share(0.2))
 # are so high.
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
-# aside), while on a free day two actions differ by a few hundredths. So Monte Carlo passes the exam and wastes its free
+# aside), while on a free day two actions differ by 0.1 on average. So Monte Carlo passes the exam and wastes its free
 # days, even without noise of the rewards.
 
 # %% [markdown] tags=["aside"]
@@ -572,7 +572,7 @@ for episodes in (4_000, 40_000):
 
 # %% [markdown]
 # With $\alpha = 0.1$ and ten times the training, more runs of Monte Carlo pass, but these are hardly closer to the
-# optimum, as the formula says: the values keep scattering. With $\alpha = 0.01$ it pays: Monte Carlo comes close to $n = 1$ with the rate 0.1. But $n = 1$ gains as much from the small rate: it
+# optimum, as the formula says: the values keep scattering. With $\alpha = 0.01$ it pays: Monte Carlo comes much closer to $n = 1$ with the rate 0.1. But $n = 1$ gains as much from the small rate: it
 # comes much closer to the optimum, in fewer runs. (With the rate 0.1 longer training does not bring $n = 1$ closer, either: that the number rises is chance in so few runs.)
 
 # %% [markdown] tags=["aside"]

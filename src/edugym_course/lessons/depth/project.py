@@ -180,8 +180,8 @@ RULE = Rule(
     EPSILON,
     truncates=False,
     otherwise="; look at two places: at the end of an episode the targets of *all* pairs that are left are made of"
-    " rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards. And the actions in the lists"
-    " are those that were taken, in this episode",
+    " rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards; and the lists hold the"
+    " actions that were taken, in this episode",
 )
 CUT = {cut: Learner(partial(FromDefinition, cut=cut)) for cut in ("nothing", "rewards", "value")}
 """What may be learned where an episode is truncated. The two right ones differ; both are in use."""

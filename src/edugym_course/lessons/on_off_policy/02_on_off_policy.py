@@ -762,7 +762,7 @@ display(
 
 # %% [markdown]
 # ### The open challenge: every fall counts
-# The same road, and 5 000 steps in all, 1 000 to 1 200 runs. This time *all* training episodes count, with every fall and
+# The same road, and 5 000 steps in all, about a thousand runs. This time *all* training episodes count, with every fall and
 # every stall: how much does your agent earn while it learns? Of the task it is told only its observation space and its
 # action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is trained ten
 # times, with seeds that belong to your name.
@@ -795,6 +795,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ and first values of 0.
+# - Only `terminated` means that nothing follows. A step that is truncated has the target $R + \gamma Q(S', A')$, too (or
+#   it is left out, since its $A'$ is never taken).
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the

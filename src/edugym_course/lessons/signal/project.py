@@ -211,7 +211,7 @@ RULE = Rule(
         "the weights move by R, not by R − q(O, A): without the difference they grow without end": mistake(
             surprised=False
         ),
-        "the *largest* value is subtracted from R, and it should be q(O, A), that of the action that was taken": mistake(
+        "the *largest* value is subtracted from R; it should be q(O, A), that of the action that was taken": mistake(
             largest=True
         ),
         "the values of all actions are alike: do the weights of all move, or of none? Learn about the one "

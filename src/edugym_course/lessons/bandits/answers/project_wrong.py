@@ -311,7 +311,7 @@
 # slow
 # says: in a bandit with two arms, one of which always pays
 # says: my_program takes the other one in
-# says:  late steps, and it should be some 175: a random action may be any of them all, the best one too
+# says:  late steps, and it should be some 175: a random action may be any of them, the best one too
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = best()
@@ -388,3 +388,10 @@
 # in: with lists
 # - over, taken = terminated or truncated, taken + 1
 # + over, taken = truncated, taken + 1
+
+# %% no try in the last tenth
+# slow
+# says: in the last 400 of 8000 steps my_program pulls one arm only
+# in: with lists
+# - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
+# + arm = int(rng.integers(n)) if taken < 0.9 * n_steps and rng.random() < 0.1 else best()

@@ -536,3 +536,10 @@ def hand_back(self, length):
             G = max(self.Q[s])
         else:
             G = (G + self.Q[s, a]) / 2
+
+
+# %% a little worse is as good
+# says: and at the next one G is cut
+# in: while
+# - if self.Q[s, a] != self.Q[s].max():
+# + if self.Q[s, a] < self.Q[s].max() - 0.01:

@@ -44,7 +44,7 @@
 
 # %% beyond the end
 # slow
-# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards. And the actions in the lists are those that were taken, in this episode
+# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards; and the lists hold the actions that were taken, in this episode
 # in: three steps later
 # - if not over:
 # -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
@@ -234,7 +234,7 @@
 # %% never the best one by chance
 # slow
 # says: , or the random action is drawn among the others:
-# says: a random action may be any of them all, the best one too
+# says: a random action may be any of them, the best one too
 # in: when the episode is over
 # - a = rng.integers(Q.shape[1]) if rng.random() < 0.1 else Q[s].argmax()
 # + a = Q[s].argmax()

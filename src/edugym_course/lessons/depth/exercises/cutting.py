@@ -188,6 +188,10 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
+HARDLY = 1e-3
+"""So much less an action is worth that hardly differs from the best one; by rounding it is 1e-15."""
+
+
 class Case(NamedTuple):
     """Values before learning, and the episodes to learn from, in order."""
 
@@ -207,16 +211,20 @@ def cases(seed: int, learning_rate: float) -> list[Case]:
             [make_episode(1 + i % 5, rng), *([make_episode(3, rng)] if i % 3 == 2 else [])],
         )
         for i in range(24)
-    ] + [_tie(action, other, learning_rate, rng) for action, other in permutations(range(N_ACTIONS), 2)]
+    ] + [
+        _tie(action, other, learning_rate, rng, lead)
+        for lead in (0.0, HARDLY)
+        for action, other in permutations(range(N_ACTIONS), 2)
+    ]
 
 
-def _tie(action: int, other: int, learning_rate: float, rng: np.random.Generator) -> Case:
-    """Make a case up in which the last action of an episode is worth as much as another one after the update."""
+def _tie(action: int, other: int, learning_rate: float, rng: np.random.Generator, lead: float) -> Case:
+    """Make a case up in which another action than the last of an episode has a `lead` after its update."""
     Q, episode = rng.choice(np.arange(-4.0, 8.5, 0.5), (N_STATES, N_ACTIONS)), make_episode(3, rng)
     episode.actions[-1], episode.rewards[-1] = action, 4.0
     Q[episode.states[-1]] = -8.0
     Q[episode.states[-1], action] = -2.0
-    Q[episode.states[-1], other] = -2.0 + learning_rate * 6.0  # exact, whatever the order of its terms
+    Q[episode.states[-1], other] = -2.0 + learning_rate * 6.0 + lead  # exact, whatever the order of its terms
     return Case(Q, [episode])
 
 

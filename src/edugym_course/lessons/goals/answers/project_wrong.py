@@ -361,7 +361,7 @@ def my_program(environment, n_steps, seed):
 # %% never the best one by chance
 # slow
 # says: , or the random action is drawn among the others:
-# says: a random action may be any of them all, the best one too
+# says: a random action may be any of them, the best one too
 # in: a class
 # - return int(self.rng.integers(0, self.n))
 # + return int(self.rng.choice([other for other in range(self.n) if other != np.argmax(values)]))

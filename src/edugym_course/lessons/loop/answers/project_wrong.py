@@ -256,7 +256,7 @@ def my_program(environment, n_steps, seed):
 # %% never the best one by chance
 # slow
 # says: , or the random action is drawn among the others:
-# says: a random action may be any of them all, the best one too
+# says: a random action may be any of them, the best one too
 # in: ε-greedy written out
 # - action = rng.integers(len(Q[state]))
 # + action = rng.choice(np.flatnonzero(np.arange(len(Q[state])) != Q[state].argmax()))

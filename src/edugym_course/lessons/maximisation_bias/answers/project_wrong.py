@@ -354,7 +354,7 @@
 # %% never the best one by chance
 # slow
 # says: where each of two actions ends an episode, and one is a favourite
-# says: a random action may be any of them all, the best one too
+# says: a random action may be any of them, the best one too
 # in: with lists
 # - action = int(rng.integers(n_actions)) if rng.random() < 0.1 else best(both(state))
 # + action = best(both(state))

@@ -174,7 +174,7 @@
 # %% never the best one by chance
 # slow
 # says: , or the random action is drawn among the others:
-# says: a random action may be any of them all, the best one too
+# says: a random action may be any of them, the best one too
 # in: one step behind
 # - a = rng.integers(env.action_space.n) if rng.random() < 0.1 else rng.choice(greedy)
 # + a = rng.choice(greedy)
@@ -189,3 +189,15 @@
 # - a2 = choose(Q[s2], rng)
 # + s2, _ = environment.reset()
 # + a2 = choose(Q[s2], rng, 0.0)
+
+# %% action 0 after a reset
+# slow
+# says: episodes in small worlds with one and the same action: after a reset draw the action by ε-greedy, too, from the values of the state that
+#   reset() gives
+# in: the next action is kept
+# - a = choose(Q[s], rng)
+# + a = 0
+# - s2, _ = environment.reset()
+# - a2 = choose(Q[s2], rng)
+# + s2, _ = environment.reset()
+# + a2 = 0

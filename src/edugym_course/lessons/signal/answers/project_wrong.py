@@ -265,7 +265,7 @@ def my_program(environment, n_steps, seed):
 # %% never the best one by chance
 # slow
 # says: , or the random action is drawn among the others:
-# says: a random action may be any of them all, the best one too
+# says: a random action may be any of them, the best one too
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(q.argmax())
@@ -274,7 +274,7 @@ def my_program(environment, n_steps, seed):
 
 # %% R less the largest value
 # slow
-# says: the *largest* value is subtracted from R, and it should be q(O, A), that of the action that was taken
+# says: the *largest* value is subtracted from R; it should be q(O, A), that of the action that was taken
 # in: weights in an array
 # - delta = r - q[a]
 # + delta = r - q.max()
