@@ -131,7 +131,7 @@ RULE = Rule(
             partial(agent, n=math.inf)
         ),
         "the target has the next reward alone": Learner(partial(agent, n=1, discount=0.0)),
-        "after the rewards comes the largest value of S_τ+n, and it should be that of the action taken there, A_τ+n:"
+        "after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n:"
         " with the maximum the target is the uncorrected one of this lesson": Learner(
             partial(FromDefinition, largest=True)
         ),

@@ -202,8 +202,9 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # two words of three are right, and three quarters of the information are gone.
 # </details>
 #
-# A player who obeys follows wrong words too, and so leaves needs that differ more: the most urgent one leads in urgency
-# by two, three and four times as much ($\tau = 0.02$, 0.05 and 0.1). So on *its* toy a word carries more. Move the noise, and see the bits of both toys.
+# A player who obeys follows wrong words too, and leaves needs that differ more: the highest urgency is 0.04, 0.06 and
+# 0.08 above the second ($\tau = 0.02$, 0.05 and 0.1), not 0.02. So on *its* toy a word carries more. Move the noise, and
+# see the bits of both toys.
 
 # %%
 sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))

@@ -89,7 +89,7 @@
 
 # %% the largest value
 # slow
-# says: after the rewards comes the largest value of S_τ+n, and it should be that of the action taken there, A_τ+n: with the maximum the target is the uncorrected one of this lesson
+# says: after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n: with the maximum the target is the uncorrected one of this lesson
 # in: three steps later
 # - G += 0.8**n * Q[S[tau + n], A[tau + n]]
 # + G += 0.8**n * Q[S[tau + n]].max()
