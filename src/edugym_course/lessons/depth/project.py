@@ -131,8 +131,8 @@ RULE = Rule(
             partial(agent, n=math.inf)
         ),
         "the target has the next reward alone": Learner(partial(agent, n=1, discount=0.0)),
-        "after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n:"
-        " with the maximum the target is the uncorrected one of this lesson": Learner(
+        "after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken,"
+        " A_τ+n: with the maximum the target is the uncorrected one of this lesson": Learner(
             partial(FromDefinition, largest=True)
         ),
         "no value comes after the n rewards: γⁿ Q(S_τ+n, A_τ+n) is missing": Learner(
