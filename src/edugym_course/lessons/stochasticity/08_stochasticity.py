@@ -345,7 +345,7 @@ change.measured(lines.change)
 #
 # **Measured.** 0.0187, so the estimate was close. Both lines are computed for a player who sees where the ball lies and
 # plays as well as possible after the first swing. (The computation knows places an eighth of a cell apart; its errors
-# are below 0.001.) Below the crossing the risk of the drive pays on average; above it, it does not. At 0.015 the drive
+# are below 0.002.) Below the crossing the risk of the drive pays on average; above it, it does not. At 0.015 the drive
 # is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then* a drive also takes two hits.
 # With a little noise the drive is worth more than 0.9, since some drives land on the green at once.)
 # </details>
@@ -682,7 +682,7 @@ rate.measured(seen)
 #
 # **Measured.** It hardly ever arrives. (The bands are wide, as there are 6 runs only.) With $\alpha = 1$ a value is the
 # *last* target, and not a mean. Where nothing is random, the last target is the best one. On slippery ice it is one
-# draw of a lottery, and the greedy action changes in more than a quarter of the updates. A learning rate below 1 takes a mean, and that takes
+# draw of a lottery. A learning rate below 1 takes a mean, and that takes
 # time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. In these 10 000 steps 0.3 is ahead of 0.05;
 # later a smaller rate averages over more draws. (A rate that falls, such as one over the number of visits, is
 # fast first and accurate later; Sutton and Barto, section 2.5.)

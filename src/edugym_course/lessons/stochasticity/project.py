@@ -20,6 +20,7 @@ from edugym_course.grading.programs import run_program
 from edugym_course.grading.replay import Rule
 
 LEARNING_RATE, DISCOUNT, RISK, EPSILON = 0.4, 0.9, -0.5, 0.1
+DISCOUNTED = "the reward is discounted, and γ should stand before the value of the next state alone"
 N_STEPS, FORKS = 1_000, 5
 SURE, GAIN, LOSS = 1.0, 5.0, -2.0
 
@@ -132,6 +133,15 @@ RULE = Rule(
         "the mean over the actions of the next state stands where the maximum should": Learner(
             partial(slips, future=np.mean)
         ),
+        "the mean by ε-greedy over the next actions stands where the maximum should: that is expected SARSA": Learner(
+            partial(slips, future=lambda row: (1 - EPSILON) * row.max() + EPSILON * row.mean())
+        ),
+        DISCOUNTED: Learner(
+            agent, lambda step, before: step if step.terminated else step._replace(reward=DISCOUNT * step.reward)
+        ),
+        f"{DISCOUNTED}, at the end of an episode, too": Learner(
+            agent, lambda step, before: step._replace(reward=DISCOUNT * step.reward)
+        ),
         "the maximum starts from 0, and all values may be lower: start from the first one": Learner(
             partial(slips, future=lambda row: max(0.0, float(row.max())))
         ),
@@ -139,8 +149,8 @@ RULE = Rule(
     | other_settings(
         agent,
         learning_rate=("α", LEARNING_RATE, (0.1, 0.5, 1.0)),
-        discount=("γ", DISCOUNT, (0.5, 1.0)),
-        risk=("β", RISK, (-2.0, -1.0, -0.1)),
+        discount=("γ", DISCOUNT, (0.5, 0.8, 0.95, 1.0)),
+        risk=("β", RISK, (-2.0, -1.0, -0.7, -0.4, -0.3, -0.1)),
     )
     | other_tables(agent),
     EPSILON,

@@ -147,3 +147,32 @@
 # + a = Q[s].argmax()
 # + if rng.random() < 0.1:
 # +     a = rng.choice([other for other in range(len(Q[s])) if other != a])
+
+# %% the mean by ε-greedy
+# slow
+# says: the mean by ε-greedy over the next actions stands where the maximum should: that is expected SARSA
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * (0.9 * Q[s2].max() + 0.1 * Q[s2].mean()) - Q[s, a]
+
+# %% the reward is discounted
+# slow
+# says: They fit a usual mistake: the reward is discounted, and γ should stand before the value of the next state alone
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = (r if over else 0.9 * (r + Q[s2].max())) - Q[s, a]
+
+# %% a terminal reward is discounted, too
+# slow
+# says: the reward is discounted, and γ should stand before the value of the next state alone
+# says: , at the end of an episode, too
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = 0.9 * (r + (1 - over) * Q[s2].max()) - Q[s, a]
+
+# %% β is −0.4
+# slow
+# says: β is about -0.4, and it should be -0.5
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.4 * delta)) * delta
