@@ -271,7 +271,7 @@ frames("Roadrunner", actions)
 # Find a road, by its length $W$, on which both learn the same run. What does a large learning rate do, and to which method?
 # Move a slider and release it: the experiment is computed again, with 10 repetitions of 50 000 steps. (Some lines lie on
 # each other, and a line that is missing lies below the panel. On some roads, as with $W = 8$, a safe run is as short as the
-# fast one. Then the greedy returns are the same although the runs are not.)
+# fast one. Then the greedy returns are the same, although most runs are not.)
 
 
 # %%
@@ -351,7 +351,7 @@ change.measured(lines.change)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.032, so the estimate was close. In this figure the upper one of the two lines is the best ε-soft policy (but for 0.001):
+# **Measured.** 0.032, so the estimate was close. In this figure the upper one of the two lines is the best ε-soft policy (but for the second safe run, by 0.001):
 # the fast run up to there, and the safe run from there on. At $\varepsilon = 0.1$ the fast run ends badly in 6.8 % of all
 # episodes, and the safe run in 4.1 %: a slip in the first step stalls in $\varepsilon / 3$ = 3.3 % of them.
 # </details>
@@ -403,11 +403,11 @@ print(f"at position 6 with speed 3, the last state of the fast run, SARSA's valu
 # %% [markdown]
 # SARSA believes that from there the fast run is worth about −1.3. For an agent that slips with $\varepsilon = 0.01$ it
 # is worth −0.34 from there, as expected SARSA has found. (The 0 of Q-learning is that of an agent that never slips.) We
-# think that SARSA was unlucky, and takes long to get over it. Follow one slip in the last state of the fast run. SARSA
+# think that SARSA was unlucky, and takes long to get over it. After a slip in the last state of the fast run SARSA
 # has $A'$ = faster in its target, and $Q(S', A')$ is far below 0, here −48. So the value of the action that leads
-# into this state drops at once by $\alpha \cdot 48$, about 1.4 (3 at most). The two runs differ by less than 1, so from
+# into this state drops at once by $\alpha \cdot 48$, about 1.4. The two runs differ by less than 1, so from
 # now on the safe run looks better. The agent then tries the fast run only when it slips into it, and each such try
-# repairs only 3 % of the damage.  Expected SARSA has the same slip in its target *at every visit*, with its true weight
+# repairs only 3 % of the damage. Expected SARSA has the same slip in its target *at every visit*, with its true weight
 # $\varepsilon/3$, so no single one can scare it.
 #
 # If that is so, a much smaller learning rate helps: with $\alpha = 0.001$ a slip takes
