@@ -368,7 +368,7 @@ source(TileCoding.see)
 # \theta_k \leftarrow \theta_k + \alpha^\theta\, \delta\, \frac{A_k - \mu_k(S)}{\sigma^2}\, x(S)
 # $$
 #
-# $\gamma V(S')$ is 0 if $S'$ is terminal. They leave out the factor $\gamma^t$ of REINFORCE, as is usual, and
+# $\gamma V(S')$ is 0 if $S'$ is terminal. The updates leave out the factor $\gamma^t$ of REINFORCE, as is usual, and
 # an update of $\sigma$, which is fixed here. (PPO, in an aside, learns it.) The code differs from these lines in two points:
 #
 # - It divides both rates by the number of grids, `at_once`, since so many features are 1 at a time.
@@ -509,7 +509,7 @@ source(clipped_gain)
 # \hat A_t = \delta_t + \gamma \lambda\, \delta_{t+1} + (\gamma \lambda)^2\, \delta_{t+2} + \dots
 # $$
 #
-# $\lambda = 0$ is the one-step error of the actor-critic above, and $\lambda = 1$ the return of the rest of the round, less the baseline, much as in REINFORCE.
+# $\lambda = 0$ is the one-step error of the actor-critic above, and $\lambda = 1$ the return of the rest of the round, with $V$ of the state where it is cut, less the baseline, much as in REINFORCE.
 
 # %%
 source(advantages_of)
@@ -934,7 +934,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # In the check an arm lets go of three boxes, one after another, each over a container whose middle it does not know. A
 # box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. Your program
 # draws its actions, so none of them is right or wrong. But its own steps tell, by the equations, from which Gaussians
-# it should have drawn them. The check looks whether its actions lie there, and whether those of a usual mistake fit
+# it should have drawn them. (In a second task the farthest actions pay most, so $\sigma$ grows.) The check looks whether its actions lie there, and whether those of a usual mistake fit
 # them better. It sees the steps, and no line of your program. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]

@@ -34,6 +34,7 @@ from edugym_course.lessons.continuous_actions.exercises.boxes import (
     SMALLEST,
     WIDTH,
     Boxes,
+    FarPays,
     Gaussians,
     returns_from,
     returns_until,
@@ -41,7 +42,7 @@ from edugym_course.lessons.continuous_actions.exercises.boxes import (
     score_of_mean,
 )
 
-N_STEPS, WORLDS = 6_000, 2
+N_STEPS, WORLDS, FAR_STEPS = 6_000, 2, 2_000
 
 
 Maker = Callable[[int], Gaussians]
@@ -239,6 +240,22 @@ def check_equations(program: Any, seed: int) -> None:
     )
 
 
+def check_bound(program: Any, seed: int) -> None:
+    """Check that σ stops at its upper bound: over the boxes it never comes there.
+
+    Raises:
+        WrongAnswer: it does not.
+    """
+    runs = [run_program(program, FarPays(), FAR_STEPS, number).steps for number in range(2 * seed, 2 * seed + 2)]
+    right = fit(runs, Gaussians)
+    if not right.is_usual:
+        raise WrongAnswer(
+            f"where the farthest actions pay most, so that σ grows to {LARGEST:g}, the actions of {NAME} should lie one"
+            f" σ from μ (the root of the mean square), and they lie {right.far:.3g} σ from it: after each step keep σ"
+            f" between {SMALLEST:g} and {LARGEST:g}"
+        )
+
+
 def _likeliest(runs: Sequence[Sequence[Step]], right: Fit) -> tuple[str, bool]:
     """Return the mistake that makes the actions most probable, and whether the right equations make them less so."""
     logs = {sentence: fit(runs, make).log for sentence, make in MISTAKES.items()}
@@ -286,4 +303,5 @@ ARM = Race(partial(Boxes, 0), N_STEPS, reinforce, episodes=20)
 def project_7(answer: Any, seed: int) -> str:
     """Check a program with REINFORCE and a learned spread."""
     check_equations(answer, seed)
+    check_bound(answer, seed)
     return f"Right: its Gaussians are those of its steps. {compare_with_ours(answer, ARM, seed)}"

@@ -393,3 +393,19 @@
 # in: lists of an episode
 # - V[S[k]] += 0.1 * delta
 # + V[S[k]] += 0.1 * (R[k] + (0.8 * V[S[k + 1]] if k + 1 < len(S) else 0.0) - V[S[k]])
+
+# %% no upper bound
+# slow
+# says: where the farthest actions pay most, so that σ grows to 2, the actions of my_program
+# says: should lie one σ from μ (the root of the mean square), and they lie
+# says: σ from it: after each step keep σ between 0.2 and 2
+# in: lists of an episode
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + ls[S[k]] = max(ls[S[k]], np.log(0.2))
+
+# %% the upper bound is 1
+# slow
+# says: σ from it: after each step keep σ between 0.2 and 2
+# in: lists of an episode
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), 0.0)

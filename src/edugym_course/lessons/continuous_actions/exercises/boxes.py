@@ -15,6 +15,8 @@ POLICY_RATE, VALUE_RATE, DISCOUNT = 0.005, 0.1, 0.8
 SMALLEST, LARGEST = 0.2, 2.0
 """σ never leaves these bounds."""
 BOXES, WIDTH, FARTHEST = 3, 2, 1.0
+HARDLY_FARTHER = 6.0
+"""Three times the largest σ: farther actions are rare."""
 CUT_OFF = 0.05
 """How likely an episode is truncated after a box, where episodes are truncated at all."""
 
@@ -52,6 +54,25 @@ class Boxes(gymnasium.Env[Any, Any]):
         terminated = layer == BOXES
         truncated = bool(self._truncates and not terminated and self.np_random.random() < CUT_OFF)
         return int(self._states[self._place]), pays, terminated, truncated, {}
+
+
+class FarPays(gymnasium.Env[Any, Any]):
+    """One action an episode, in a single state: the farther from 0 it is, up to `HARDLY_FARTHER`, the more it pays.
+
+    So σ grows, until something stops it.
+    """
+
+    observation_space = spaces.Discrete(BOXES * WIDTH)
+    action_space = spaces.Box(-math.inf, math.inf, (), np.float64)
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin in state 0."""
+        super().reset(seed=seed)
+        return 0, {}
+
+    def step(self, action: float) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Pay, and end in state 1."""
+        return 1, min(abs(float(action)), HARDLY_FARTHER), True, False, {}
 
 
 Returns = Sequence[float]
