@@ -29,8 +29,8 @@ from edugym_course.grading.programs import (
     run_program,
 )
 from edugym_course.grading.replay import ASKED, TRIAL
+from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS, Twins
 
-ROWS, COLUMNS = 5, 5
 N_STEPS, RIDDLE_STEPS, RUNS, EPISODES = 10_000, 2_000, 3, 50
 CAUGHT = 0.7
 """The share of the balls that the policy must catch in the middle run; random play catches a fifth."""
@@ -120,6 +120,12 @@ RIDDLES = (
         good=Move(0.2, GOOD, terminated=False, truncated=True),
     ),
 )
+LOW = Riddle(
+    Move(-0.3, GOOD),
+    Move(0.0, BAD, terminated=False),
+    "the right action brings -0.3 at once, and another one leads to an image in which every action brings -1: is the"
+    " largest value the largest of S', however low it is? A search for it that starts with 0 finds 0",
+)
 CHOOSY = Riddle(
     Move(0.0, GOOD, terminated=False),
     Move(0.0, BAD, terminated=False),
@@ -128,7 +134,7 @@ CHOOSY = Riddle(
     bad=Move(-0.2, GOOD),  # less than the largest value of the good image, and more than their mean
     choosy=True,
 )
-"""It is asked last, so that other mistakes are told by the riddles that ask for them."""
+"""These two are asked last, so that other mistakes are told by the riddles that ask for them."""
 
 
 class Album(gymnasium.Env[Any, Any]):
@@ -312,42 +318,6 @@ def _cause_in_catch(program: Any, run: Run, share: float, number: int) -> str:
     return f"{symptom(run, math.inf)}. {MASK}"  # nothing is wrong with the policy
 
 
-class Twins(gymnasium.Env[Any, Any]):
-    """A riddle in which every image is new: two of its pixels are black or white, and the right action says if alike.
-
-    A value that adds up pixels cannot tell, and hidden units with random weights hardly see two pixels among many.
-    After 4 000 steps such units answered 39 to 87 % right in 18 riddles, and units that learn all of them in 30.
-
-    Attributes:
-        answers: the actions so far, and whether they were right.
-    """
-
-    def __init__(self, seed: int) -> None:
-        """Draw the two pixels, and the two right actions."""
-        rng = np.random.default_rng(APART + seed)
-        self.observation_space = spaces.Box(0.0, 1.0, (ROWS, COLUMNS), np.float32)
-        self.action_space = spaces.Discrete(3)
-        self.answers: list[bool] = []
-        self._places, self._right = rng.choice(ROWS * COLUMNS, 2, replace=False), rng.permutation(3)
-        self._are_alike = 0
-
-    def _image(self) -> Any:
-        image = self.np_random.random(ROWS * COLUMNS, np.float32)
-        image[self._places] = pixels = self.np_random.integers(2, size=2)
-        self._are_alike = int(pixels[0] == pixels[1])
-        return image.reshape(ROWS, COLUMNS)
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
-        """Show an image."""
-        super().reset(seed=seed)
-        return self._image(), {}
-
-    def step(self, action: int) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Pay 1 or −1 for an action; that is all."""
-        self.answers.append(bool(action == self._right[self._are_alike]))
-        return self._image(), 1.0 if self.answers[-1] else -1.0, True, False, {}
-
-
 def twins_solved(program: Any, seed: int) -> float:
     """Return the share of new twins to which the policy of a program answers right, the mean over several runs."""
     shares = []
@@ -391,6 +361,7 @@ def project_4(answer: Any, seed: int) -> str:
     share = check_catch(answer, seed)
     check_policy(answer, seed)
     check_twins(answer, seed)
+    check_riddle(answer, LOW, seed)
     check_riddle(answer, CHOOSY, seed)
     return (
         f"Right: it solves the riddles, and in the middle one of {RUNS} runs on Catch in changing light it catches"

@@ -249,3 +249,11 @@ def my_program(environment, n_steps, seed):
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].mean(axis=1)
+
+# %% the largest value or 0
+# slow
+# says: the right action brings -0.3 at once, and another one leads to an image in which every action brings -1: is the
+#   largest value the largest of S', however low it is? A search for it that starts with 0 finds 0
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1, initial=0.0)
