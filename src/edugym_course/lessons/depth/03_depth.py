@@ -459,7 +459,7 @@ noise.measured(100 * targets.noise_share(0.2))
 # are so high.
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
-# aside), while on a free day two actions differ by 0.1 on average. So Monte Carlo passes the exam and wastes its free
+# aside), while on a free day two actions of this layout differ by 0.1 on average. So Monte Carlo passes the exam and wastes its free
 # days, even without noise of the rewards.
 
 # %% [markdown] tags=["aside"]
@@ -1001,7 +1001,7 @@ for panel in race.rows[0]:
 # %% [markdown]
 # With five actions it is early about as fast as Monte Carlo, probably since its rewards, too, pass through many actions
 # at once. In the end its mean is above those of all four depths, in both panels. With five actions it is *precise*:
-# where it passes, it ends 0.1 below the optimum, and the others 0.4 to 0.7. A guess: exploring actions do not blur its
+# where it passes, it ends 0.1 to 0.2 below the optimum, and the others 0.3 to 0.7. A guess: exploring actions do not blur its
 # targets. With ten actions it also *passes* in far more runs than the deep methods, and in no fewer than $n = 1$,
 # perhaps since at a cut it hands back what untried actions are worth, as one-step targets do.
 #

@@ -539,7 +539,7 @@ for column in tasks.WITHHELD:
 # 0 in their place the network does not see the ball at all, and the paddle ends in the middle. Moving is not enough: with
 # noise in all pixels in training all weights move, and yet in these six runs every withheld ball was missed (in six others three runs caught one column of them).
 #
-# Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 nearly half of its runs
+# Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
 # Weights exist that catch every ball: try to find them. Even where balls fall from all five columns in training, Q-learning ends with
 # such weights in few runs: in about one of ten with $\alpha = 0.02$.
@@ -683,7 +683,7 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so the difference is two tests. The
 # median run first gets there after about 10 000 steps in both cases. Afterwards four runs on the grid fall back, and
 # one on the image. Settings and networks differ as well, so this compares two recipes, not two observations. And the
-# image is not as rich as it sounds: only seven of the 256 levels occur, in no more than 195 images.
+# image is not as rich as it sounds: only seven of the 256 levels occur, in no more than 220 images (195 while the ball falls).
 #
 # The darkened image took as many steps as the plain one. A new brightness at every step, which was the end of the
 # table, does not hold up this network.
@@ -715,9 +715,9 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 80 times as many in these three runs; in ten runs it was 100 times (15 000 steps and 150). So the steps
-# grow faster than the boards. The reward has a longer way back, through more rows, but that is not why: with 3 columns
-# ten runs took 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. It is the columns: with 6 rows and 9
-# columns they took 560 episodes. DQN needs more steps than the table on all four boards, but the ratio falls from more than 6 to less than 2. (The
+# grow faster than the boards. The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
+# ten runs took 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. With 9 columns they took 560 with 6 rows,
+# and some 880 with 18. DQN needs more steps than the table on all four boards, but the ratio falls from more than 6 to less than 2. (The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 

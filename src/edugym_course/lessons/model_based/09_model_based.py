@@ -290,7 +290,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners less than a fifth:
+# **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
 # that is what a model is for. (The curves are means, which a few slow runs pull down.) And then they stop improving.
 # Q-learning ends highest in this shop, and prioritised sweeping lowest. (Among the planners the intervals of neighbours
 # overlap; those of Dyna-10 and prioritised sweeping do not.)
@@ -504,7 +504,7 @@ source(RMax, "learn", "plan", "act")
 # The settings are those from above, with 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes up to 1
 # 000 updates a step.
 #
-# **Predict.** Dyna-10 ends at the optimum, 95, in about 4 of 10 runs, after 10 000 steps. In how many runs does R-max
+# **Predict.** Dyna-10 ends at the optimum, 95, in about a third of its runs, after 10 000 steps. In how many runs does R-max
 # have a policy that returns 95 after 2 000 steps?
 
 # %%

@@ -62,8 +62,8 @@ RIDDLES = (
         -0.5,
         True,
         f"{_PAYS} pays -0.5 and leads to state 1, where the episode is truncated",
-        "only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the A'"
-        " that would be next",
+        "only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the S'"
+        " that the step gave, not that of reset, and of the A' that would be next",
         SOME,
         truncated=True,
     ),
@@ -78,22 +78,22 @@ RIDDLES = (
 
 
 class Leads(gymnasium.Env[Any, Any]):
-    """The steps of a riddle, and one more in state 1.
+    """The steps of a riddle, and one more: in state 2, which nobody knows, if the episode is over.
 
     Args:
         riddle: the riddle.
     """
 
-    observation_space, action_space = spaces.Discrete(2), spaces.Discrete(2)
+    observation_space, action_space = spaces.Discrete(3), spaces.Discrete(2)
 
     def __init__(self, riddle: Riddle) -> None:
         """No step was taken."""
         self._riddle, self._taken = riddle, 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin in state 1, or in state 0 for the step of the riddle."""
+        """Begin in state 1, in state 0 for the step of the riddle, or in state 2 after it."""
         super().reset(seed=seed)
-        return int(self._taken != self._riddle.pulls), {}
+        return 2 if self._taken > self._riddle.pulls else int(self._taken < self._riddle.pulls), {}
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Take a step."""

@@ -17,7 +17,7 @@ from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_class
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import Environment
+from edugym_course.grading.programs import APART, Environment
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
 
@@ -55,7 +55,7 @@ def project_10(answer: Any, seed: int) -> str:
     require_class(NAME, answer)
     if not issubclass(answer, gymnasium.Env):
         raise WrongAnswer(f"{NAME} should inherit from gymnasium.Env: class {NAME}(gymnasium.Env)")
-    environment, rng = _made(answer), np.random.default_rng(seed)
+    environment, rng = _made(answer), np.random.default_rng(APART + seed)
     assert isinstance(environment.action_space, spaces.Discrete)
     n_actions = int(environment.action_space.n)
     played = [
@@ -107,9 +107,9 @@ def _compared(pair: Sequence[Any], seed: int) -> str:
 
 
 def _steps(environment: Environment, seed: int) -> _Steps:
-    """Play at random."""
+    """Play at random, with other numbers than those that the environment draws."""
     assert isinstance(environment.action_space, spaces.Discrete)
-    rng, n_actions = np.random.default_rng(seed), int(environment.action_space.n)
+    rng, n_actions = np.random.default_rng(APART + seed), int(environment.action_space.n)
     steps = _Steps([], defaultdict(list))
     observation, over = None, True
     for count in range(COMPARED):

@@ -129,7 +129,7 @@
 # %% cut off is not ended
 # slow
 # says: where each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0 pays -0.5 and leads to state 1, where the episode is truncated, the policy takes the action of this step again in 0% of 50 runs, and it should do so nearly always
-# says: only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the A' that would be next
+# says: only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the S' that the step gave, not that of reset, and of the A' that would be next
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r if terminated or truncated else r + Q[s2, a2]
@@ -201,3 +201,18 @@
 # - a2 = choose(Q[s2], rng)
 # + s2, _ = environment.reset()
 # + a2 = 0
+
+# %% the state after the reset, where time ran out
+# slow
+# says: a step that is truncated has its future, Q(S', A') of the S' that the step gave, not that of reset, and of the A'
+#   that would be next
+# in: the next action is kept
+# - a2 = choose(Q[s2], rng)
+# - target = r if terminated else r + Q[s2, a2]
+# + if terminated or truncated:
+# +     s2, _ = environment.reset()
+# + a2 = choose(Q[s2], rng)
+# + target = r if terminated else r + Q[s2, a2]
+# - if terminated or truncated:
+# -     s2, _ = environment.reset()
+# -     a2 = choose(Q[s2], rng)
