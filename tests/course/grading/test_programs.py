@@ -53,6 +53,13 @@ def twice(environment: Any, n_steps: int, seed: int) -> Any:
     return plays(environment, n_steps, seed, reset=lambda environment: environment.reset())
 
 
+def samples(environment: Any, n_steps: int, seed: int, *, gives_seed: bool = True) -> Any:
+    """It draws from the action space."""
+    if gives_seed:
+        environment.action_space.seed(seed)
+    return plays(environment, n_steps, seed, act=lambda _: environment.action_space.sample())
+
+
 def reads_both(environment: Any, n_steps: int, seed: int) -> Any:
     """It takes what reset gives for the state."""
     return np.zeros((12, 4))[environment.reset()]
@@ -68,6 +75,7 @@ RIGHT: dict[str, Any] = {
     "as asked": plays,
     "NumPy's whole numbers": partial(plays, act=np.int64),
     "an array without axes": partial(plays, act=np.array),
+    "samples of a space with a seed": samples,
 }
 WRONG: dict[str, tuple[Any, str]] = {
     "nothing": (..., "Not solved yet: my_program is still `...`"),
@@ -96,6 +104,10 @@ WRONG: dict[str, tuple[Any, str]] = {
         partial(plays, gives_seed=False),
         "my_program gives no seed to its first reset, so two runs with one seed differ: begin with state, info ="
         " environment.reset(seed=seed)",
+    ),
+    "samples of a space without a seed": (
+        partial(samples, gives_seed=False),
+        "my_program draws from environment.action_space.sample(), and gives it no seed",
     ),
     "twice": (twice, "calls reset(seed=...) more than once"),
     "too few steps": (
