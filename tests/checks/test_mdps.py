@@ -40,10 +40,11 @@ def test_what_is_no_mdp(wrong: Any, names: str) -> None:
 
 
 def test_what_is_not_misspelt() -> None:
-    """What is hidden, what is spelt otherwise, and `terminal`, which is much like `initial`, but wanted itself."""
-    for name in ("_initial", "begin"):
-        task = walk(WALK.replace("def initial", f"def {name}"))
-        assert "?" not in str(named("Walk initial(self, rng)", lambda: check_mdp(task)))  # noqa: B023
+    """What is hidden, what is spelt otherwise, `terminal`, which is wanted itself, and a space, which is no method."""
+    cases = ("initial", "_initial"), ("initial", "begin"), ("observation", "look")
+    for wanted, name in cases:
+        task = walk(WALK.replace(f"def {wanted}(", f"def {name}("))
+        assert "?" not in str(named(f"Walk {wanted}(self,", lambda: check_mdp(task)))  # noqa: B023
 
 
 @pytest.mark.parametrize("names", ["('down',)", "['down', 'up', 'on']"])

@@ -177,7 +177,11 @@ def require_method(owner: Any, name: str, parameters: tuple[str, ...], others: I
     """
     wanted = f"{name}(self, {', '.join(parameters)})"
     if not _has(owner, name):
-        candidates = [other for other in dir(owner) if other not in others and not other.startswith("_")]
+        candidates = [
+            other
+            for other in dir(owner)
+            if other not in others and not other.startswith("_") and callable(inspect.getattr_static(owner, other))
+        ]
         near = [other for other in OTHER_NAMES.get(name, ()) if other in candidates]
         near = near or difflib.get_close_matches(name, candidates, 1)
         hint = f"; is {near[0]!r} misspelt?" if near else ""
