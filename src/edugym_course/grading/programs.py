@@ -33,8 +33,8 @@ ENOUGH = 0.9
 """The share of the steps that a program must take."""
 UNSEEDED = "gives no seed to its first reset, so two runs with one seed differ: begin with"
 """What is said of a program without a seed, before how its first reset should look."""
-MANY, ALIKE = 200, 0.97
-"""Of so many episodes, the share that begins with one action: 0.93 at most by ε-greedy, with four actions."""
+FEWEST_STARTS, ALIKE = 200, 0.97
+"""Of more episodes than so many, the share that begins with one action: by ε-greedy with four it is 0.93 at most."""
 APART = 1_000_003
 """How far the seed of an environment is from that of a program: two generators with one seed draw the same numbers."""
 SELDOM = 0.02
@@ -245,6 +245,11 @@ def run_program(
     return Run(recorder.steps, policy)
 
 
+def begins(steps: Sequence[Step]) -> list[bool]:
+    """Return for each step of a run whether an episode begins with it."""
+    return [True, *(step.terminated or step.truncated for step in steps[:-1])]
+
+
 def require_varied_starts(runs: Iterable[Sequence[Step]]) -> None:
     """Refuse a program that begins all its episodes with one action, where ε-greedy would often take another.
 
@@ -253,11 +258,10 @@ def require_varied_starts(runs: Iterable[Sequence[Step]]) -> None:
     """
     alike = n_episodes = 0
     for steps in runs:
-        over = [True, *(step.terminated or step.truncated for step in steps[:-1])]
-        begun = Counter(step.action for step, first in zip(steps, over, strict=True) if first)
+        begun = Counter(step.action for step, first in zip(steps, begins(steps), strict=True) if first)
         alike += begun.most_common(1)[0][1]
         n_episodes += begun.total()
-    if n_episodes > MANY and alike > ALIKE * n_episodes:
+    if n_episodes > FEWEST_STARTS and alike > ALIKE * n_episodes:
         raise WrongAnswer(
             f"{NAME} begins {alike} of {n_episodes} episodes in small worlds with one and the same action: after a"
             " reset draw the action by ε-greedy, too, from the values of the state that reset() gives"

@@ -29,6 +29,7 @@ from edugym_course.grading.programs import (
     Run,
     Step,
     actions_of,
+    begins,
     learn_from,
     require_reproducible,
     require_varied_starts,
@@ -64,11 +65,6 @@ FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
     " that reset() gives; and does the program learn from the first step of an episode as from the others?"
 )
-
-
-def _is_over(before: Step | None) -> bool:
-    """Whether an episode begins after a step, or with the first one."""
-    return before is None or before.terminated or before.truncated
 
 
 def replay(runs: Sequence[Sequence[Step]], learner: Learner, shape: tuple[int, int], epsilon: float) -> Iterator[Row]:
@@ -185,7 +181,7 @@ class Rule:
         world: makes one, with the arguments of `SmallWorld`.
         remembers: whether the policy that is returned is given the history of an episode, O_0, A_0, O_1, ..., O_t, in
             the place of O_t alone. The agents of the rule then have a method `row(history)`, the values at its end.
-        slack: the share by which a right program may try more often or less often; more where other tasks, which come
+        slack: the share by which a right program may try more often than ε says; more where other tasks, which come
             later, tell better what is amiss.
         looks_closer: whether a program takes longer runs too, and may not take the second best action too often. Off
             where that takes long, or where other tasks come first, which tell better what is amiss (`look_closer`).
@@ -266,7 +262,7 @@ class Rule:
         right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
         likely = Surprises.of(replay(runs, mistake, shape, self.epsilon))
         is_better = likely.explains_better_than(right, mistake.nats)
-        first = np.concatenate([[*map(_is_over, [None, *steps[:-1]])] for steps in runs])
+        first = np.concatenate([begins(steps) for steps in runs])
         if right.among(~first).is_usual(NEAR):
             require_varied_starts(runs)
         late = np.concatenate([np.arange(len(steps)) >= len(steps) / 2 for steps in runs])

@@ -12,6 +12,8 @@ from edugym_course.grading.programs import NAME
 
 SLACK = 0.05
 """The share by which a right program may explore more often. Who draws among the *other* of four does by a third."""
+LESS = 0.1
+"""The share by which it may explore less often, wherever a larger one is allowed for more."""
 NEAR = 0.3
 """How far, as a share of it, ε may be from that of the text where something else is the likely cause."""
 NATS = 20.0
@@ -107,9 +109,9 @@ class Surprises(NamedTuple):
         return float(np.logaddexp(random, greedy).sum()), float(steps.sum())
 
     def is_usual(self, slack: float = SLACK) -> bool:
-        """Whether there are as many as are to be expected, but for chance and a share of them."""
+        """Whether there are as many as are to be expected, or more by chance and a share of them, or a little fewer."""
         by_chance = SIGMAS * self.deviation
-        return abs(self.too_many) <= by_chance + slack * self.expected
+        return -by_chance - min(slack, LESS) * self.expected <= self.too_many <= by_chance + slack * self.expected
 
     def explains_better_than(self, other: "Surprises", nats: float = NATS) -> bool:
         """Whether it makes the actions more probable, by more than chance.

@@ -214,7 +214,7 @@ for temperature in (0.02, 0.05, 0.1, 0.2):
     print(f"{temperature:11} {one.regret().mean():8.0f} {cost:19.3f} {known:21.3f} {one.settled().mean():13.0%}")
 
 # %% [markdown]
-# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs: it has hardly ever pulled it there, and goes from one worse arm to another. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means. (These, too, would give the best arm only 45 % of the pulls, and it counts as found from half on.) With each of these temperatures
+# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs: it has hardly ever pulled it there, and goes from one worse arm to another. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means. (These, too, would give the best arm only 45 % of the pulls, and "best arm in" asks for more than half.) With each of these temperatures
 # it pays more than ε-greedy (240). The formula asks how far two means differ, and not how well they are known. UCB and Thompson sampling ask both.
 
 # %% [markdown]

@@ -537,7 +537,7 @@ for column in tasks.WITHHELD:
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle ends in the middle. Moving is not enough: with
-# noise in all pixels in training all weights move, and yet in these six runs every withheld ball was missed (in six others three runs caught one column of them).
+# noise in all pixels in training all weights move, and yet in these six runs every withheld ball was missed (three of six others caught all from one column).
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
