@@ -77,8 +77,7 @@ def main(arguments: list[str] | None = None) -> None:
 
 def build(folder: Path, races: Sequence[Race] = RACES, jobs: int = 2) -> None:
     """Write the page, its data and its kernels into a folder."""
-    wanted = [call for race in races for call in calls(race, race.strength.first)]
-    made = kernels.build(wanted, folder / "kernels", jobs)
+    made = kernels.build(needed(races), folder / "kernels", jobs)
     kernels.prune(folder / "kernels", made)
     shutil.copytree(PAGE, folder, dirs_exist_ok=True)
     data = folder / "data"
@@ -93,6 +92,11 @@ def build(folder: Path, races: Sequence[Race] = RACES, jobs: int = 2) -> None:
     for race in races:
         for k in range(len(race.strength.values)):
             _write(data / f"{race.environment}-{k}.json", task(race, k, made))
+
+
+def needed(races: Sequence[Race]) -> list[kernels.Call]:
+    """The calls whose kernels these races need."""
+    return [call for race in races for call in calls(race, race.strength.first)]
 
 
 def preloads(folder: str = "") -> str:

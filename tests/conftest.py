@@ -14,6 +14,7 @@ from collections.abc import Iterator
 
 import pytest
 from hypothesis import settings
+from pytest_timeout import Settings
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"  # windows open on a pretended screen
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # begun in the background of a shell; tests press Ctrl-C
@@ -48,9 +49,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Skip what has not begun in time."""
+    """Skip what has not begun in time, and set the alarm once more where a test runs again: it rings once a test."""
     if time.time() > item.config.getoption("--begin-until"):
         pytest.skip("the time for tests was over (--begin-until)")
+    if getattr(item, "execution_count", 1) > 1:
+        seconds = float(item.config.getini("timeout"))
+        limit = Settings(seconds, "signal", func_only=False, disable_debugger_detection=False)
+        item.ihook.pytest_timeout_set_timer(item=item, settings=limit)
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -75,9 +75,21 @@ def test_limited_time_begins_with_other_files() -> None:
         assert len(files) == len(set(files)) > 2
 
 
-def _tested(*arguments: str) -> str:
-    """What pytest says that runs with these arguments."""
+@pytest.mark.slow
+@pytest.mark.parametrize("hang", ["while True: pass", "all(itertools.repeat(1))"])
+def test_a_test_that_hangs_is_named_and_the_others_pass(tmp_path: Path, hang: str) -> None:
+    """Also where it hangs when it is run again, and where it never returns to Python, which no signal interrupts."""
+    tests = tmp_path / "test_hang.py"
+    tests.write_text(f"import itertools\n\ndef test_other(): pass\n\ndef test_hang():\n    {hang}\n", encoding="utf-8")
+    limits = ["-o", "timeout=2", "-o", "faulthandler_timeout=6", "--reruns=1", "--only-rerun=Timeout", "-n1"]
+    out = _tested(str(tests), "-c", str(ROOT / "pyproject.toml"), "-p", "tests.conftest", *limits, code=1)
+    assert "1 failed, 1 passed" in out
+    assert "::test_hang" in out
+
+
+def _tested(*arguments: str, code: int = 0) -> str:
+    """What pytest says that runs with these arguments, and ends with this code."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout
+    assert done.returncode == code, done.stdout
     return done.stdout

@@ -6,10 +6,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import kernels
 import playground
 import pytest
+from races import RACES
 
 from tests.course.lab.browser import chromium
+from tests.site.node import KERNELS
 from tests.site.serving import served
 
 WATCH = """
@@ -38,10 +41,11 @@ def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The whole playground, with the kernels that `make site` has left."""
+    """The whole playground, with kernels that stay: they take minutes, and other processes and sessions need them."""
     folder = tmp_path_factory.mktemp("playground")
-    if (playground.BUILT / "kernels").exists():
-        shutil.copytree(playground.BUILT / "kernels", folder / "kernels")
+    (folder / "kernels").mkdir()
+    for fingerprint in kernels.build(playground.needed(RACES), KERNELS):
+        shutil.copy(KERNELS / f"{fingerprint}.wasm", folder / "kernels")
     playground.build(folder)
     return folder
 
