@@ -62,8 +62,8 @@ env.scene()
 # never picks it up and hits nothing gets −1. (So does one that picks it up and then hits something.) You will meet
 # these numbers again.
 #
-# These are the reward and what an action means. The last method belongs to the arm with $n$ bins, which lie in equal
-# steps from −1 to 1.
+# These are the reward and what an action means. The last of the next two cells belongs to the arm with $n$ bins, which
+# lie in equal steps from −1 to 1.
 
 # %%
 source(type(make_mdp("Trashbot")), "reward", "centring", "turns")
@@ -289,7 +289,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 
 # %% [markdown] tags=["aside"]
 # ### Aside: what a baseline does to learning
-# One hundred policies learn $\mu$ and $\sigma$, one action and one update at a time
+# One hundred policies learn $\mu$ and $\sigma$ in 2 000 updates, with one action each
 # ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
@@ -309,7 +309,7 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves.
 #
-# That is so for small steps. With $\alpha = 0.03$ all policies leave at some time, but for those that have both, a
+# With $\alpha = 0.03$ all policies leave at some time, but for those that have both, a
 # baseline and a $\sigma$ of 0.2 or above: of these 23 do. Of those with a baseline alone 92 are inside again in the end,
 # and as many with the wide $\sigma$ alone; without either it is 12. With $\alpha = 0.1$ a baseline does not help any
 # more: with it 96 are outside in the end, without it 87. So it allows larger steps, and not any step.
@@ -471,7 +471,7 @@ sliders(
 # <details><summary>What we found</summary>
 #
 # $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. Even
-# $\sigma = 1$ is not too large: three of four deliver the box. But with `actor_rate` 0.002 as well all four stay at −1.
+# $\sigma = 1$ is not too large: three of four deliver the box. But with $\sigma = 1$ and `actor_rate` 0.002 together all four stay at −1.
 # </details>
 
 # %% [markdown]
@@ -932,10 +932,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # In the check an arm lets go of three boxes, one after another, each over a container whose middle it does not know. A
-# box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. Your program
-# draws its actions, so none of them is right or wrong. But its own steps tell, by the equations, from which Gaussians
-# it should have drawn them. (In a second task the farthest actions pay most, so $\sigma$ grows.) The check looks whether its actions lie there, and whether those of a usual mistake fit
-# them better. It sees the steps, and no line of your program. So when it names a mistake, this is the likely cause.
+# box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. (In a second
+# task the farthest actions pay most, so $\sigma$ grows.) Your program draws its actions, so none of them is right or
+# wrong. But its own steps tell, by the equations, which $\mu$ it should return, and from which Gaussians it should have
+# drawn its actions. The check compares both. It sees no line of your program, so when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -1,7 +1,7 @@
 """The project of lesson 7: REINFORCE with a Gaussian policy that learns its spread too, from a blank file.
 
 Such a program draws all its actions, so none of them is right or wrong. But its own steps tell, by the equations of the
-lesson, from which Gaussians it should have drawn them. A program whose actions lie elsewhere has other equations.
+lesson, which μ it should return, and from which Gaussians it should have drawn its actions.
 """
 
 import math
@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
+from edugym.checks.parameters import in_short
 from edugym_course.grading.curves import Race, compare_with_ours
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import (
@@ -21,17 +22,19 @@ from edugym_course.grading.programs import (
     Environment,
     Policy,
     Step,
+    begins,
     require_reproducible,
     run_program,
 )
 from edugym_course.grading.replay import TRIAL
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.surprises import NATS, SIGMAS
+from edugym_course.grading.surprises import SIGMAS
 from edugym_course.lessons.continuous_actions.exercises.boxes import (
     BOXES,
     LARGEST,
     POLICY_RATE,
     SMALLEST,
+    VALUE_RATE,
     WIDTH,
     Boxes,
     FarPays,
@@ -43,7 +46,12 @@ from edugym_course.lessons.continuous_actions.exercises.boxes import (
 )
 
 N_STEPS, WORLDS, FAR_STEPS = 6_000, 2, 2_000
-
+EARLY = 300
+"""After so many steps two programs that learn by the same equations have the same μ, whatever their last digits."""
+SAME, NEARLY_SAME = 1e-5, 1e-2
+"""How far two μ may be apart, in the larger of 1 and their size: after few steps, and after all of them."""
+REPEATED = 0.01
+"""The share of the steps in which one and the same action is no chance."""
 
 Maker = Callable[[int], Gaussians]
 
@@ -103,6 +111,7 @@ MISTAKES: dict[str, Maker] = {
     ),
     "nothing is learned from the last step of an episode: its G is its reward": partial(Gaussians, all_steps=False),
     "σ is not kept between 0.2 and 2": partial(Gaussians, bounds=(1e-9, 1e9)),
+    "σ is kept below 1, and it may grow to 2": partial(Gaussians, bounds=(SMALLEST, 1.0)),
     "ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2": partial(
         Gaussians, bounds=(math.exp(SMALLEST), math.exp(LARGEST))
     ),
@@ -111,6 +120,15 @@ MISTAKES: dict[str, Maker] = {
     "σ is 0.5 at first, and it should be 1": partial(Gaussians, first=0.5),
     "ln σ is 1 at first, and it should be 0: then σ is 1": partial(Gaussians, first=math.e),
     "V hardly learns: α^w is 0.1 in the text, and not α^θ": partial(Gaussians, value_rate=POLICY_RATE),
+    "the factor γ^t stands in the line of V as well: it belongs to the policy alone": partial(Gaussians, fades="V"),
+    "the power of γ is one too large: the first step of an episode has γ^0 = 1": partial(Gaussians, fades="later"),
+    "the first state of an episode is the last one of the episode before: keep what reset() gives": partial(
+        Gaussians, stale=True
+    ),
+    "nothing is learned from the first step of an episode": partial(Gaussians, skips=1),
+    "it learns from the last episode, too, which time cut off: drop it, since its returns are not whole": partial(
+        Gaussians, to_the_end=True
+    ),
     "every step gets the return of the whole episode, and it should be the one from this step on": partial(
         Gaussians, returns=lambda rewards, discount: [returns_from(rewards, discount)[0]] * len(rewards)
     ),
@@ -126,33 +144,36 @@ MISTAKES: dict[str, Maker] = {
     "it learns from an action that is cut off at −1 and 1, and not from the one that it drew": partial(
         Gaussians, cut=1.0
     ),
+    "the policy learns from G less the V that has just moved: compute δ before you change V": partial(
+        Gaussians, fresh=True
+    ),
+    "all earlier episodes are learned from again at the end of each: empty the lists of the episode when it has learned"
+    " from them": partial(Gaussians, keeps=True),
+    "all earlier episodes are learned from again at the end of each, the last step first: empty the list of the episode"
+    " when it has learned from it": partial(Gaussians, keeps=True, backwards=True),
+    **{
+        f"the learning rate of the policy, α^θ, is {rate:g}, and it should be {POLICY_RATE:g}": partial(
+            Gaussians, policy_rate=rate
+        )
+        for rate in (0.0005, 0.001, 0.002, 0.0025, 0.01, 0.02, 0.025, 0.05, 0.1)
+    },
+    **{
+        f"the learning rate of V, α^w, is {rate:g}, and it should be {VALUE_RATE:g}": partial(
+            Gaussians, value_rate=rate
+        )
+        for rate in (0.001, 0.01, 0.02, 0.05, 0.2, 0.25, 0.5, 1.0)
+    },
+}
+"""The usual mistakes that give other μ, by their sentences."""
+WRONG_SPREADS: dict[str, Maker] = {
     "the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself": partial(
         Gaussians, power=2.0
     ),
     "the actions are drawn with the standard deviation 1, and it should be the σ that is learned": partial(
         Gaussians, power=0.0
     ),
-    "the policy learns from G less the V that has just moved: compute δ before you change V": partial(
-        Gaussians, fresh=True
-    ),
-    "the learning rate of the policy is too large: it is 0.005 in the text": partial(
-        Gaussians, policy_rate=5 * POLICY_RATE
-    ),
-    "the learning rate of the policy is too small: it is 0.005 in the text": partial(
-        Gaussians, policy_rate=POLICY_RATE / 5
-    ),
 }
-"""The usual mistakes, by their sentences."""
-FOLLOWERS = [partial(Gaussians, value_rate=0.0, policy_rate=share * POLICY_RATE) for share in (0.5, 0.1)]
-"""Without a baseline the Gaussians follow the actions, whoever draws them; what a mistake explains must be more."""
-KEPT = [partial(Gaussians, keeps=True, backwards=backwards) for backwards in (False, True)]
-"""They learn from all episodes so far again and again. The order matters, since states come twice in such a list."""
-REPEATED = 0.01
-"""The share of the steps in which one and the same action is no chance."""
-BEFORE = 1_000
-"""So many steps come before most μ that fly away; after that the last digits decide where to."""
-EARLY = 300
-"""After so many steps a list that is never emptied is found; a program that has one soon needs minutes."""
+"""Those that give the same, from actions with another standard deviation."""
 
 
 class Fit(NamedTuple):
@@ -176,68 +197,139 @@ class Fit(NamedTuple):
         return self.apart < 2.3 and abs(self.far - 1) < SIGMAS / math.sqrt(2 * self.n_steps)
 
 
+def follow(steps: Sequence[Step], make: Maker) -> tuple[Gaussians, list[tuple[float, float]]]:
+    """Let a learner learn from the steps of a run; return it, and how far each action lies from its μ, with its σ."""
+    learner, episode, far = make(BOXES * WIDTH), list[Step](), list[tuple[float, float]]()
+    for step, first in zip(steps, begins(steps), strict=True):
+        if first:
+            state = episode[-1].next_state if learner.stale and far else step.state
+            episode = episode if learner.keeps else []
+        known = step._replace(state=state) if first else step
+        mean, spread = learner.gaussian(known.state)
+        far.append((step.action - mean, spread))
+        episode.append(known)
+        if step.terminated or step.truncated:
+            learner.learn(episode)
+    if learner.to_the_end and not (step.terminated or step.truncated):
+        learner.learn(episode)
+    return learner, far
+
+
 def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
-    """Let a learner learn from the steps of runs, each from the beginning; compare its Gaussians with the actions."""
-    z, log = [], 0.0
-    for steps in runs:
-        learner, episode = make(BOXES * WIDTH), list[Step]()
-        for step in steps:
-            mean, spread = learner.gaussian(step.state)
-            z.append((step.action - mean) / spread)
-            log -= 0.5 * z[-1] * z[-1] + math.log(spread)
-            episode.append(step)
-            if step.terminated or step.truncated:
-                learner.learn(episode)
-                episode = episode if learner.keeps else []
-    n, below = len(z), [0.5 + 0.5 * math.erf(one / math.sqrt(2)) for one in sorted(z)]
+    """Compare the Gaussians of a learner that learns from the steps of runs with their actions."""
+    pairs = [pair for steps in runs for pair in follow(steps, make)[1]]
+    z = sorted(off / spread for off, spread in pairs)
+    log = -sum(0.5 * (off / spread) ** 2 + math.log(spread) for off, spread in pairs)
+    n, below = len(z), [0.5 + 0.5 * math.erf(one / math.sqrt(2)) for one in z]
     apart = max(abs(share - (k + 0.5) / n) for k, share in enumerate(below)) * math.sqrt(n)
-    return Fit(n, math.hypot(*z) / math.sqrt(n), apart, -math.inf if math.isnan(log) else log)
+    return Fit(n, math.hypot(*z) / math.sqrt(n), apart, log)
+
+
+class Returned(NamedTuple):
+    """A run of a program, and the μ that its policy returns for the states that came.
+
+    Attributes:
+        steps: of the run.
+        means: by state.
+    """
+
+    steps: Sequence[Step]
+    means: dict[int, float]
+
+    def other(self, make: Maker, tolerance: float) -> tuple[int, float] | None:
+        """The state in which a learner that learns from the same steps has another μ, and that μ; or None.
+
+        Of several states it is the one in which the two are farthest apart.
+        """
+        learner, _ = follow(self.steps, make)
+        other = {state: learner.gaussian(state)[0] for state in self.means}
+        apart = {state: abs(mean - other[state]) / max(1.0, abs(mean)) for state, mean in self.means.items()}
+        state = max(apart, key=lambda state: apart[state])
+        return None if apart[state] < tolerance else (state, other[state])
 
 
 def check_equations(program: Any, seed: int) -> None:
-    """Check that a program draws its actions from the Gaussians that its own steps give.
-
-    If it does, a mistake fits them better by k nats with a probability below e⁻ᵏ.
+    """Check that a program returns the μ that its own steps give, and draws its actions from their Gaussians.
 
     Raises:
         WrongAnswer: it does not; or the program breaks the contract.
     """
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
     require_reproducible(program, partial(Boxes, seeds[0], truncates=True), TRIAL, seed)
-    early = [run_program(program, Boxes(number, truncates=True), EARLY, number).steps for number in seeds]
-    others = max(fit(early, make).log for make in (Gaussians, *MISTAKES.values()))
-    if max(fit(early, make).log for make in KEPT) > others + NATS:
-        raise WrongAnswer(
-            f"the actions of {NAME} are those of a program that learns from all earlier episodes again at the end of"
-            " each: empty the lists of the episode when it has learned from them"
-        )
-    done = [run_program(program, Boxes(number, truncates=True), N_STEPS, number) for number in seeds]
-    _require_means(done[0].policy)
-    often, times = Counter(step.action for step in done[0].steps).most_common(1)[0]
+    early = [_returned(program, number, EARLY) for number in seeds]
+    possible = _require_means(early, SAME, list(MISTAKES))
+    late = [_returned(program, number, N_STEPS) for number in seeds]
+    often, times = Counter(step.action for step in late[0].steps).most_common(1)[0]
     if times > REPEATED * N_STEPS:
         raise WrongAnswer(
             f"in {times} of {N_STEPS} steps the action of {NAME} is exactly {often:g}: give the environment what is"
             " drawn, and do not cut it off"
         )
-    runs = [run.steps for run in done]
+    _require_means(late, NEARLY_SAME, possible)
+    runs = [run.steps for run in late]
     right = fit(runs, Gaussians)
-    likely, is_better = _likeliest(runs, right)
-    if right.is_usual and not is_better:
-        return
-    if not is_better or not _explains(likely, runs):
-        runs = [steps[:BEFORE] for steps in runs]
-        likely, is_better = _likeliest(runs, fit(runs, Gaussians))
-    if is_better and _explains(likely, runs):
-        cause = f"They fit a usual mistake: {likely}"
-    else:
-        cause = (
-            "Compare the rates, γ and the first values with those of the text, and the updates with their equations,"
-            " term by term; does it learn in all states, from all steps of an episode, and from each once?"
+    if not right.is_usual:
+        likely = next((sentence for sentence, make in WRONG_SPREADS.items() if fit(runs, make).is_usual), None)
+        cause = f"They fit a usual mistake: {likely}" if likely else "Are they drawn by rng.normal(μ, σ), each once?"
+        raise WrongAnswer(
+            f"{NAME} has the right μ, so its actions should lie one σ from it (the root of the mean square), with the σ"
+            f" that its own steps give by the equations of this lesson, and they lie {right.far:.3g} σ from it. {cause}"
         )
-    raise WrongAnswer(
-        f"the actions of {NAME} should lie one σ from μ (the root of the mean square), with the μ and the σ that its"
-        f" own steps give by the equations of this lesson, and they lie {right.far:.3g} σ from it. {cause}"
-    )
+
+
+def _returned(program: Any, number: int, n_steps: int) -> Returned:
+    """Run a program, and ask its policy twice for the μ of each state that came.
+
+    Raises:
+        WrongAnswer: it draws them, or they are no numbers.
+    """
+    run = run_program(program, Boxes(number, truncates=True), n_steps, number)
+    means = {}
+    for state in sorted({step.state for step in run.steps}):
+        with student_code(POLICY):
+            one, again = (run.policy(state) for _ in range(2))
+        try:
+            means[state], other = (float(np.asarray(mean, float).item()) for mean in (one, again))
+        except (TypeError, ValueError):
+            raise WrongAnswer(
+                f"{POLICY} gives {in_short(one)} for state {state}, and it should be one real number, μ"
+            ) from None
+        if means[state] != other:
+            raise WrongAnswer(
+                f"{POLICY} draws its actions: asked twice about state {state}, it gives two of them. It should return"
+                " the mean μ of the state"
+            )
+    return Returned(run.steps, means)
+
+
+def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequence[str]) -> list[str]:
+    """Refuse other μ than those that the steps of the runs give by the equations.
+
+    Returns:
+        Those of the mistakes that give the very same μ.
+
+    Raises:
+        WrongAnswer: they are others; it names the likeliest of these mistakes.
+    """
+    same = [sentence for sentence in mistakes if not any(run.other(MISTAKES[sentence], tolerance) for run in runs)]
+    for run in runs:
+        if (found := run.other(Gaussians, tolerance)) is None:
+            continue
+        state, mean = found
+        if same:
+            likely = max(same, key=lambda sentence: fit([run.steps for run in runs], MISTAKES[sentence]).log)
+            cause = f"A usual mistake gives the very same numbers: {likely}"
+        else:
+            cause = (
+                "No usual mistake gives these numbers. Compare the rates, γ and the first values with those of the"
+                " text, and the updates with their equations, term by term; does it learn in all states, from all steps"
+                " of an episode, and from each once? Does the policy return μ as it is?"
+            )
+        raise WrongAnswer(
+            f"after {len(run.steps)} steps the policy of {NAME} should return μ = {mean:.4g} for state {state}, by its"
+            f" own steps and the equations of this lesson, and it returns {run.means[state]:.4g}. {cause}"
+        )
+    return same
 
 
 def check_bound(program: Any, seed: int) -> None:
@@ -256,31 +348,6 @@ def check_bound(program: Any, seed: int) -> None:
         )
 
 
-def _likeliest(runs: Sequence[Sequence[Step]], right: Fit) -> tuple[str, bool]:
-    """Return the mistake that makes the actions most probable, and whether the right equations make them less so."""
-    logs = {sentence: fit(runs, make).log for sentence, make in MISTAKES.items()}
-    likely = max(logs, key=lambda sentence: logs[sentence])
-    return likely, logs[likely] > right.log + NATS
-
-
-def _explains(likely: str, runs: Sequence[Sequence[Step]]) -> bool:
-    """Whether the actions can be those of a mistake, and of none that only follows them."""
-    found, followed = fit(runs, MISTAKES[likely]), max(fit(runs, make).log for make in FOLLOWERS)
-    return found.is_usual and found.log > followed + NATS
-
-
-def _require_means(policy: Policy) -> None:
-    """Refuse a policy that draws its actions."""
-    for state in range(BOXES * WIDTH):
-        with student_code(POLICY):
-            one, other = policy(state), policy(state)
-        if not np.array_equal(one, other):
-            raise WrongAnswer(
-                f"{POLICY} draws its actions: asked twice about state {state}, it gives two of"
-                " them. It should return the mean μ of the state"
-            )
-
-
 def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = Gaussians) -> Policy:
     """Our program, or one that makes a mistake."""
     assert isinstance(environment.observation_space, spaces.Discrete)
@@ -293,8 +360,11 @@ def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = G
         state = next_state
         if terminated or truncated:
             learner.learn(episode)
-            state, episode = environment.reset()[0], []
-    return lambda state: float(learner.mean[state])
+            first = environment.reset()[0]
+            state, episode = (state if learner.stale else first), (episode if learner.keeps else [])
+    if learner.to_the_end and episode:
+        learner.learn(episode)
+    return lambda state: learner.gaussian(state)[0]
 
 
 ARM = Race(partial(Boxes, 0), N_STEPS, reinforce, episodes=20)

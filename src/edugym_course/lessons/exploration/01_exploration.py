@@ -309,8 +309,8 @@ sliders(
 #   still solves it with three, and with five in eight of ten runs (in nearly all of more).
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on. (With $\varepsilon = 1$ it acts at random, as the agent called ε-greedy does.)
-#   Go-Explore does not use ε.
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
+# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99.
 # </details>
 
 # %% [markdown]
@@ -338,14 +338,14 @@ in_pairs("visits", figures.visit_maps(walls[100], 100))
 Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 
 # %% [markdown]
-# The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
-# faster, because it is a mean over runs that have reached different heights. Go-Explore returns without exploring, so
+# The novelty agent follows the dashed line, $0.95^h$, as far as it knows the way already when this half begins. Higher
+# places it gets to know later, and in some runs never, so there its line drops faster. Go-Explore returns without exploring, so
 # its climbs do not derail. Its line is flat, up to the last positions, because nearly all goals of the second half of
 # training are close to the top. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
-# The others are on their way to a goal, and they arrive.
+# The others arrive at their goal.
 #
 # An agent whose frontier is at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
-# six in a thousand. (The novelty line is lower at 40, because many runs have not got that far.) An episode of 1 000
+# six in a thousand. An episode of 1 000
 # steps has some fifty climbs: that is why the dotted line of the high wall was at 0.25 and not at 0.006.
 #
 # ### Why does novelty stall? The grip at the frontier
@@ -475,11 +475,11 @@ no_slips.measured(highest_visited(0.0))
 # **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: its highest position is about 1. After the first
 # wrong grip the untried one looks worse for ever, and there is no slip that would try it. The novelty reward pulls the
 # agent back to its frontier, and a random step takes it beyond. With values that start at 10 it needs no random step: then
-# its frontier gets to the top of all walls even with $\varepsilon = 0$. Exercise 2 shows how far that idea carries.
+# its frontier gets to the top of all these walls even with $\varepsilon = 0$. Exercise 2 shows how far that idea carries.
 # </details>
 
 # %% [markdown]
-# **Predict.** Most textbooks set the discount nearer to 1. Does the novelty agent do better on a wall of height 10
+# **Predict.** Often the discount is set nearer to 1. Does the novelty agent do better on a wall of height 10
 # with $\gamma = 0.99$ than with $\gamma = 0.9$?
 
 # %%
@@ -626,7 +626,7 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 #
 # The first version of this lesson said the opposite, and it was wrong. With $\alpha = 1$ all values are powers of
 # $\gamma$, and many of them are equal. But a computer rounds: $Q + 1 \cdot (T - Q)$ is not always $T$ in the last digit. A
-# greedy policy that compares with `==`, or by `np.argmax`, then finds no tie where there is one, and takes the same one of
+# greedy policy that compares with `==` then finds no tie where there is one, and takes the same one of
 # two equal actions each time. With $\gamma = 0.9$ such an optimist reaches the top in 34 % of the evaluations with two
 # grips, not in 57 %, and looks worse than Go-Explore. The cause is the rounding: with $\gamma = 0.5$, whose powers a
 # computer stores exactly, the same program is as good as ours. So our `greedy_action` takes values as equal if they differ
@@ -760,8 +760,8 @@ check(exercise_4, frozen)
 # A wall of height 60 with two grips, and 5 000 steps in all: how *early* can an agent know the way? Write an agent of
 # your own. It is tried on ten walls that belong to your name, and nobody else has the same ones. Of the task it is
 # told only its observation space and its action space. It needs `act` and `learn`, like yours of exercise 3. Its
-# points are its average return over training, in percent of what is possible: an explorer that takes no avoidable
-# step needs 975 steps on average to reach the top for the first time, and knows the way from then on.
+# points are its average return over training, in percent of that of an explorer that takes no avoidable step and is
+# never cut off: it needs 975 steps on average to reach the top for the first time, and knows the way from then on.
 #
 # Everything is allowed that learns from its own steps. Write half a page: what does your agent remember, why does that
 # find the top, and where would it fail?

@@ -684,8 +684,7 @@ rate.measured(seen)
 # *last* target, and not a mean. Where nothing is random, the last target is the best one. On slippery ice it is one
 # draw of a lottery. A learning rate below 1 takes a mean, and that takes
 # time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. In these 10 000 steps 0.3 is ahead of 0.05;
-# later a smaller rate averages over more draws. (A rate that falls, such as one over the number of visits, is
-# fast first and accurate later; Sutton and Barto, section 2.5.)
+# later a smaller rate averages over more draws.
 # </details>
 
 # %% [markdown]

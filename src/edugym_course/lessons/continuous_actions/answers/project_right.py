@@ -1,5 +1,4 @@
 # %% lists of an episode
-# slow
 def my_program(environment, n_steps, seed):
     n = environment.observation_space.n
     mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
@@ -29,7 +28,6 @@ def my_program(environment, n_steps, seed):
 
 
 # %% a class without NumPy
-# slow
 import math
 import random
 

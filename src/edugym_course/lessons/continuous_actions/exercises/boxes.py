@@ -113,7 +113,7 @@ class Gaussians:
         policy_rate: α^θ.
         value_rate: α^w.
         fades: whether later steps count less, by γ^t; "backwards", whether the earlier ones do; "μ" or "ln σ", whether
-            only the steps of one of them do.
+            only the steps of one of them do; "V", whether those of V do, too; "later", whether it is γ^(t+1).
         discount: γ.
         averages: whether the baseline is the mean of the returns of the episode.
         goes_on: whether the returns of a truncated episode go on with the value of its last state.
@@ -130,6 +130,9 @@ class Gaussians:
         backwards: whether it learns from the last step first.
         itself: whether it is σ that moves, by its own score, and not ln σ.
         cut_short: whether it learns from episodes that are truncated, too.
+        skips: how many of the first steps of an episode it does not learn from.
+        stale: whether it takes the last state of an episode for the first one of the next.
+        to_the_end: whether it learns from the last episode, too, which time has cut off.
     """
 
     def __init__(
@@ -157,6 +160,9 @@ class Gaussians:
         backwards: bool = False,
         itself: bool = False,
         cut_short: bool = True,
+        skips: int = 0,
+        stale: bool = False,
+        to_the_end: bool = False,
     ) -> None:
         """Begin with μ = 0 and V = 0."""
         # Lists: Python reads one entry of them sooner than one of an array.
@@ -167,6 +173,7 @@ class Gaussians:
         self._cut, self._bootstraps, self._itself, self._cut_short = cut, bootstraps, itself, cut_short
         self._all_steps, self.keeps, self._backwards = all_steps, keeps, backwards
         self._discount, self._averages, self._goes_on = discount, averages, goes_on
+        self._skips, self.stale, self.to_the_end = skips, stale, to_the_end
         self._least, self._most = map(math.log, bounds)
 
     def gaussian(self, state: int) -> tuple[float, float]:
@@ -185,7 +192,7 @@ class Gaussians:
         if self._goes_on and episode[-1].truncated:
             rewards[-1] += self._discount * self._V[episode[-1].next_state]
         returns = self._returns(rewards, self._discount)
-        times = range(len(episode) if self._all_steps else len(episode) - 1)
+        times = range(self._skips, len(episode) if self._all_steps else len(episode) - 1)
         for t in reversed(times) if self._backwards else times:
             step = episode[t]
             G, mean, log = returns[t], self._row("μ", step.state), self._row("σ", step.state)
@@ -193,10 +200,10 @@ class Gaussians:
             G = one_step if self._bootstraps is True else G
             value = self._row("V", step.state)
             delta = G - (sum(returns) / len(returns) if self._averages else self._V[value])
-            power = len(episode) - 1 - t if self._fades == "backwards" else t
+            power = len(episode) - 1 - t if self._fades == "backwards" else t + (self._fades == "later")
             fade = self._discount**power if self._fades else 1.0
             off_value = one_step - self._V[value] if self._bootstraps == "V" else delta
-            self._V[value] += self._value_rate * off_value
+            self._V[value] += self._value_rate * (fade if self._fades == "V" else 1.0) * off_value
             delta = G - self._V[value] if self._fresh else delta
             action, spread = min(max(step.action, -self._cut), self._cut), math.exp(self._log[log])
             off = action - self.mean[mean]

@@ -245,17 +245,18 @@ def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -
     if (results.final(NOVELTY) >= 1).sum() > 3:
         return f"Right. Runs that solve the lake: {solved}."
     return (
-        f"Right. Runs that solve the lake: {solved}. The novelty reward solves walls of this depth in all runs, but "
-        "not this lake. A guess: a hole ends the episode and all later bonuses with it, and the reward, 14 steps away, "
-        "is discounted to a quarter of the first bonus."
+        f"Right. Runs that solve the lake: {solved}. The novelty reward solves walls of this depth in all runs, and"
+        " this lake in not all of them. A guess: a hole ends the episode and all later bonuses with it, and the"
+        " reward, 14 steps away, is discounted to a quarter of the first bonus."
     )
 
 
 def best_average(height: int, n_grips: int, n_steps: int) -> float:
     """Return the average return over training of an explorer that takes no avoidable step, in expectation.
 
-    It tries each grip once, on average (N - 1)/2 wrong ones at every height, and needs h + 1 steps to get back to
-    height h after each: H + (N - 1)/2 · H (H + 1)/2 steps to the top. From then on every greedy episode gets there.
+    No step limit cuts it off. It tries each grip once, on average (N - 1)/2 wrong ones at every height, and needs h + 1
+    steps to get back to height h after each: H + (N - 1)/2 · H (H + 1)/2 steps to the top. From then on every greedy
+    episode gets there.
     """
     steps = height + (n_grips - 1) / 2 * height * (height + 1) / 2
     return max(0.0, 1.0 - steps / n_steps)
