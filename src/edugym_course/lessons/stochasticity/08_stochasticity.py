@@ -370,12 +370,12 @@ for label, (low, high) in between.items():
 
 # %% [markdown]
 # Risk sensitivity *moves the level* at which a player stops taking the risk. The averse one stops near 0.016, the
-# neutral one near 0.019, and the seeking one only near 0.051, far to the right of the figure. (At low levels, on the
-# left, the averse player drives too. A chip first would be no safer there: the best way to go on is then a drive, which
+# neutral one near 0.019, and the seeking one only near 0.051, far to the right of the figure. (On the left, where
+# there is little noise, the averse player drives too. There a chip first would be no safer: the best way to go on is then a drive, which
 # ends closer to the far edge.)
 #
 # At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. "What noise does
-# to learning" comes back to that.
+# to learning" comes back to that, with a guess.
 
 # %% [markdown]
 # ## Predict, then check
@@ -525,8 +525,8 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # What can an agent do that has nobody to play the rest of the game? Its values can start at 1, so that what was not
 # tried looks good; it can take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
-# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100. (All such runs drive in half of their games or more, but for
-# one of 100 with hidden hits, which putts until its hits are gone.)
+# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100. (Here
+# all such runs drive in half of their games or more.)
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -538,8 +538,8 @@ for label, one in players.items():
 
 # %% [markdown]
 # All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the
-# other combinations. With one change alone, about two thirds of the runs take the risk. With longer training and one of
-# the other two it is as many. With good first values and smaller steps alone all runs do, but their mean is 0.85: they
+# other combinations. With one change alone, about two thirds of the runs take the risk, and with longer training and
+# one of the other two no more. With good first values and smaller steps all runs take it, but their mean is 0.85: they
 # are not done learning. So it takes all three.
 
 # %% [markdown] tags=["aside"]
