@@ -1,10 +1,9 @@
 """The project of lesson 10: a Gymnasium environment of one's own, from a blank file."""
 
 import math
-from collections import defaultdict
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -14,35 +13,18 @@ from gymnasium.utils.env_checker import check_env
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks.interfaces import require_mdp
 from edugym.checks.parameters import in_short
-from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_class
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import APART, Environment
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
+from edugym_course.lessons.own_problem.comparison import NAME, require_same
 
-NAME = "MyEnvironment"
 EPISODES, SCRIPTED, MOST_STEPS = 100, 5, 10_000
 """How many episodes are played at random and with given actions, and how many steps one may take."""
-COMPARED, ENOUGH, SIGMAS = 20_000, 50, 5.0
-"""How many steps are compared with those of another form of a problem; how many from a place, at least; and how many
-standard deviations are more than chance."""
 
 Episode = list[tuple[Any, float]]
 """The observations and rewards of an episode; the first reward is 0."""
-
-
-class _Steps(NamedTuple):
-    """Steps of random play.
-
-    Attributes:
-        starts: the first observations of all episodes.
-        after: by an observation and an action, what came each time: the next observation, the reward, and whether the
-            episode terminated.
-    """
-
-    starts: list[Any]
-    after: dict[tuple[Any, int], list[tuple[Any, float, bool]]]
 
 
 def project_10(answer: Any, seed: int) -> str:
@@ -101,77 +83,8 @@ def _compared(pair: Sequence[Any], seed: int) -> str:
         other = MDPEnv(problem)
         if not isinstance(other.action_space, spaces.Discrete):
             raise WrongAnswer(f"the actions of my_problem should be numbered, but are {other.action_space}")
-        played = _steps(other, seed)
-    _require_same(_steps(_made(answer), seed), played)
+    require_same(_made(answer), other, seed)
     return f"{told} It plays like {type(problem).__name__}."
-
-
-def _steps(environment: Environment, seed: int) -> _Steps:
-    """Play at random, with other numbers than those that the environment draws."""
-    assert isinstance(environment.action_space, spaces.Discrete)
-    rng, n_actions = np.random.default_rng(APART + seed), int(environment.action_space.n)
-    steps = _Steps([], defaultdict(list))
-    observation, over = None, True
-    for count in range(COMPARED):
-        if over:
-            observation = _plain(environment.reset(seed=None if count else seed)[0])
-            steps.starts.append(observation)
-        action = int(rng.integers(n_actions))
-        came, reward, terminated, truncated, _ = environment.step(action)
-        over = bool(terminated or truncated)
-        steps.after[observation, action].append((_plain(came), float(reward), bool(terminated)))
-        observation = _plain(came)
-    return steps
-
-
-def _plain(observation: Any) -> Any:
-    """Return an observation as a number, or as a tuple of numbers."""
-    numbers = np.ravel(observation).tolist()
-    return numbers[0] if len(numbers) == 1 else tuple(numbers)
-
-
-def _require_same(mine: _Steps, other: _Steps) -> None:
-    """Refuse an environment that plays otherwise than the problem does, and say where."""
-    differs = f"{NAME} and your problem differ: "
-    _require_same_share(mine.starts, other.starts, f"{differs}an episode begins with ")
-    for observation, action in sorted(mine.after.keys() | other.after.keys(), key=str):
-        here, there = (steps.after.get((observation, action), []) for steps in (mine, other))
-        if min(len(here), len(there)) < ENOUGH:
-            if max(len(here), len(there)) > 2 * ENOUGH and not (here and there):
-                raise WrongAnswer(
-                    f"{differs}in {COMPARED} random steps the action {action} is taken at the observation {observation}"
-                    f" {len(here)} times in {NAME}, and {len(there)} times in your problem"
-                )
-            continue
-        where = f"{differs}after the action {action} at the observation {observation}, "
-        _require_same_share([came for came, *_ in here], [came for came, *_ in there], f"{where}there follows ")
-        ends, other_ends = (
-            ["it terminates" if terminated else None for *_, terminated in steps] for steps in (here, there)
-        )
-        _require_same_share(ends, other_ends, where)
-        rewards, others = (np.array([reward for _, reward, _ in steps]) for steps in (here, there))
-        if _differ(rewards, others):
-            raise WrongAnswer(
-                f"{where}the reward is {rewards.mean():.4g} on average in {NAME}, and {others.mean():.4g} in your"
-                " problem"
-            )
-
-
-def _require_same_share(mine: list[Any], other: list[Any], says: str) -> None:
-    """Refuse shares that differ by more than chance, of whatever there is but None."""
-    for what in sorted({*other, *mine} - {None}, key=str):
-        shares, others = (np.array([one == what for one in values], float) for values in (mine, other))
-        if _differ(shares, others):
-            raise WrongAnswer(
-                f"{says}{what} in {shares.mean():.0%} of all cases in {NAME}, and in {others.mean():.0%} in your"
-                " problem"
-            )
-
-
-def _differ(here: Reals, there: Reals) -> bool:
-    """Whether two means differ by more than chance."""
-    chance = np.concatenate([here, there]).std() * math.sqrt(1 / len(here) + 1 / len(there))
-    return bool(abs(here.mean() - there.mean()) > SIGMAS * chance + 1e-9)
 
 
 def _made(answer: Any) -> Environment:

@@ -77,6 +77,15 @@ class Awake(NamedTuple):
 my_problem = Awake()
 
 
+# %% the sleeper of exercise 3
+# says: that is the sleeper of exercise 3: write a problem of your own, under its own name
+class UsedToIt(Morning):
+    pass
+
+
+my_problem = UsedToIt()
+
+
 # %% nothing to choose
 # says: my_problem should have two actions and four states or more, but has 1 and
 class Watched(Plant):

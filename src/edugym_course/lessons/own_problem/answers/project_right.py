@@ -136,3 +136,49 @@ class ByHand(gym.Env):
 
 
 MyEnvironment = (ByHand, Queue())
+
+
+# %% beside a problem of many places
+import gymnasium as gym
+from gymnasium import spaces
+
+
+class Stock:
+    observation_space, action_space = spaces.MultiDiscrete([25, 11]), spaces.Discrete(3)
+
+    def initial(self, rng):
+        return 0, 5
+
+    def transition(self, state, action, rng):
+        return state[0] + 1, max(min(state[1] + action, 10) - int(rng.integers(3)), 0)
+
+    def reward(self, state, action, next_state, rng):
+        last = -3.0 * next_state[1] if next_state[0] == 24 else 0.0
+        return min(state[1], 2) - 0.5 * action + last
+
+    def terminal(self, state):
+        return state[0] == 24
+
+    def observation(self, state, rng):
+        return np.array(state)
+
+
+class ByHand(gym.Env):
+    observation_space, action_space = spaces.MultiDiscrete([25, 11]), spaces.Discrete(3)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self.hour, self.stock = 0, 5
+        return np.array([0, 5]), {}
+
+    def step(self, action):
+        pays = min(self.stock, 2) - 0.5 * action
+        wanted = int(self.np_random.choice(3))
+        self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0)
+        over = self.hour == 24
+        if over:
+            pays -= 3 * self.stock
+        return np.array([self.hour, self.stock]), float(pays), over, False, {}
+
+
+MyEnvironment = (ByHand, Stock())

@@ -153,8 +153,8 @@ class MyEnvironment(gymnasium.Env):
 # + return -1.0, self.place, over, self.steps == 50, {}
 
 # %% beside its problem: she dozes
-# says: MyEnvironment and your problem differ: an episode begins with (0, 1) in 100% of all cases in MyEnvironment, and in 0% in your
-#   problem
+# says: MyEnvironment and your problem differ: an episode begins with (0, 1) in MyEnvironment, and with (0, 2) in your
+#   problem: do both observe the same, in the same form?
 # in: beside the problem that it should be
 # - self.state = (0, 2)
 # + self.state = (0, 1)
@@ -204,3 +204,71 @@ class MyEnvironment(gymnasium.Env):
 # - MyEnvironment = (ByHand, DAY)
 # + import edugym
 # + MyEnvironment = (ByHand, edugym.make_mdp("Trashbot"))
+
+# %% beside its problem: no end penalty
+# says: there follows
+# says:  with the reward
+# says:  and the end
+# says: , and in your problem
+# in: beside a problem of many places
+# - if over:
+# -     pays -= 3 * self.stock
+
+# %% beside its problem: a smaller store
+# in: beside a problem of many places
+# says: , and in your problem
+# - self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0)
+# + self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 9) - wanted, 0)
+
+# %% beside its problem: other customers
+# says: chance is another in many places; in one of them,
+# says:  there follows
+# says:  cases in
+# says: % in your problem
+# in: beside a problem of many places
+# - wanted = int(self.np_random.choice(3))
+# + wanted = int(self.np_random.choice(3, p=[0.4, 0.3, 0.3]))
+
+# %% beside its problem: more than it can hold
+# says: in MyEnvironment, and in your problem there follows
+# in: beside a problem of many places
+# - self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0)
+# + self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0 if self.hour % 2 else 1)
+
+# %% beside its problem: observed otherwise
+# says: an episode begins with
+# says: : do both observe the same, in the same form?
+# in: beside a problem of many places
+# - return np.array([0, 5]), {}
+# + return np.array([5, 0]), {}
+
+# %% beside its problem: no end penalty, where a reward is drawn
+# says: random play gets
+# says:  in an episode of
+# in: beside a problem of many places
+# - return min(state[1], 2) - 0.5 * action + last
+# + return min(state[1], 2) - 0.5 * action + last + rng.random()
+# - if over:
+# -     pays -= 3 * self.stock
+# + pays += self.np_random.random()
+
+# %% beside its problem: begins elsewhere now and then
+# says: % of all cases in
+# says: an episode begins with
+# in: beside a problem of many places
+# - self.hour, self.stock = 0, 5
+# - return np.array([0, 5]), {}
+# + self.hour, self.stock = 0, 5 + int(self.np_random.random() < 0.1)
+# + return np.array([0, self.stock]), {}
+
+# %% beside its problem: one number for both
+# says: an episode begins with the observation
+# says:  in your problem: to be compared they should have one form
+# in: beside a problem of many places
+# - return np.array([0, 5]), {}
+# + return 5, {}
+# - return np.array([self.hour, self.stock]), float(pays), over, False, {}
+# + return 11 * self.hour + self.stock, float(pays), over, False, {}
+# - MyEnvironment = (ByHand, Stock())
+# + ByHand.observation_space = spaces.Discrete(275)
+# + MyEnvironment = (ByHand, Stock())

@@ -85,7 +85,8 @@ def exercise_1(answer: Any, seed: int, ring: Ring = 4.0) -> str:
         mistakes,
         tolerance=CLOSE,
         says=says,
-        otherwise=f"it is {side}" + ("; you are close, round it to two digits after the decimal point" if near else ""),
+        otherwise=f"it is {side}"
+        + ("; you are close: is it rounded, and not cut off, to two digits after the decimal point?" if near else ""),
     )
     return (
         f"Right: {10 * ring + 19:g}/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20."
@@ -134,6 +135,8 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
     given("my_problem", answer)
     if type(answer).__name__ == "Template" or is_like(type(answer), Bicycle):
         raise WrongAnswer("that is the problem with which the cell began: write one of your own, under its own name")
+    if type(answer).__name__ == "UsedToIt":
+        raise WrongAnswer("that is the sleeper of exercise 3: write a problem of your own, under its own name")
     if isinstance(answer, Morning) or type(answer).__name__ == "Morning" or is_like(type(answer), Morning):
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
     with student_code("my_problem"), told_as_wrong():
