@@ -276,13 +276,12 @@ def require_policy(call: str, policy: Any, noun: str = "state") -> None:
     if isinstance(policy, type) or not callable(policy):
         kind = f"the class {policy.__name__}" if isinstance(policy, type) else f"of the type {type(policy).__name__}"
         at = {"state": noun, "history": "window(history)"}.get(noun, f"tuple({noun})")
-        is_row = isinstance(policy, np.ndarray) and policy.ndim == 1
-        one_row = f", for the values of a single state `lambda {noun}: int(np.argmax(Q))`" if is_row else ""
-        raise WrongAnswer(
-            f"{call} should return {what}, but what it returns is {kind}: for a table of action values that is `lambda"
-            f" {noun}: int(Q[{at}].argmax())`{one_row}, and for an array with an action for each {noun} `lambda {noun}:"
-            f" actions[{at}]`"
-        )
+        actions = f"`lambda {noun}: actions[{at}]` for an array with an action for each {noun}"
+        if isinstance(policy, np.ndarray) and policy.ndim == 1:
+            ways = f"{actions}, and `lambda {noun}: int(np.argmax(Q))` for the values of a single state"
+        else:
+            ways = f"`lambda {noun}: int(Q[{at}].argmax())` for a table of action values, and {actions}"
+        raise WrongAnswer(f"{call} should return {what}, but what it returns is {kind}: return {ways}")
 
 
 def actions_of(policy: Policy, observations: Iterable[Any], n_actions: int, noun: str = "state") -> list[int]:

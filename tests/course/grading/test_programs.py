@@ -134,13 +134,14 @@ WRONG: dict[str, tuple[Any, str]] = {
     ),
     "a table": (
         partial(plays, policy=np.zeros((2, 2))),
-        "should return a function from a state to an action, but what it returns is of the type ndarray: for a table of"
-        " action values that is `lambda state: int(Q[state].argmax())`, and for an array with an action for each state"
-        " `lambda state: actions[state]`",
+        "should return a function from a state to an action, but what it returns is of the type ndarray:"
+        " return `lambda state: int(Q[state].argmax())` for a table of action values, and `lambda state:"
+        " actions[state]` for an array with an action for each state",
     ),
     "values of one state": (
         partial(plays, policy=np.zeros(4)),
-        ", for the values of a single state `lambda state: int(np.argmax(Q))`, and for an array with an action for",
+        ": return `lambda state: actions[state]` for an array with an action for each state, and `lambda state:"
+        " int(np.argmax(Q))` for the values of a single state",
     ),
     "a class as a policy": (partial(plays, policy=SmallWorld), "what it returns is the class SmallWorld"),
     "both": (reads_both, "reset gives two things: state, info = environment.reset()"),
