@@ -717,7 +717,7 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # **Measured.** 80 times as many in these three runs; in ten runs it was 100 times (15 000 steps and 150). So the steps
 # grow faster than the boards. The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
 # ten runs took 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. With 9 columns they took 560 with 6 rows,
-# and some 880 with 18. DQN needs more steps than the table on all four boards, but the ratio falls from more than 6 to less than 2. (The
+# and some 880 with 18. DQN needs more steps than the table on all four boards, but the ratio falls. (The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 

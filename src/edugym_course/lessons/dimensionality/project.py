@@ -258,7 +258,7 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if longer > SOLVED:
         return (
             f"After {PATIENCE * RIDDLE_STEPS} steps it is {longer:.0%}, so it learns too slowly: likely a learning"
-            " rate that is too small, too few updates, or hidden units that keep their first weights"
+            " rate or first weights that are too small, too few updates, or weights that are never learned"
         )
     if riddle is not RIDDLES[0] and twins_solved(program, seed) < TWINS_SOLVED:
         return f"Where two pixels together tell the right action, it does not find it either. {FROZEN}"

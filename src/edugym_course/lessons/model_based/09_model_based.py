@@ -124,7 +124,7 @@ source(looked_ahead)
 # %% [markdown]
 # Watch the values spread from the exit and the items, one cell a sweep. The maps show the shop with an *empty bag*; the
 # arrow is the best action. Cells whose value is not above 0 are cream. (The items stay white: who steps on an item has
-# it in the bag.) After 30 sweeps nothing changes any more, and the best way is known, before the first step.
+# it in the bag.) After 30 sweeps the maps do not change any more, and the best way is known, before the first step.
 
 # %%
 maps.dynamic_programming()
@@ -214,7 +214,7 @@ sliders(maps.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_2
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# Prioritised sweeping needs between 80 and 100 updates, Dyna between 1 600 and 2 000.
+# With these draws prioritised sweeping needs between 80 and 100 updates, and Dyna between 1 600 and 2 000.
 # </details>
 
 # %% [markdown]
@@ -291,7 +291,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
-# that is what a model is for. (The curves are means, which a few slow runs pull down.) And then they stop improving.
+# that is what a model is for. (The curves are means, which slow runs pull down.) And then they stop improving.
 # Q-learning ends highest in this shop, and prioritised sweeping lowest. (Among the planners the intervals of neighbours
 # overlap; those of Dyna-10 and prioritised sweeping do not.)
 #
@@ -398,7 +398,7 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 #   between 87 and 91.)
 # - $\alpha$: with 0.1 all need more steps, Q-learning three times as many. Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But with 0.94 or less the way with the highest
-#   *discounted* return leaves an item out, and returns 78. (An agent that has not learned that way may return more.)
+#   *discounted* return leaves an item out, and returns 78. (Runs that have not learned that way may return more.)
 # </details>
 
 # %% [markdown]
@@ -426,8 +426,8 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 83, no better: planning is not what Dyna lacks. Its policy already is the best one by what it has
-# seen, and so, within a fraction of a point, are those of the other planners. Their models lack an item, most often the
-# blue one: nearly half of the runs of prioritised sweeping never stepped on it. Q-learning has seen the whole shop, and
+# seen, and so, within a fraction of a point, are those of the other planners. Four fifths of their losses
+# come from runs that never stepped on an item, most often the blue one. Q-learning has been everywhere, and
 # makes less of it.
 # </details>
 
@@ -488,7 +488,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # \end{cases}
 # $$
 #
-# The agent always takes the best action: no step is random. It plans the way to something unknown like any other way.
+# The agent always takes a best action, and draws only among equals. It plans the way to something unknown like any other way.
 # (Q-learning with *optimistic initial values*, section 2.6, does not plan with them.)
 #
 # The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` has $-100$ in the place of $U$, and

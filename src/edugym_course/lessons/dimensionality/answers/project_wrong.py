@@ -34,7 +34,7 @@
 # says:  takes the right action in
 # says:  of the questions after
 # says:  steps; by chance it would be 33%.
-# says: , so it learns too slowly: likely a learning rate that is too small, too few updates, or hidden units that keep their first weights
+# says: , so it learns too slowly: likely a learning rate or first weights that are too small, too few updates, or weights that are never learned
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
