@@ -979,7 +979,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1. The actions are the whole
 #   numbers from 0 to `environment.action_space.n - 1`.
-# - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random. Adam with a
+# - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random, of a size
+# near $1/\sqrt n$ where $n$ numbers come in. Adam with a
 #   learning rate of 0.001 is a good choice, with a batch of 32 from memory at every step. So is plain gradient descent
 #   with 0.05, from each step once.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch
