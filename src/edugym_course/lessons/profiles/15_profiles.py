@@ -25,7 +25,7 @@ from edugym_course.notebook import play, predict, sliders, source
 # ## Meet the environment: ten ladders
 #
 # Each environment of this course isolates one challenge, with a parameter that is its strength. So it is a *ladder* of tasks. Each
-# rung is a task of its own: the same challenge, a little stronger.
+# rung is a task of its own: the same challenge, a little stronger. (In the supermarket the task stays, and the steps get fewer.)
 
 # %%
 for ladder in LADDERS:
@@ -33,7 +33,7 @@ for ladder in LADDERS:
     print(f"{ladder.name:14} {ladder.strength} from {first:g} to {last:g}: {ladder.challenge}")
 
 # %% [markdown]
-# Take Boulder. On the first rung of its ladder the wall has 8 levels, and on the last it has 100. These two look like this:
+# Take Boulder. On the first rung of its ladder the wall has 8 levels, and on the last it has 100. These two look like this (of the second you see the foot):
 
 # %%
 boulder = LADDERS[0]
@@ -51,13 +51,13 @@ play("Boulder", height=boulder.strengths[0], blind=True)
 
 # %% [markdown]
 # On each rung an agent trains for a fixed number of steps, from the beginning: what it has learned on one rung is forgotten on the next. Then it
-# plays without exploring. All agents get the same number of steps, and nothing is tuned.
+# plays without exploring. All agents get the same number of steps on a rung, and nothing is tuned.
 
 # %% [markdown]
 # ## The idea: one scale for all rewards
 #
 # A return of −40 may be good in one task and bad in another. So a return $G$ is measured between that of random play and that of the
-# best play, which the exact model knows:
+# best play, by the exact model where there is one, and else the best play that is known:
 #
 # $$
 # x = \frac{G - G_\text{random}}{G_\text{best} - G_\text{random}}
@@ -137,7 +137,7 @@ in_golf.measured("lower" if less.high < 0 else "the same" if less.low < 0 else "
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Lower: 0.62 against 0.73. It scores 1 where no hit misses its aim, and loses most at a noise of 0.03. From 0.1 on the two do not surely differ. The score alone would not have told you that: look at the rungs.
+# **Measured.** Lower: 0.62 against 0.73. It scores 1 where no hit misses its aim, and loses most at a noise of 0.03. From 0.1 on these five runs do not tell the two apart. The score alone would not have told you that: look at the rungs.
 # </details>
 
 # %% [markdown]
@@ -154,8 +154,8 @@ sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.9
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Study hardly moved, whatever the learning rate and $\varepsilon$ were: its scores were 0.61 to 0.64. Tamagotchi fell from 0.69 to 0.07 without exploration, and to 0.10 with
-# a learning rate of 1 (to 0.35 and 0.39 with other random numbers). With both it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2.
+# Study hardly moved, whatever the learning rate and $\varepsilon$ were: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration, and to 0.10 with
+# a learning rate of 1 (there chance decides: to 0.1 to 0.5 with other random numbers). With both it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2.
 # </details>
 
 # %% [markdown]
@@ -172,9 +172,9 @@ figures.ladders(tries)
 
 # %% [markdown]
 # With ten tries it climbs higher on the rungs in the middle, and its score over the ladder is higher. On the first rung, where no hit misses, both score 1: without the
-# noise one try is enough. So the reason passes two tests. (They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.)
+# noise one try is enough. (On the noisiest rung ten tries score less. Perhaps there are too few steps to try everything ten times.) So the reason passes two tests. (They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.)
 #
-# In Tamagotchi R-max scores 0 on every rung, even on the one where messages have no noise; there the reason must be another one. Nobody
+# In Tamagotchi R-max scores hardly above 0 on every rung, even on the one where messages have no noise; there the reason must be another one. Nobody
 # has measured it yet: a question for a project.
 
 # %% [markdown]
