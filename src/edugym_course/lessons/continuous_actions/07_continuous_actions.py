@@ -678,7 +678,7 @@ sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 
 
 # %% [markdown] tags=["aside"]
 # ### Aside: what a policy gradient learns from failures, on a frozen lake
-# REINFORCE learns in any Gymnasium environment with whole numbers for observations and actions. FrozenLake is a lake
+# REINFORCE can be trained in any Gymnasium environment with whole numbers for observations and actions. FrozenLake is a lake
 # of 4 by 4 fields with four holes. Here it is not slippery. The only reward is 1 at the goal; a hole ends the episode
 # with 0.
 #

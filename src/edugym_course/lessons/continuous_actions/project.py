@@ -46,12 +46,13 @@ from edugym_course.lessons.continuous_actions.exercises.boxes import (
 )
 
 N_STEPS, WORLDS, FAR_STEPS = 6_000, 2, 2_000
-EARLY = 300
-"""After so many steps two programs that learn by the same equations have the same μ, whatever their last digits."""
+EARLY = 100, 300
+"""After so few steps two programs that learn by the same equations have the same μ, whatever their last digits; with
+large rates after the smaller number only."""
 SAME, NEARLY_SAME = 1e-5, 1e-2
 """How far two μ may be apart, in the larger of 1 and their size: after few steps, and after all of them."""
-REPEATED = 0.01
-"""The share of the steps in which one and the same action is no chance."""
+REPEATED = 3
+"""So often one and the same action may come: drawn numbers never do."""
 
 Maker = Callable[[int], Gaussians]
 
@@ -81,7 +82,9 @@ MISTAKES: dict[str, Maker] = {
     "ln σ moves twice as far as it should: the 2 in 2σ² and the square cancel": partial(
         Gaussians, of_log=lambda off, spread: 2 * score_of_log(off, spread)
     ),
-    "there is no baseline: δ = G − V(S), and V is learned too": partial(Gaussians, value_rate=0.0),
+    "there is no baseline: the policy moves by G, and it should move by δ = G − V(S)": partial(
+        Gaussians, value_rate=0.0
+    ),
     "the factor γ^t is missing": partial(Gaussians, fades=False),
     "the factor γ^t is missing where μ moves": partial(Gaussians, fades="ln σ"),
     "the factor γ^t is missing where ln σ moves": partial(Gaussians, fades="μ"),
@@ -122,6 +125,13 @@ MISTAKES: dict[str, Maker] = {
     "V hardly learns: α^w is 0.1 in the text, and not α^θ": partial(Gaussians, value_rate=POLICY_RATE),
     "the factor γ^t stands in the line of V as well: it belongs to the policy alone": partial(Gaussians, fades="V"),
     "the power of γ is one too large: the first step of an episode has γ^0 = 1": partial(Gaussians, fades="later"),
+    "V is 1 at first, and it should be 0": partial(Gaussians, first_value=1.0),
+    "the two learning rates, α^θ and α^w, have changed places": partial(
+        Gaussians, policy_rate=VALUE_RATE, value_rate=POLICY_RATE
+    ),
+    "it learns of the states after the actions, and not of those in which they were taken": partial(
+        Gaussians, after=True
+    ),
     "the first state of an episode is the last one of the episode before: keep what reset() gives": partial(
         Gaussians, stale=True
     ),
@@ -207,7 +217,7 @@ def follow(steps: Sequence[Step], make: Maker) -> tuple[Gaussians, list[tuple[fl
         known = step._replace(state=state) if first else step
         mean, spread = learner.gaussian(known.state)
         far.append((step.action - mean, spread))
-        episode.append(known)
+        episode.append(known._replace(state=step.next_state) if learner.after else known)
         if step.terminated or step.truncated:
             learner.learn(episode)
     if learner.to_the_end and not (step.terminated or step.truncated):
@@ -256,17 +266,13 @@ def check_equations(program: Any, seed: int) -> None:
     """
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
     require_reproducible(program, partial(Boxes, seeds[0], truncates=True), TRIAL, seed)
-    early = [_returned(program, number, EARLY) for number in seeds]
+    early = [_returned(program, number, n_steps) for n_steps in EARLY for number in seeds]
+    _require_drawn([run.steps for run in early])
     possible = _require_means(early, SAME, list(MISTAKES))
     late = [_returned(program, number, N_STEPS) for number in seeds]
-    often, times = Counter(step.action for step in late[0].steps).most_common(1)[0]
-    if times > REPEATED * N_STEPS:
-        raise WrongAnswer(
-            f"in {times} of {N_STEPS} steps the action of {NAME} is exactly {often:g}: give the environment what is"
-            " drawn, and do not cut it off"
-        )
-    _require_means(late, NEARLY_SAME, possible)
     runs = [run.steps for run in late]
+    _require_drawn(runs)
+    _require_means(late, NEARLY_SAME, possible)
     right = fit(runs, Gaussians)
     if not right.is_usual:
         likely = next((sentence for sentence, make in WRONG_SPREADS.items() if fit(runs, make).is_usual), None)
@@ -277,12 +283,19 @@ def check_equations(program: Any, seed: int) -> None:
         )
 
 
-def _returned(program: Any, number: int, n_steps: int) -> Returned:
-    """Run a program, and ask its policy twice for the μ of each state that came.
+def _require_drawn(runs: Sequence[Sequence[Step]]) -> None:
+    """Refuse actions that are cut off, by which one and the same comes again and again."""
+    for steps in runs:
+        often, times = Counter(step.action for step in steps).most_common(1)[0]
+        if times > REPEATED:
+            raise WrongAnswer(
+                f"in {times} of {len(steps)} steps the action of {NAME} is exactly {often:g}: give the environment what"
+                " is drawn, and do not cut it off"
+            )
 
-    Raises:
-        WrongAnswer: it draws them, or they are no numbers.
-    """
+
+def _returned(program: Any, number: int, n_steps: int) -> Returned:
+    """Run a program, and ask its policy twice for the μ of each state that came: a number, and not drawn."""
     run = run_program(program, Boxes(number, truncates=True), n_steps, number)
     means = {}
     for state in sorted({step.state for step in run.steps}):
@@ -302,6 +315,11 @@ def _returned(program: Any, number: int, n_steps: int) -> Returned:
     return Returned(run.steps, means)
 
 
+def _same(runs: Sequence[Returned], tolerance: float, mistakes: Sequence[str]) -> list[str]:
+    """Return those of the mistakes that give the very same μ."""
+    return [sentence for sentence in mistakes if not any(run.other(MISTAKES[sentence], tolerance) for run in runs)]
+
+
 def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequence[str]) -> list[str]:
     """Refuse other μ than those that the steps of the runs give by the equations.
 
@@ -311,7 +329,7 @@ def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequenc
     Raises:
         WrongAnswer: they are others; it names the likeliest of these mistakes.
     """
-    same = [sentence for sentence in mistakes if not any(run.other(MISTAKES[sentence], tolerance) for run in runs)]
+    same = _same(runs, tolerance, mistakes) or _same(runs[:WORLDS], tolerance, mistakes)
     for run in runs:
         if (found := run.other(Gaussians, tolerance)) is None:
             continue
@@ -339,6 +357,7 @@ def check_bound(program: Any, seed: int) -> None:
         WrongAnswer: it does not.
     """
     runs = [run_program(program, FarPays(), FAR_STEPS, number).steps for number in range(2 * seed, 2 * seed + 2)]
+    _require_drawn(runs)
     right = fit(runs, Gaussians)
     if not right.is_usual:
         raise WrongAnswer(
@@ -356,7 +375,8 @@ def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = G
     for _ in range(n_steps):
         action = float(rng.normal(*learner.gaussian(state)))
         next_state, pays, terminated, truncated, _ = environment.step(action)
-        episode.append(Step(state, action, float(pays), next_state, terminated, truncated))
+        of = next_state if learner.after else state
+        episode.append(Step(of, action, float(pays), next_state, terminated, truncated))
         state = next_state
         if terminated or truncated:
             learner.learn(episode)

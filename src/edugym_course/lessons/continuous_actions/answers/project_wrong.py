@@ -17,7 +17,7 @@
 # + G = sum(R[k:])
 
 # %% no baseline
-# says: there is no baseline: δ = G − V(S), and V is learned too
+# says: there is no baseline: the policy moves by G, and it should move by δ = G − V(S)
 # in: lists of an episode
 # - delta = G - V[S[k]]
 # + delta = G
@@ -394,6 +394,43 @@
 # +     G = reward + 0.8 * G
 # +     gauss.learn(action, G, 0.8**t)
 # + return lambda state: states.setdefault(state, Gauss()).mean
+
+# %% V of 1 at first
+# says: V is 1 at first, and it should be 0
+# in: lists of an episode
+# - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
+# + mu, ls, V = np.zeros(n), np.zeros(n), np.ones(n)
+
+# %% rates that have changed places
+# says: the two learning rates, α^θ and α^w, have changed places
+# in: lists of an episode
+# - V[S[k]] += 0.1 * delta
+# + V[S[k]] += 0.005 * delta
+# - step = 0.005 * 0.8**k * delta
+# + step = 0.1 * 0.8**k * delta
+
+# %% the states after
+# says: it learns of the states after the actions, and not of those in which they were taken
+# in: lists of an episode
+# - S.append(s)
+# - A.append(a)
+# - s, r, terminated, truncated, _ = environment.step(a)
+# + A.append(a)
+# + s, r, terminated, truncated, _ = environment.step(a)
+# + S.append(s)
+
+# %% cut off for the environment alone
+# says:  steps the action of
+# says: : give the environment what is drawn, and do not cut it off
+# in: lists of an episode
+# - s, r, terminated, truncated, _ = environment.step(a)
+# + s, r, terminated, truncated, _ = environment.step(min(max(a, -1), 1))
+
+# %% cut off far out
+# says: : give the environment what is drawn, and do not cut it off
+# in: lists of an episode
+# - s, r, terminated, truncated, _ = environment.step(a)
+# + s, r, terminated, truncated, _ = environment.step(min(max(a, -3), 3))
 
 # %% a rate of 0.15 for V
 # says: No usual mistake gives these numbers.

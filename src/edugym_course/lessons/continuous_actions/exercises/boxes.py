@@ -133,6 +133,8 @@ class Gaussians:
         skips: how many of the first steps of an episode it does not learn from.
         stale: whether it takes the last state of an episode for the first one of the next.
         to_the_end: whether it learns from the last episode, too, which time has cut off.
+        first_value: V at first.
+        after: whether it learns of the states after the actions.
     """
 
     def __init__(
@@ -163,17 +165,19 @@ class Gaussians:
         skips: int = 0,
         stale: bool = False,
         to_the_end: bool = False,
+        first_value: float = 0.0,
+        after: bool = False,
     ) -> None:
-        """Begin with μ = 0 and V = 0."""
+        """Begin with μ = 0."""
         # Lists: Python reads one entry of them sooner than one of an array.
-        self.mean, self._log, self._V = [0.0] * n_states, [math.log(first)] * n_states, [0.0] * n_states
+        self.mean, self._log, self._V = [0.0] * n_states, [math.log(first)] * n_states, [first_value] * n_states
         self._returns, self._of_mean, self._of_log = returns, of_mean, of_log
         self._policy_rate, self._value_rate = policy_rate, value_rate
         self._fades, self._shared, self._power, self._fresh, self._moves = fades, shared, power, fresh, moves
         self._cut, self._bootstraps, self._itself, self._cut_short = cut, bootstraps, itself, cut_short
         self._all_steps, self.keeps, self._backwards = all_steps, keeps, backwards
         self._discount, self._averages, self._goes_on = discount, averages, goes_on
-        self._skips, self.stale, self.to_the_end = skips, stale, to_the_end
+        self._skips, self.stale, self.to_the_end, self.after = skips, stale, to_the_end, after
         self._least, self._most = map(math.log, bounds)
 
     def gaussian(self, state: int) -> tuple[float, float]:
