@@ -52,6 +52,10 @@ def _old_start(step: Step, before: Step | None) -> Step:
     return step._replace(state=before.next_state) if before and (before.terminated or before.truncated) else step
 
 
+def _last_left(step: Step, before: Step | None) -> Step:
+    return step._replace(state=before.state) if before and (before.terminated or before.truncated) else step
+
+
 def stays(step: Step, before: Step | None) -> Step:
     """Take the first state of an episode for all of its states."""
     return step if before is None or before.terminated or before.truncated else step._replace(state=before.state)
@@ -84,6 +88,8 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
         " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
         "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
         " gives the first state of the new one": Learner(make, _old_start),
+        "after an end the program goes on from the state that it left last: state, info = environment.reset() gives the"
+        " first state of the new episode": Learner(make, _last_left),
         "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, stays),
         LOW: Learner(make, _costs),
     }

@@ -200,9 +200,20 @@ def frontier(players):
 
 
 # %% rounded to two digits
-# says: it compares rounded numbers, or takes near ones for equal; compare them as they are
+# says: it compares numbers that are rounded to 2 digits, or takes near ones for equal; compare them as they are
 def frontier(players):
     rounded = {name: (round(mean, 2), round(spread, 2)) for name, (mean, spread) in players.items()}
+    return [
+        name
+        for name, (mean, spread) in rounded.items()
+        if not any(m >= mean and s <= spread and (m > mean or s < spread) for m, s in rounded.values())
+    ]
+
+
+# %% rounded to three digits
+# says: it compares numbers that are rounded to 3 digits, or takes near ones for equal; compare them as they are
+def frontier(players):
+    rounded = {name: (round(mean, 3), round(spread, 3)) for name, (mean, spread) in players.items()}
     return [
         name
         for name, (mean, spread) in rounded.items()

@@ -176,3 +176,12 @@
 # in: the weight in one line
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.4 * delta)) * delta
+
+# %% the state before the end
+# says: They fit a usual mistake: after an end the program goes on from the state that it left last: state, info = environment.reset() gives the first state of the new episode
+# in: the weight in one line
+# - s = environment.reset()[0] if over or cut else s2
+# + if over or cut:
+# +     environment.reset()
+# + else:
+# +     s = s2

@@ -1,6 +1,7 @@
 """The players of exercise 2 of lesson 8: whom no other one beats, and whom the usual mistakes take for them."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from itertools import pairwise, takewhile
 from statistics import fmean
 
@@ -12,6 +13,11 @@ Pair = tuple[float, float]
 def beats(one: Pair, other: Pair) -> bool:
     """Return whether one player has at least the mean and at most the spread of another, and is not alike."""
     return one[0] >= other[0] and one[1] <= other[1] and one != other
+
+
+def _beats_rounded(one: Pair, other: Pair, digits: int) -> bool:
+    """The same by numbers that are rounded."""
+    return beats((round(one[0], digits), round(one[1], digits)), (round(other[0], digits), round(other[1], digits)))
 
 
 def unbeaten(players: Mapping[str, Pair], beats: Callable[[Pair, Pair], bool]) -> set[str]:
@@ -85,11 +91,11 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
             if not (any(m > mean for m, _ in players.values()) and any(s < spread for _, s in players.values()))
         }
     ),
-    "it compares rounded numbers, or takes near ones for equal; compare them as they are": (
-        lambda players: unbeaten(
-            players, lambda a, b: beats((round(a[0], 2), round(a[1], 2)), (round(b[0], 2), round(b[1], 2)))
-        )
-    ),
+    **{
+        f"it compares numbers that are rounded to {digits} digits, or takes near ones for equal; compare them as they"
+        " are": partial(unbeaten, beats=partial(_beats_rounded, digits=digits))
+        for digits in (2, 3)
+    },
     "these are the players for whom mean minus spread is largest; that is only one taste": (
         lambda players: {n for n, (m, s) in players.items() if m - s == max(a - b for a, b in players.values())}
     ),
@@ -129,7 +135,8 @@ def made_up_players(seed: int) -> list[dict[str, Pair]]:
         (-0.6, FRONTIER_CASE),
     ):
         scale = float(rng.choice([0.003, 0.004]))  # so small that two digits do not tell them apart
+        scale = scale / 10 if pairs == few else scale  # nor three
         order = sorted(rng.permutation(len(pairs)), key=lambda k: k > 1)  # the first two in front, not to be beaten
-        players = [(round(lowest + pairs[k][0] * scale, 3), round(pairs[k][1] * scale, 3)) for k in order]
+        players = [(round(lowest + pairs[k][0] * scale, 4), round(pairs[k][1] * scale, 4)) for k in order]
         cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
     return cases
