@@ -427,7 +427,7 @@ more_planning.measured(known["Dyna-10"][1].mean())
 #
 # **Measured.** About 83, no better: planning is not what Dyna lacks. Its policy already is the best one by what it has
 # seen, and so, within a fraction of a point, are those of the other planners. Four fifths of their losses
-# come from runs that never stepped on an item, most often the blue one. Q-learning has been everywhere, and
+# come from runs that missed an item, most often the blue one. Q-learning has been everywhere, and
 # makes less of it.
 # </details>
 
@@ -465,7 +465,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # **Measured.** In 7 of 12. In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
 # has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
-# This is the same everywhere. Q-learning gets to know nearly the whole of every shop, and in some it does not make a
+# This is the same everywhere. Q-learning gets to know nearly all that a best plan needs in every shop, and in some it does not make a
 # policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each of them, and its policy *is*
 # the best plan by what it knows. Who ends higher depends on which of the two costs more there.
 # </details>
@@ -568,7 +568,7 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 12 steps. With fewer than 8 it sees no positive reward from the entrance, and goes nowhere. With 8 it
+# **Measured.** 12 steps. With fewer than 8 it sees no positive reward from the entrance, takes the first of equals, and goes nowhere. With 8 it
 # gets the first item, and from there the exit, worth 50, looks better than one more item, worth 25: it leaves with a
 # return of 59. On its way to the exit it turns to one more item only when it sees that it can have both, the item *and
 # the exit behind it*. For the second item that takes 11 steps (a return of 78), and for the third 12.

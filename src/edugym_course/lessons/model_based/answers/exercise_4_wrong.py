@@ -63,7 +63,7 @@ lake_results = repeat(
 # %% a short sight
 # slow
 # says: its values average over many outcomes already, so look at its other settings: a discount far below 1 hides a goal
-#   that is some steps away, a tiny learning rate takes long, and so do few updates
+#   that is some steps away; a tiny learning rate takes long, and so do few updates, and many tries before a pair is known
 # in: a smaller rate
 # - {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
 # + {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=0.1, discount=0.1)},

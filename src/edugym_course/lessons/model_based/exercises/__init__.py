@@ -102,7 +102,8 @@ def _why_lost(agent: Any) -> str:
     if isinstance(agent, RMax) or expected or rate <= 0.5:
         return (
             "its values average over many outcomes already, so look at its other settings: a discount far below 1 hides"
-            " a goal that is some steps away, a tiny learning rate takes long, and so do few updates"
+            " a goal that is some steps away; a tiny learning rate takes long, and so do few updates, and many tries"
+            " before a pair is known"
         )
     if is_ours(type(agent)) and rate == 1.0:
         return (
