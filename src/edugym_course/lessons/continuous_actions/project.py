@@ -55,7 +55,7 @@ REPEATED = 3
 """So often one and the same action may come: drawn numbers never do."""
 
 Maker = Callable[[int], Gaussians]
-
+UNBOUNDED = "σ is not kept between 0.2 and 2"
 MISTAKES: dict[str, Maker] = {
     "the reward of a step stands in the place of the return G, which sums up all rewards from it to the end": partial(
         Gaussians, returns=lambda rewards, _: rewards
@@ -113,7 +113,7 @@ MISTAKES: dict[str, Maker] = {
         Gaussians, moves="σ"
     ),
     "nothing is learned from the last step of an episode: its G is its reward": partial(Gaussians, all_steps=False),
-    "σ is not kept between 0.2 and 2": partial(Gaussians, bounds=(1e-9, 1e9)),
+    UNBOUNDED: partial(Gaussians, bounds=(1e-9, 1e9)),
     "σ is kept below 1, and it may grow to 2": partial(Gaussians, bounds=(SMALLEST, 1.0)),
     "ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2": partial(
         Gaussians, bounds=(math.exp(SMALLEST), math.exp(LARGEST))
@@ -247,10 +247,7 @@ class Returned(NamedTuple):
     means: dict[int, float]
 
     def other(self, make: Maker, tolerance: float) -> tuple[int, float] | None:
-        """The state in which a learner that learns from the same steps has another μ, and that μ; or None.
-
-        Of several states it is the one in which the two are farthest apart.
-        """
+        """The state in which a learner from the same steps has another μ, the one farthest off, and that μ; or None."""
         learner, _ = follow(self.steps, make)
         other = {state: learner.gaussian(state)[0] for state in self.means}
         apart = {state: abs(mean - other[state]) / max(1.0, abs(mean)) for state, mean in self.means.items()}
@@ -266,10 +263,10 @@ def check_equations(program: Any, seed: int) -> None:
     """
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
     require_reproducible(program, partial(Boxes, seeds[0], truncates=True), TRIAL, seed)
-    early = [_returned(program, number, n_steps) for n_steps in EARLY for number in seeds]
+    early = [_returned(program, Boxes(number, truncates=True), number, n) for n in EARLY for number in seeds]
     _require_drawn([run.steps for run in early])
     possible = _require_means(early, SAME, list(MISTAKES))
-    late = [_returned(program, number, N_STEPS) for number in seeds]
+    late = [_returned(program, Boxes(number, truncates=True), number, N_STEPS) for number in seeds]
     runs = [run.steps for run in late]
     _require_drawn(runs)
     _require_means(late, NEARLY_SAME, possible)
@@ -294,9 +291,9 @@ def _require_drawn(runs: Sequence[Sequence[Step]]) -> None:
             )
 
 
-def _returned(program: Any, number: int, n_steps: int) -> Returned:
+def _returned(program: Any, environment: Environment, seed: int, n_steps: int) -> Returned:
     """Run a program, and ask its policy twice for the μ of each state that came: a number, and not drawn."""
-    run = run_program(program, Boxes(number, truncates=True), n_steps, number)
+    run = run_program(program, environment, n_steps, seed)
     means = {}
     for state in sorted({step.state for step in run.steps}):
         with student_code(POLICY):
@@ -329,7 +326,9 @@ def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequenc
     Raises:
         WrongAnswer: they are others; it names the likeliest of these mistakes.
     """
-    same = _same(runs, tolerance, mistakes) or _same(runs[:WORLDS], tolerance, mistakes)
+    same = _same(runs, tolerance, mistakes)
+    if not same and any(run.other(Gaussians, tolerance) for run in runs[:WORLDS]):
+        same = _same(runs[:WORLDS], tolerance, mistakes)
     for run in runs:
         if (found := run.other(Gaussians, tolerance)) is None:
             continue
@@ -351,20 +350,23 @@ def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequenc
 
 
 def check_bound(program: Any, seed: int) -> None:
-    """Check that σ stops at its upper bound: over the boxes it never comes there.
+    """Check that σ stops at its upper bound, and μ nowhere: over the boxes they never come so far.
 
     Raises:
         WrongAnswer: it does not.
     """
-    runs = [run_program(program, FarPays(), FAR_STEPS, number).steps for number in range(2 * seed, 2 * seed + 2)]
-    _require_drawn(runs)
-    right = fit(runs, Gaussians)
-    if not right.is_usual:
-        raise WrongAnswer(
-            f"where the farthest actions pay most, so that σ grows to {LARGEST:g}, the actions of {NAME} should lie one"
-            f" σ from μ (the root of the mean square), and they lie {right.far:.3g} σ from it: after each step keep σ"
-            f" between {SMALLEST:g} and {LARGEST:g}"
-        )
+    runs = [_returned(program, FarPays(), number, FAR_STEPS) for number in range(2 * seed, 2 * seed + 2)]
+    _require_drawn([run.steps for run in runs])
+    where = f"where the farthest actions pay most, so that σ grows to {LARGEST:g},"
+    if _same(runs, NEARLY_SAME, [UNBOUNDED]):
+        raise WrongAnswer(f"{where} σ is larger: after each step keep it between {SMALLEST:g} and {LARGEST:g}")
+    for run in runs:
+        if found := run.other(Gaussians, NEARLY_SAME):
+            raise WrongAnswer(
+                f"{where} the policy of {NAME} should return μ = {found[1]:.4g}, by its own steps, and it returns"
+                f" {run.means[found[0]]:.4g}: after each step keep σ between {SMALLEST:g} and {LARGEST:g}, and let μ go"
+                " as far as it goes"
+            )
 
 
 def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = Gaussians) -> Policy:

@@ -44,7 +44,7 @@ gym.make("edugym/Boulder-v0", height=boulder.strengths[-1]).unwrapped.scene()
 
 # %% [markdown]
 # Climb the first rung yourself, seeing only what an agent sees. At each height one of the two grips holds, and it is the same one in every episode.
-# How many episodes do you need to reach the top? Then think of 100 levels.
+# How many wrong grips do you need to reach the top? Then think of 100 levels.
 
 # %%
 play("Boulder", height=boulder.strengths[0], blind=True)
@@ -70,8 +70,8 @@ play("Boulder", height=boulder.strengths[0], blind=True)
 source(Bounds.score)
 
 # %% [markdown]
-# Here Q-learning climbs Study. There an exam comes after 5, 10, 20, 40, 80 or 160 days. One lecture is enough to pass, and nothing but the exam has a
-# reward.
+# Here Q-learning climbs Study. There an exam comes after 5, 10, 20, 40, 80 or 160 days. To pass, one lecture and one sleep before are enough, and nothing but the exam
+# has a reward.
 
 # %%
 study = profile({"Q-learning": QLearning.create}, challenges=["Study"], repetitions=5)
@@ -143,7 +143,8 @@ in_golf.measured("lower" if less.high < 0 else "the same" if less.low < 0 else "
 # %% [markdown]
 # ## Your turn
 #
-# Two ladders of Q-learning, with three runs on each rung. Which setting moves one ladder and leaves the other as it is?
+# Two ladders of Q-learning, with three runs on each rung. Which settings move one ladder and leave the other as it is?
+# (Try the ends of the sliders, too.)
 
 # %%
 figures.one_setting()

@@ -348,9 +348,8 @@
 # + V[S[k]] += 0.1 * (R[k] + (0.8 * V[S[k + 1]] if k + 1 < len(S) else 0.0) - V[S[k]])
 
 # %% no upper bound
-# says: where the farthest actions pay most, so that σ grows to 2, the actions of my_program
-# says: should lie one σ from μ (the root of the mean square), and they lie
-# says: σ from it: after each step keep σ between 0.2 and 2
+# says: where the farthest actions pay most, so that σ grows to 2,
+# says:  σ is larger: after each step keep it between 0.2 and 2
 # in: lists of an episode
 # - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
 # + ls[S[k]] = max(ls[S[k]], np.log(0.2))
@@ -431,6 +430,24 @@
 # in: lists of an episode
 # - s, r, terminated, truncated, _ = environment.step(a)
 # + s, r, terminated, truncated, _ = environment.step(min(max(a, -3), 3))
+
+# %% means that are cut off
+# says:  should return μ =
+# says: , by its own steps, and it returns
+# says: : after each step keep σ between 0.2 and 2, and let μ go as far as it goes
+# in: lists of an episode
+# - return lambda s: mu[s]
+# + return lambda s: np.clip(mu[s], -1, 1)
+
+# %% the last episode goes on with V
+# says: No usual mistake gives these numbers.
+# in: a class without NumPy
+# - return lambda state: states.setdefault(state, Gauss()).mean
+# + G = states.setdefault(state, Gauss()).value
+# + for t, (gauss, action, reward) in reversed(list(enumerate(episode))):
+# +     G = reward + 0.8 * G
+# +     gauss.learn(action, G, 0.8**t)
+# + return lambda state: states.setdefault(state, Gauss()).mean
 
 # %% a rate of 0.15 for V
 # says: No usual mistake gives these numbers.

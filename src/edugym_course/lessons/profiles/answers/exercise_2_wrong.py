@@ -27,6 +27,13 @@ def make_mine(environment):
     return agent
 
 
+# %% a learning rate that is too large for the ground
+# slow
+# says: : it is worse in both, and a hole has ground around it
+def make_mine(environment):
+    return QLearning.create(environment, discount=0.0, learning_rate=0.9)
+
+
 # %% a learner that never explores and never moves
 # says: make_mine
 def make_mine(environment):
