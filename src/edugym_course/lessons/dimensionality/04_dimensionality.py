@@ -451,7 +451,7 @@ source(dqn.adam)
 # | DQN on pixels | 50 pixels | the network |
 # | DQN on the positions | three numbers, each divided by its largest value | the same network, learning rate 0.003 |
 #
-# (A tile is at most two columns wide, and two or three rows of the board high. SARSA takes the value of the next action
+# (A tile is at most two columns wide, and at most three rows of the board high. SARSA takes the value of the next action
 # in place of the maximum. Each agent has ten runs, and 20 test balls from each column.)
 #
 # **Predict.** How many of the six catch, on average over their runs, at least 9 of 10 balls from the columns that they never saw? (This takes about
@@ -536,8 +536,8 @@ for column in tasks.WITHHELD:
 # Tile coding shares between neighbouring columns, and so it goes where it would go for a ball next to this one. Sharing
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
-# 0 in their place the network does not see the ball at all, and the paddle ends in the middle. Moving is not enough: with
-# noise in all pixels in training all weights move, and yet in these six runs every withheld ball was missed (three of six others caught all from one column).
+# 0 in their place the network does not see the ball at all, and the paddle mostly ends in the middle. Moving is not enough: with
+# noise in all pixels in training all weights move, and yet in six runs every withheld ball was missed, and in three of six others all but those from one column.
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
@@ -981,7 +981,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   numbers from 0 to `environment.action_space.n - 1`.
 # - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random, of a size
 # near $1/\sqrt n$ where $n$ numbers come in. Adam with a
-#   learning rate of 0.001 is a good choice, with a batch of 32 from memory at every step. So is plain gradient descent
+#   learning rate of 0.001 is a good choice, with a batch of 32 from memory at every step. So is, for Q-learning, plain gradient descent
 #   with 0.05, from each step once.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch
 #   needs `torch.manual_seed(seed)` besides.)
@@ -1093,8 +1093,8 @@ check(project_4, my_program)
 # ## What you saw
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, so it needs to meet
-# each of them, many times. Function approximation gives states weights in common, so that what is learned in one
+# *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, and knows nothing of
+# those that it has not met. Function approximation gives states weights in common, so that what is learned in one
 # changes the others. That is its use and its danger. It carries over to new states exactly what the weights share. A
 # network with pixels as inputs shares much between images in which the same pixels are lit. But the weights that read a
 # ball in one column are not those that read it in another, unless no weight of the network belongs to a column.

@@ -561,8 +561,8 @@ check(exercise_1, epsilon)
 
 # %% [markdown]
 # ### Exercise 2: optimistic initial values
-# Let all values of $Q$ start at 1 instead of 0, and let the agent be greedy ($\varepsilon = 0$). Every action that it
-# tries is disappointing, so it goes on to actions that it has not tried yet (Sutton and Barto, section 2.6). Write the
+# Let all values of $Q$ start at 1 instead of 0, and let the agent be greedy ($\varepsilon = 0$). All that it
+# tries below the top is disappointing, so it goes on to actions that it has not tried yet (Sutton and Barto, section 2.6). Write the
 # function that makes this Q-learning agent, with the lesson's learning rate 0.5 and discount 0.9. Before you run the
 # check: which of the three walls will it solve?
 #

@@ -1,5 +1,5 @@
 # %% the constructor with all fields
-# says: Right: it never takes a random action, and yet it tries everything, for whatever it tries disappoints it. See it
+# says: Right: it never takes a random action, and yet it tries everything, for all that it tries below the top disappoints it. See it
 #   race:
 def optimist(wall):
     Q = np.ones((wall.height + 1, wall.n_grips))

@@ -199,7 +199,7 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
             ],
         )
     return (
-        "Right: it never takes a random action, and yet it tries everything, for whatever it tries disappoints it. "
+        "Right: it never takes a random action, and yet it tries everything, for all that it tries below the top disappoints it. "
         "See it race:"
     )
 
