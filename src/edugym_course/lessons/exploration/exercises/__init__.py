@@ -199,8 +199,8 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
             ],
         )
     return (
-        "Right: it never takes a random action, and yet it tries everything, for all that it tries below the top disappoints it. "
-        "See it race:"
+        "Right: it never takes a random action, and yet it tries everything, for all that it tries below the top"
+        " disappoints it. See it race:"
     )
 
 
