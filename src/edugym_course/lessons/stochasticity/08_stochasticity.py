@@ -515,7 +515,7 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 #
 # **Measured.** With the rest of the game known, by far. So here bad luck with drives is the smaller reason. With both
 # changes all runs drive. (That is not so everywhere. At level 0.0165 the drive is ahead by 0.05 only. There bad luck
-# alone is enough: also with the rest of the game known, only 28 % of 60 runs drive. With smaller steps as well, $\alpha
+# alone is enough: also with the rest of the game known, only 28 % of 60 runs drive, and 43 % of 60 others. With smaller steps as well, $\alpha
 # = 0.005$, 88 % do.)
 #
 # The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. Probably that has the same
@@ -526,7 +526,7 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # What can an agent do that has nobody to play the rest of the game? Its values can start at 1, so that what was not
 # tried looks good; it can take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
 # player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100. (Here
-# all such runs drive in half of their games or more.)
+# all such runs drive in about half of their games or more.)
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -538,7 +538,7 @@ for label, one in players.items():
 
 # %% [markdown]
 # All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the
-# other combinations. With one change alone, about two thirds of the runs take the risk, and with longer training and
+# other combinations. With one change alone, half to three quarters of the runs take the risk, and with longer training and
 # one of the other two no more. With good first values and smaller steps all runs take it, but their mean is 0.85: they
 # are not done learning. So it takes all three.
 
