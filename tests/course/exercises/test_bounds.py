@@ -76,9 +76,9 @@ REFUSED = [
     (stochasticity.exercise_1, LEVEL + 0.00101, "it is too high"),
     (stochasticity.exercise_1, LEVEL - 0.00007, "worth more there" + NEARLY + "look in steps of 0.0001"),
     (stochasticity.exercise_1, LEVEL - 0.00101, "it is too low, as the drive is worth more there"),
-    (own_problem.exercise_1, 59 / 9 + 0.059, "higher than it need be" + NEARLY + "round it to two digits"),
+    (own_problem.exercise_1, 59 / 9 + 0.059, "higher than it need be" + NEARLY + "but is it rounded"),
     (own_problem.exercise_1, 59 / 9 + 0.061, "it is higher than it need be"),
-    (own_problem.exercise_1, 59 / 9 - 0.0051, "too low for a ring" + NEARLY + "round it to two digits"),
+    (own_problem.exercise_1, 59 / 9 - 0.0051, "too low for a ring" + NEARLY + "but is it rounded"),
     (own_problem.exercise_1, 59 / 9 - 0.061, "it is too low for a ring"),
     # What would happen with the number is told, but for one that is none.
     (signal.exercise_1, 1, "1 word carries 0.022 bit at τ = 0.1: "),

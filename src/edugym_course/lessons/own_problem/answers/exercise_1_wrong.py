@@ -48,7 +48,7 @@ late = 2.0
 late = 8
 
 # %% one digit
-# says: ; you are close: is it rounded, and not cut off, to two digits after the decimal point?
+# says: ; you are close, but is it rounded, and not cut off, to two digits after the decimal point?
 late = 6.6
 
 # %% the decimal point

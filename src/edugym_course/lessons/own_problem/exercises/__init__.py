@@ -86,7 +86,11 @@ def exercise_1(answer: Any, seed: int, ring: Ring = 4.0) -> str:
         tolerance=CLOSE,
         says=says,
         otherwise=f"it is {side}"
-        + ("; you are close: is it rounded, and not cut off, to two digits after the decimal point?" if near else ""),
+        + (
+            "; you are close, but is it rounded, and not cut off, to two digits after the decimal point?"
+            if near
+            else ""
+        ),
     )
     return (
         f"Right: {10 * ring + 19:g}/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20."
