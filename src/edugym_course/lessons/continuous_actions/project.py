@@ -47,8 +47,7 @@ from edugym_course.lessons.continuous_actions.exercises.boxes import (
 
 N_STEPS, WORLDS, FAR_STEPS = 6_000, 2, 2_000
 EARLY = 100, 300
-"""After so few steps two programs that learn by the same equations have the same μ, whatever their last digits; with
-large rates after the smaller number only."""
+"""After so few steps equal equations give equal μ, whatever the last digits; with large rates after the fewer ones."""
 SAME, NEARLY_SAME = 1e-5, 1e-2
 """How far two μ may be apart, in the larger of 1 and their size: after few steps, and after all of them."""
 REPEATED = 3
@@ -358,8 +357,9 @@ def check_bound(program: Any, seed: int) -> None:
     runs = [_returned(program, FarPays(), number, FAR_STEPS) for number in range(2 * seed, 2 * seed + 2)]
     _require_drawn([run.steps for run in runs])
     where = f"where the farthest actions pay most, so that σ grows to {LARGEST:g},"
+    not_kept = WrongAnswer(f"{where} keep it between {SMALLEST:g} and {LARGEST:g} after each step, and draw with it")
     if _same(runs, NEARLY_SAME, [UNBOUNDED]):
-        raise WrongAnswer(f"{where} σ is larger: after each step keep it between {SMALLEST:g} and {LARGEST:g}")
+        raise not_kept
     for run in runs:
         if found := run.other(Gaussians, NEARLY_SAME):
             raise WrongAnswer(
@@ -367,6 +367,8 @@ def check_bound(program: Any, seed: int) -> None:
                 f" {run.means[found[0]]:.4g}: after each step keep σ between {SMALLEST:g} and {LARGEST:g}, and let μ go"
                 " as far as it goes"
             )
+    if not fit([run.steps for run in runs], Gaussians).is_usual:
+        raise not_kept
 
 
 def reinforce(environment: Environment, n_steps: int, seed: int, make: Maker = Gaussians) -> Policy:

@@ -22,8 +22,8 @@ NAME = "MyEnvironment"
 DIFFERS = f"{NAME} and your problem differ: "
 COMPARED, ENOUGH, SIGMAS = 20_000, 50, 5.0
 """How many steps are compared; how many from a place, at least; how many standard deviations are more than chance."""
-MOST_STATES = 5_000
-"""The largest problem whose exact model is looked at."""
+MOST_STATES, MODEL_SECONDS = 5_000, 300.0
+"""The largest problem whose exact model is looked at, and the seconds of processor time that this may take."""
 DRAWS = 5
 """So many draws of a reward are the same only where there is no chance in it."""
 
@@ -142,13 +142,14 @@ def _require_possible(mine: _Steps, problem: Any) -> None:
 
     It can be told where the problem has a finite model, and shows its whole state.
     """
-    try:
-        model = finite_model(problem, MOST_STATES)
-    except ValueError:
-        return
     rng = np.random.default_rng(0)
-    seen = [_plain(problem.observation(state, rng)) for state in model.states]
-    again = [_plain(problem.observation(state, rng)) for state in model.states]
+    with student_code("my_problem", limit=MODEL_SECONDS):
+        try:
+            model = finite_model(problem, MOST_STATES)
+        except ValueError:
+            return
+        seen = [_plain(problem.observation(state, rng)) for state in model.states]
+        again = [_plain(problem.observation(state, rng)) for state in model.states]
     if len({*seen}) < len(seen) or seen != again:
         return
     states, shown = dict(zip(seen, model.states, strict=True)), dict(zip(model.states, seen, strict=True))

@@ -349,7 +349,7 @@
 
 # %% no upper bound
 # says: where the farthest actions pay most, so that σ grows to 2,
-# says:  σ is larger: after each step keep it between 0.2 and 2
+# says:  keep it between 0.2 and 2 after each step, and draw with it
 # in: lists of an episode
 # - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
 # + ls[S[k]] = max(ls[S[k]], np.log(0.2))
