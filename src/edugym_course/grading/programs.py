@@ -229,10 +229,16 @@ def run_program(
             f"{NAME} takes {len(recorder.steps)} of its {n_steps} steps: go on, episode after episode, until all are"
             " taken"
         )
-    if len(recorder.steps) == n_steps - 1 and not (recorder.steps[-1].terminated or recorder.steps[-1].truncated):
+    is_over = recorder.steps[-1].terminated or recorder.steps[-1].truncated
+    if len(recorder.steps) == n_steps - 1 and not is_over:
         raise WrongAnswer(
             f"{NAME} takes {n_steps - 1} of its {n_steps} steps: one is missing; does the loop begin at 1, or end at"
             " n_steps - 1?"
+        )
+    if len(recorder.steps) == n_steps + 1 and not is_over:
+        raise WrongAnswer(
+            f"{NAME} takes {n_steps + 1} steps, and {n_steps} were asked for: one too many; is there a `<=` in place of"
+            " `<`, or does the loop end at n_steps + 1?"
         )
     if not recorder.is_seeded:
         raise WrongAnswer(f"{NAME} {UNSEEDED} state, info = environment.reset(seed=seed)")
@@ -241,7 +247,7 @@ def run_program(
             f"{NAME} draws from environment.action_space.sample(), and gives it no seed, so two runs with one seed"
             " differ: draw from rng = np.random.default_rng(seed), or begin with environment.action_space.seed(seed)"
         )
-    require_policy(call, policy, noun)
+    require_policy(call, policy, noun, is_real=isinstance(environment.action_space, spaces.Box))
     return Run(recorder.steps, policy)
 
 
@@ -268,8 +274,11 @@ def require_varied_starts(runs: Iterable[Sequence[Step]]) -> None:
         )
 
 
-def require_policy(call: str, policy: Any, noun: str = "state") -> None:
-    """Refuse a returned value that cannot be called with an observation, or a state: `noun` says what it is called."""
+def require_policy(call: str, policy: Any, noun: str = "state", is_real: bool = False) -> None:
+    """Refuse a returned value that cannot be called with an observation, or a state: `noun` says what it is called.
+
+    `is_real` says whether actions are real numbers.
+    """
     what = f"a function from {'an' if noun[0] in 'aeiou' else 'a'} {noun} to an action"
     if policy is None:
         raise WrongAnswer(f"{call} gives None: return the policy, {what}")
@@ -277,7 +286,9 @@ def require_policy(call: str, policy: Any, noun: str = "state") -> None:
         kind = f"the class {policy.__name__}" if isinstance(policy, type) else f"of the type {type(policy).__name__}"
         at = {"state": noun, "history": "window(history)"}.get(noun, f"tuple({noun})")
         actions = f"`lambda {noun}: actions[{at}]` for an array with an action for each {noun}"
-        if isinstance(policy, np.ndarray) and policy.ndim == 1:
+        if is_real:
+            ways = actions
+        elif isinstance(policy, np.ndarray) and policy.ndim == 1:
             ways = f"{actions}, and `lambda {noun}: int(np.argmax(Q))` for the values of a single state"
         else:
             ways = f"`lambda {noun}: int(Q[{at}].argmax())` for a table of action values, and {actions}"

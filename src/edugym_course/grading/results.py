@@ -47,7 +47,8 @@ def check_results(
     defaults = task(spec.id).settings  # what an environment was not made with, the results do not tell
     told = {str(column): rows[column].iloc[0] for column in rows}
     others = dict.fromkeys(column for column in told if column.startswith("environment."))
-    wanted = others | task(spec.id, spec.kwargs).settings | dict(asked)
+    asked_task = task(spec.id, spec.kwargs).settings
+    wanted = {"environment": asked_task["environment"]} | others | asked_task | dict(asked)  # the task comes first
     for column, value in wanted.items():
         if column.endswith("layout_seed"):
             continue

@@ -24,7 +24,7 @@ from edugym_course.lessons.dimensionality import (
 from edugym_course.lessons.dimensionality.boards import Offset
 from edugym_course.lessons.dimensionality.layers import SmallCNN
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
-from edugym_course.lessons.dimensionality.project import RIDDLES, Move, Riddle
+from edugym_course.lessons.dimensionality.riddles import CHOOSY, DARK, QUESTIONS, RIDDLES, Album, Move, Riddle
 from edugym_course.lessons.model_based.figures import steps_to
 from tests.course.lessons.answers import Answer, verdict
 from tests.course.lessons.made_up import Curve, made_up, measured
@@ -234,7 +234,7 @@ def value(
 )
 def test_what_a_riddle_asks_for(mistake: dict[str, Any], solved: list[bool]) -> None:
     """With right targets the right action is the best one; with a mistake not in the riddles that ask for it."""
-    riddles = [*RIDDLES, project.CHOOSY]
+    riddles = [*RIDDLES, CHOOSY]
     found = [value(riddle, riddle.right, **mistake) > value(riddle, riddle.wrong, **mistake) for riddle in riddles]
     assert found == solved
 
@@ -242,16 +242,29 @@ def test_what_a_riddle_asks_for(mistake: dict[str, Any], solved: list[bool]) -> 
 @pytest.mark.parametrize("seed", range(20))
 def test_an_album(seed: int) -> None:
     """The same seed gives the same riddle; every action is right for a question, and chance takes a third of them."""
-    album, again = (project.Album(RIDDLES[0], seed) for _ in range(2))
+    album, again = (Album(RIDDLES[0], seed) for _ in range(2))
     first, second = ([one.reset(seed=number)[0].tobytes() for number in range(60)] for one in (album, again))
     assert first == second
-    assert len(set(first)) == project.QUESTIONS + 2
+    assert len(set(first)) == QUESTIONS + 2
     right = set()
     for number in range(200):
         album.reset(seed=number)
         album.step(number % 3)
         right |= {action for action, is_right in album.answers if is_right}
     assert right == {0, 1, 2}
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_dark_album(seed: int) -> None:
+    """Only the black image counts, and the first of equal values is wrong for it."""
+    album = Album(DARK, seed)
+    for number in range(60):
+        is_black = not album.reset(seed=number)[0].any()
+        counted = len(album.answers)
+        album.step(number % 3)
+        assert len(album.answers) == counted + is_black
+    assert {right for action, right in album.answers if action == 0} == {False}
+    assert len({action for action, right in album.answers if right}) == 1
 
 
 @pytest.mark.slow
@@ -276,6 +289,7 @@ def test_pytorch(check: str) -> None:
     """The program in PyTorch solves a riddle, and it passes."""
     pytest.importorskip("torch").set_num_threads(1)
     asked = checked_by(program())
-    imports = "from edugym_course.lessons.dimensionality.project import RIDDLES, check_riddle\n"
+    imports = "from edugym_course.lessons.dimensionality.project import check_riddle\n"
+    imports += "from edugym_course.lessons.dimensionality.riddles import RIDDLES\n"
     asked = asked._replace(check=imports + check if check else asked.check.replace("my_program", "my_torch_program"))
     assert verdict(program(), asked, exercises_of(LESSON)[0]) == ""

@@ -290,7 +290,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # %% [markdown] tags=["aside"]
 # ### Aside: what a baseline does to learning
 # One hundred policies learn $\mu$ and $\sigma$ in 2 000 updates, with one action each
-# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far). The code keeps
+# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the newest among them). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
 
@@ -309,10 +309,9 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves.
 #
-# With $\alpha = 0.03$ all policies leave at some time, but for those that have both, a
-# baseline and a $\sigma$ of 0.2 or above: of these 23 do. Of those with a baseline alone 92 are inside again in the end,
-# and as many with the wide $\sigma$ alone; without either it is 12. With $\alpha = 0.1$ a baseline does not help any
-# more: with it 96 are outside in the end, without it 87. So it allows larger steps, and not any step.
+# With $\alpha = 0.03$ a baseline alone leaves 8 of 100 outside in the end, and so does a $\sigma$ of 0.2 or above alone;
+# without either 88 are outside. All of these leave at some time. With both only 23 do. With $\alpha = 0.1$ most are
+# outside in the end in all four rows. So a baseline allows larger steps, and not any step.
 
 # %% [markdown]
 # ### The picture to remember
@@ -383,7 +382,7 @@ source(GaussianActorCritic.learn)
 # | setting | value |
 # |---|---|
 # | 3, 5, 9 bins | REINFORCE with a baseline on a table, 30 by 30 cells, $\alpha^\theta = \alpha^w = 0.4$ |
-# | continuous | Gaussian actor-critic on tile coding, $\sigma = 0.5$, $\alpha^\theta = 0.02$, $\alpha^w = 0.4$; all values start at 1 (optimistic; starting at 0 did about as well) |
+# | continuous | Gaussian actor-critic on tile coding, $\sigma = 0.5$, $\alpha^\theta = 0.02$, $\alpha^w = 0.4$; all values start at 1 (optimistic: more than a state is worth at first; starting at 0 did about as well) |
 # | all | $\gamma = 0.99$, 100 000 steps |
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
@@ -471,7 +470,7 @@ sliders(
 # <details><summary>What we found</summary>
 #
 # $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. With $\sigma = 1$
-# three of four deliver the box (of 60 more runs 70 %, against 88 % with 0.5). With `actor_rate` 0.002 besides, all four stay at −1.
+# three of four deliver the box (of 60 more runs 70 %, against 88 % with 0.5). With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
 # </details>
 
 # %% [markdown]
@@ -503,7 +502,7 @@ source(clipped_gain)
 
 # %% [markdown]
 # (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `clip` is 0.2, and `advantage` is what stands for $\delta$.) One step of look-ahead or many? Here is the
-# answer of lesson 3 again, all at once: later errors of the critic count too, each $\gamma \lambda$ times as much as the one before it (generalised advantage estimation, GAE; $\lambda = 0.95$):
+# answer of lesson 3 again, a mean of all depths: later errors of the critic count too, each $\gamma \lambda$ times as much as the one before it (generalised advantage estimation, GAE; $\lambda = 0.95$):
 #
 # $$
 # \hat A_t = \delta_t + \gamma \lambda\, \delta_{t+1} + (\gamma \lambda)^2\, \delta_{t+2} + \dots
@@ -517,7 +516,7 @@ source(advantages_of)
 # %% [markdown]
 # With bins the network puts out a softmax for each joint, without bins the mean of a Gaussian, and $\sigma$ is learned
 # too. *All the rest is the same*: networks, learning rate 0.001 (falling to 0), $\gamma = 0.999$, 128 copies, rounds of
-# 64 steps, 6 epochs of 8 minibatches, 393 216 steps. A run takes several seconds, so these are stored results of ten
+# 64 steps, 6 epochs of 8 minibatches (all of a round is learned from six times, in eight parts), 393 216 steps. A run takes several seconds, so these are stored results of ten
 # seeds.
 #
 # While it learns, PPO draws its actions. These returns are in the left panel of the next figure. The right panel shows
@@ -888,7 +887,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # Trashbot with continuous actions, and ten containers whose widths belong to your name: from 0.4 to 0.6. Your agent has
 # 50 000 steps in each. It is told only the two spaces: seven numbers in, two numbers out. Its points are the mean
 # return of its greedy episodes over training, in percent of 5. So it should learn *soon*. No agent can get all 100,
-# since nobody can deliver the box before they have learned to.
+# since hardly anybody delivers the box before they have learned to.
 #
 # Everything is allowed that learns from its own steps: other features, a $\sigma$ that shrinks, bins inside of the
 # agent, an agent of your own. Half a page with it: what did you change, why should it help, and what did you measure?

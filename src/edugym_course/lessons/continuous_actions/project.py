@@ -5,8 +5,7 @@ lesson, which μ it should return, and from which Gaussians it should have drawn
 """
 
 import math
-from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -22,20 +21,17 @@ from edugym_course.grading.programs import (
     Environment,
     Policy,
     Step,
-    begins,
     require_reproducible,
     run_program,
 )
 from edugym_course.grading.replay import TRIAL
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.surprises import SIGMAS
+from edugym_course.lessons.continuous_actions.draws import Maker, fit, follow, require_drawn, require_gaussian
 from edugym_course.lessons.continuous_actions.exercises.boxes import (
-    BOXES,
     LARGEST,
     POLICY_RATE,
     SMALLEST,
     VALUE_RATE,
-    WIDTH,
     Boxes,
     FarPays,
     Gaussians,
@@ -50,10 +46,7 @@ EARLY = 100, 300
 """After so few steps equal equations give equal μ, whatever the last digits; with large rates after the fewer ones."""
 SAME, NEARLY_SAME = 1e-5, 1e-2
 """How far two μ may be apart, in the larger of 1 and their size: after few steps, and after all of them."""
-REPEATED = 3
-"""So often one and the same action may come: drawn numbers never do."""
 
-Maker = Callable[[int], Gaussians]
 UNBOUNDED = "σ is not kept between 0.2 and 2"
 MISTAKES: dict[str, Maker] = {
     "the reward of a step stands in the place of the return G, which sums up all rewards from it to the end": partial(
@@ -114,6 +107,12 @@ MISTAKES: dict[str, Maker] = {
     "nothing is learned from the last step of an episode: its G is its reward": partial(Gaussians, all_steps=False),
     UNBOUNDED: partial(Gaussians, bounds=(1e-9, 1e9)),
     "σ is kept below 1, and it may grow to 2": partial(Gaussians, bounds=(SMALLEST, 1.0)),
+    **{
+        f"σ may fall to {least:g}, and it should stay at {SMALLEST:g} or above": partial(
+            Gaussians, bounds=(least, LARGEST)
+        )
+        for least in (0.01, 0.05, 0.1)
+    },
     "ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2": partial(
         Gaussians, bounds=(math.exp(SMALLEST), math.exp(LARGEST))
     ),
@@ -174,64 +173,6 @@ MISTAKES: dict[str, Maker] = {
     },
 }
 """The usual mistakes that give other μ, by their sentences."""
-WRONG_SPREADS: dict[str, Maker] = {
-    "the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself": partial(
-        Gaussians, power=2.0
-    ),
-    "the actions are drawn with the standard deviation 1, and it should be the σ that is learned": partial(
-        Gaussians, power=0.0
-    ),
-}
-"""Those that give the same, from actions with another standard deviation."""
-
-
-class Fit(NamedTuple):
-    """How well the Gaussians of a learner fit the actions of a program.
-
-    Attributes:
-        n_steps: the number of actions.
-        far: how many σ they lie from μ, as the root of the mean square.
-        apart: how far their (a − μ)/σ are from standard normal, as the Kolmogorov-Smirnov distance times √n.
-        log: the logarithm of the density of all of them.
-    """
-
-    n_steps: int
-    far: float
-    apart: float
-    log: float
-
-    @property
-    def is_usual(self) -> bool:
-        """Whether the actions can have been drawn from these Gaussians; if they were, it says no once in 10 000."""
-        return self.apart < 2.3 and abs(self.far - 1) < SIGMAS / math.sqrt(2 * self.n_steps)
-
-
-def follow(steps: Sequence[Step], make: Maker) -> tuple[Gaussians, list[tuple[float, float]]]:
-    """Let a learner learn from the steps of a run; return it, and how far each action lies from its μ, with its σ."""
-    learner, episode, far = make(BOXES * WIDTH), list[Step](), list[tuple[float, float]]()
-    for step, first in zip(steps, begins(steps), strict=True):
-        if first:
-            state = episode[-1].next_state if learner.stale and far else step.state
-            episode = episode if learner.keeps else []
-        known = step._replace(state=state) if first else step
-        mean, spread = learner.gaussian(known.state)
-        far.append((step.action - mean, spread))
-        episode.append(known._replace(state=step.next_state) if learner.after else known)
-        if step.terminated or step.truncated:
-            learner.learn(episode)
-    if learner.to_the_end and not (step.terminated or step.truncated):
-        learner.learn(episode)
-    return learner, far
-
-
-def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
-    """Compare the Gaussians of a learner that learns from the steps of runs with their actions."""
-    pairs = [pair for steps in runs for pair in follow(steps, make)[1]]
-    z = sorted(off / spread for off, spread in pairs)
-    log = -sum(0.5 * (off / spread) ** 2 + math.log(spread) for off, spread in pairs)
-    n, below = len(z), [0.5 + 0.5 * math.erf(one / math.sqrt(2)) for one in z]
-    apart = max(abs(share - (k + 0.5) / n) for k, share in enumerate(below)) * math.sqrt(n)
-    return Fit(n, math.hypot(*z) / math.sqrt(n), apart, log)
 
 
 class Returned(NamedTuple):
@@ -263,31 +204,13 @@ def check_equations(program: Any, seed: int) -> None:
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
     require_reproducible(program, partial(Boxes, seeds[0], truncates=True), TRIAL, seed)
     early = [_returned(program, Boxes(number, truncates=True), number, n) for n in EARLY for number in seeds]
-    _require_drawn([run.steps for run in early])
+    require_drawn([run.steps for run in early])
     possible = _require_means(early, SAME, list(MISTAKES))
     late = [_returned(program, Boxes(number, truncates=True), number, N_STEPS) for number in seeds]
     runs = [run.steps for run in late]
-    _require_drawn(runs)
+    require_drawn(runs)
     _require_means(late, NEARLY_SAME, possible)
-    right = fit(runs, Gaussians)
-    if not right.is_usual:
-        likely = next((sentence for sentence, make in WRONG_SPREADS.items() if fit(runs, make).is_usual), None)
-        cause = f"They fit a usual mistake: {likely}" if likely else "Are they drawn by rng.normal(μ, σ), each once?"
-        raise WrongAnswer(
-            f"{NAME} has the right μ, so its actions should lie one σ from it (the root of the mean square), with the σ"
-            f" that its own steps give by the equations of this lesson, and they lie {right.far:.3g} σ from it. {cause}"
-        )
-
-
-def _require_drawn(runs: Sequence[Sequence[Step]]) -> None:
-    """Refuse actions that are cut off, by which one and the same comes again and again."""
-    for steps in runs:
-        often, times = Counter(step.action for step in steps).most_common(1)[0]
-        if times > REPEATED:
-            raise WrongAnswer(
-                f"in {times} of {len(steps)} steps the action of {NAME} is exactly {often:g}: give the environment what"
-                " is drawn, and do not cut it off"
-            )
+    require_gaussian(runs)
 
 
 def _returned(program: Any, environment: Environment, seed: int, n_steps: int) -> Returned:
@@ -337,9 +260,9 @@ def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequenc
             cause = f"A usual mistake gives the very same numbers: {likely}"
         else:
             cause = (
-                "No usual mistake gives these numbers. Compare the rates, γ and the first values with those of the"
-                " text, and the updates with their equations, term by term; does it learn in all states, from all steps"
-                " of an episode, and from each once? Does the policy return μ as it is?"
+                "No usual mistake gives these numbers. Compare the rates, γ, the bounds of σ and the first values with"
+                " those of the text, and the updates with their equations, term by term; does it learn in all states,"
+                " from all steps of an episode, and from each once? Does the policy return μ as it is?"
             )
         raise WrongAnswer(
             f"after {len(run.steps)} steps the policy of {NAME} should return μ = {mean:.4g} for state {state}, by its"
@@ -355,7 +278,7 @@ def check_bound(program: Any, seed: int) -> None:
         WrongAnswer: it does not.
     """
     runs = [_returned(program, FarPays(), number, FAR_STEPS) for number in range(2 * seed, 2 * seed + 2)]
-    _require_drawn([run.steps for run in runs])
+    require_drawn([run.steps for run in runs])
     where = f"where the farthest actions pay most, so that σ grows to {LARGEST:g},"
     not_kept = WrongAnswer(f"{where} keep it between {SMALLEST:g} and {LARGEST:g} after each step, and draw with it")
     if _same(runs, NEARLY_SAME, [UNBOUNDED]):

@@ -537,7 +537,7 @@ for column in tasks.WITHHELD:
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle mostly ends in the middle. Moving is not enough: with
-# noise in all pixels in training all weights move, and yet in six runs every withheld ball was missed, and in three of six others all but those from one column.
+# noise in all pixels in training all weights move, and yet in 15 of 20 runs every withheld ball was missed, and in the other five all but those from one column.
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
@@ -968,7 +968,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # \text{by } W_1[j, i]: \; g_j\, x_i \quad \text{with } g_j = \delta\, W_2[A, j] \text{ if } h_j > 0, \text{ else } 0.
 # $$
 #
-# Here $\delta = Q(S, A; \theta) - y$. The derivatives by the biases $b_2[A]$ and $b_1[j]$ are $\delta$ and $g_j$. With
+# (Here a row of a matrix belongs to a unit; in the code of this lesson it is a column.) Here $\delta = Q(S, A; \theta) - y$. The derivatives by the biases $b_2[A]$ and $b_1[j]$ are $\delta$ and $g_j$. With
 # a batch of images as the rows of a matrix, each of these is one line of NumPy. (The notebook with the solutions has a
 # program in NumPy, and beside it the same in PyTorch, which finds the gradient itself. Your program may use PyTorch,
 # too.)
@@ -989,8 +989,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # The check first gives your program five riddles, each in three runs of 2 000 steps. A riddle is a task with six images
 # that asks for one part of the method. Then the program learns Catch in three runs of 10 000 steps, on a board of 5 by
 # 5 pixels that is darkened by a new factor at every step. The policy of the middle run has to catch 70 % of the balls.
-# In two last riddles, in three runs of 4 000 and of 2 000 steps, two pixels together tell the right action, and in the
-# better image only one action pays. The check sees what your program does, and no line of it. So when it names a
+# In the last riddles, in three runs of 2 000 or 4 000 steps each, two pixels together tell the right action, all later
+# values are negative, only one action pays in the better image, and one image is black. The check sees what your program does, and no line of it. So when it names a
 # mistake, this is the likely cause. It cannot find a mistake that does no harm in these tasks.
 
 # %% tags=["project"]

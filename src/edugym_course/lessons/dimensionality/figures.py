@@ -84,7 +84,7 @@ LOOKS: Mapping[str, Stroke] = {
     "dense table, image": Stroke("#08306b", "solid"),
     "dense table, grid": Stroke(DEEP_BLUE, (0, (6, 1.5))),
     "dense table, positions": Stroke(SKY_BLUE, (0, (2, 1))),
-    "boards that occur": Stroke(DEEP_BLUE, (0, (1, 2))),
+    "boards that occur": Stroke(PURPLE, (0, (1, 2))),
     "weights of a network (64 hidden units)": Stroke(VERMILION, (0, (6, 1.5))),
 }
 OWN = (Stroke(BLACK, "solid"), Stroke("#666600", (0, (6, 1.5))), Stroke(PURPLE, (0, (2, 1))))

@@ -9,9 +9,7 @@ import math
 from functools import partial
 from typing import Any, NamedTuple
 
-import gymnasium
 import numpy as np
-from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.envs.catch import Catch
@@ -19,7 +17,6 @@ from edugym.mdp.brightness import Brightness
 from edugym_course.grading.curves import symptom
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import (
-    APART,
     NAME,
     Environment,
     Run,
@@ -29,6 +26,7 @@ from edugym_course.grading.programs import (
     run_program,
 )
 from edugym_course.grading.replay import ASKED, TRIAL
+from edugym_course.lessons.dimensionality.riddles import BAD, CHOOSY, DARK, GOOD, LOW, RIDDLES, Album, Riddle
 from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS, Twins
 
 N_STEPS, RIDDLE_STEPS, RUNS, EPISODES = 10_000, 2_000, 3, 50
@@ -36,147 +34,24 @@ CAUGHT = 0.7
 """The share of the balls that the policy must catch in the middle run; random play catches a fifth."""
 SOLVED = 0.85
 """The share of the right actions with which a riddle is solved; random play takes a third of them."""
-OPPOSITE = 0.05
-GREEDY = 0.6
-"""The share of the right actions that a program that knows them takes with ε = 0.6; with 0.1 it takes 93 %."""
+OPPOSITE, UNSOLVED = 0.05, 0.5
+"""The share of the right actions of a program that prefers wrong ones, and of one that never solves a riddle."""
+CONSTANT = 0.95
+"""A program does not explore if the commonest action in each image has this share; with ε = 0.1 it was 0.89 at most."""
+GREEDY = 0.75
+"""A program that knows the right actions takes this share of them with ε = 0.38; with ε = 0.1 it takes 93 %."""
 FEW = 0.4
 """Who catches fewer has hardly learned anything."""
 MUCH = 0.1
 """A policy that catches this much less than its program did in training chooses by something else."""
 PATIENCE = 5
 """A program that solves a riddle in this many times as many steps is only slow."""
-QUESTIONS, GOOD, BAD = 4, 4, 5
 TWIN_STEPS, TWIN_QUESTIONS, TWINS_SOLVED = 4_000, 300, 0.92
 MASK = "Is g_j 0 where h_j is 0?"
 FROZEN = (
     "Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2"
     f" and b2? {MASK}"
 )
-
-
-class Move(NamedTuple):
-    """What follows an action: a reward, the next image, and whether the episode ends."""
-
-    reward: float
-    image: int
-    terminated: bool = True
-    truncated: bool = False
-
-
-class Riddle(NamedTuple):
-    """A task with six images: questions with one right action each, and a good and a bad image.
-
-    In the good image every action brings 1, unless `good` says otherwise, and in the bad one −1; then the episode is
-    over. So it is in the bad image, unless `bad` says otherwise.
-
-    Attributes:
-        right: what follows the right action of a question.
-        wrong: what follows another one.
-        asks: what must be learned to solve it.
-        good: what follows an action in the good image.
-        bad: what follows an action in the bad image.
-        choosy: whether only one action does that in the good image, and the others bring −1.
-    """
-
-    right: Move
-    wrong: Move
-    asks: str
-    good: Move = Move(1.0, GOOD)
-    bad: Move = Move(-1.0, GOOD)
-    choosy: bool = False
-
-
-RIDDLES = (
-    Riddle(
-        Move(1.0, GOOD),
-        Move(-1.0, GOOD),
-        "the right action brings 1 at once, and another one −1: does the gradient go back through both layers, to the"
-        " weights of the action that was taken? Is each image stored with its own action and reward, and as numbers"
-        " from 0 to 1, not as whole numbers?",
-    ),
-    Riddle(
-        Move(0.0, GOOD, terminated=False),
-        Move(0.0, BAD, terminated=False),
-        "the right action brings nothing but a better next image: the target is R + γ max Q(S', a), and S' is the state"
-        " of the next step",
-    ),
-    Riddle(  # who looks beyond a terminated end prefers the image that is shown there
-        Move(0.5, BAD),
-        Move(0.0, GOOD),
-        "the right action brings 0.5, and another one 0: is the reward stored as it is? An array of whole numbers makes"
-        " 0 of it",
-    ),
-    Riddle(
-        Move(0.0, GOOD, terminated=False, truncated=True),
-        Move(0.7, BAD),
-        "after the right action the episode is truncated: the clock was stopped, and the image that step gave (not that"
-        " of reset) still has its value, so only `terminated` makes R alone the target",
-    ),
-    Riddle(  # the good image comes again, so it is worth 2 with γ = 0.9, and 4 with 0.95
-        Move(2.5, BAD),
-        Move(0.0, GOOD, terminated=False),
-        "the right action brings 2.5 at once. Another one leads to an image in which every action brings 0.2 and that"
-        " comes again, so that it is worth 0.2 / (1 − γ): is this value multiplied by γ in the target, and is γ 0.9?",
-        good=Move(0.2, GOOD, terminated=False, truncated=True),
-    ),
-)
-LOW = Riddle(
-    Move(-0.3, GOOD),
-    Move(0.0, BAD, terminated=False),
-    "the right action brings -0.3 at once, and another one leads to an image in which every action brings -1: is the"
-    " largest value the largest of S', however low it is? A search for it that starts with 0 finds 0",
-)
-CHOOSY = Riddle(
-    Move(0.0, GOOD, terminated=False),
-    Move(0.0, BAD, terminated=False),
-    "the right action leads to an image in which one action brings 1 and the others −1, and another one to an image in"
-    " which all bring −0.2: does the target have the *largest* value of S', and not their mean, or that of one action?",
-    bad=Move(-0.2, GOOD),  # less than the largest value of the good image, and more than their mean
-    choosy=True,
-)
-"""These two are asked last, so that other mistakes are told by the riddles that ask for them."""
-
-
-class Album(gymnasium.Env[Any, Any]):
-    """A riddle.
-
-    Args:
-        riddle: the riddle.
-        seed: the number from which the images and the right actions are drawn.
-        last: the image that is shown after a terminated end, in the place of that of the riddle.
-
-    Attributes:
-        answers: the actions in questions so far, and whether they were right.
-    """
-
-    def __init__(self, riddle: Riddle, seed: int, last: int | None = None) -> None:
-        """Draw the images; each action is right for some question."""
-        rng = np.random.default_rng(APART + seed)
-        self.observation_space = spaces.Box(0.0, 1.0, (ROWS, COLUMNS), np.float32)
-        self.action_space = spaces.Discrete(3)
-        self.answers: list[tuple[int, bool]] = []
-        self._images = rng.random((QUESTIONS + 2, ROWS, COLUMNS), np.float32)
-        self._right = rng.permutation([0, 1, 2, int(rng.integers(3))])
-        self._best = int(rng.integers(3))
-        self._riddle, self._image, self._last = riddle, 0, last
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
-        """Begin with any image."""
-        super().reset(seed=seed)
-        self._image = int(self.np_random.integers(len(self._images)))
-        return self._images[self._image].copy(), {}
-
-    def step(self, action: int) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Answer."""
-        if self._image < QUESTIONS:
-            self.answers.append((action, bool(action == self._right[self._image])))
-            move = self._riddle.right if self.answers[-1][1] else self._riddle.wrong
-        elif self._image == GOOD:
-            move = Move(-1.0, GOOD) if self._riddle.choosy and action != self._best else self._riddle.good
-        else:
-            move = self._riddle.bad
-        self._image = move.image if self._last is None or not move.terminated else self._last
-        return self._images[self._image].copy(), move.reward, move.terminated, move.truncated, {}
 
 
 class Solution(NamedTuple):
@@ -224,8 +99,8 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> None:
         raise WrongAnswer(
             f"in a riddle of six images, the policy of {NAME} takes the right action in {found.played:.0%} of the"
             f" questions after {RIDDLE_STEPS} steps, but while it learned the program took it in {found.trained:.0%}"
-            " of the last ones: with ε = 0.1 it should take the best action nine times of ten. Have ε and 1 − ε changed"
-            " places, or are all actions drawn at random?"
+            " of the last ones: with ε = 0.1 it should take the best action nine times of ten. Is ε larger, have ε and"
+            " 1 − ε changed places, or are all actions drawn at random?"
         )
 
 
@@ -236,6 +111,16 @@ def looks_beyond_ends(program: Any, riddle: Riddle, seed: int) -> bool:
     return [step.action for step in first] != [step.action for step in other]
 
 
+def never_explores(program: Any, riddle: Riddle, seed: int) -> bool:
+    """Whether a program hardly ever takes another action than the commonest one in an image, in the end."""
+    steps = run_program(program, Album(riddle, RUNS * seed), RIDDLE_STEPS, RUNS * seed).steps
+    taken: dict[bytes, list[int]] = {}
+    for step in steps[-RIDDLE_STEPS // 4 :]:
+        taken.setdefault(step.state.tobytes(), []).append(step.action)
+    commonest = sum(max(map(actions.count, actions)) for actions in taken.values())
+    return commonest > CONSTANT * sum(map(len, taken.values()))
+
+
 def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if looks_beyond_ends(program, riddle, seed):
         return (
@@ -244,7 +129,7 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
             " the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1"
             " learn from it, and not from the image in which the action was taken?)"
         )
-    if found.is_one and riddle is not RIDDLES[-1]:  # there values that grow without end may make it so
+    if found.is_one and riddle is RIDDLES[0]:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"
             " before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are"
@@ -254,11 +139,21 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
         return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"
     if riddle is RIDDLES[0] and found.played < OPPOSITE:
         return "It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?"
+    if never_explores(program, riddle, seed):
+        return (
+            "In the end it takes the same action nearly each time that it sees an image: does it explore, with ε = 0.1?"
+        )
     longer = solution(program, riddle, PATIENCE * RIDDLE_STEPS, seed).played
+    if riddle is not RIDDLES[0] and (
+        solution(program, CHOOSY, RIDDLE_STEPS, seed).played < OPPOSITE
+        or (longer > SOLVED and solution(program, CHOOSY, PATIENCE * RIDDLE_STEPS, seed).played < UNSOLVED)
+    ):
+        return f"It does not solve another riddle either, in which {CHOOSY.asks}"
     if longer > SOLVED:
         return (
             f"After {PATIENCE * RIDDLE_STEPS} steps it is {longer:.0%}, so it learns too slowly: likely a learning"
-            " rate or first weights that are too small, too few updates, or weights that are never learned"
+            " rate or first weights that are too small, too few updates, weights that are never learned, or an ε"
+            " below 0.1"
         )
     if riddle is not RIDDLES[0] and twins_solved(program, seed) < TWINS_SOLVED:
         return f"Where two pixels together tell the right action, it does not find it either. {FROZEN}"
@@ -303,6 +198,8 @@ def check_catch(program: Any, seed: int) -> float:
 
 
 def _cause_in_catch(program: Any, run: Run, share: float, number: int) -> str:
+    if solution(program, CHOOSY, RIDDLE_STEPS, number).played < OPPOSITE:
+        return f"it takes the worst actions in another riddle, in which {CHOOSY.asks}"
     steady, _ = caught(program, number, brightest=True)
     if share < FEW and steady >= CAUGHT:
         return (
@@ -361,8 +258,8 @@ def project_4(answer: Any, seed: int) -> str:
     share = check_catch(answer, seed)
     check_policy(answer, seed)
     check_twins(answer, seed)
-    check_riddle(answer, LOW, seed)
-    check_riddle(answer, CHOOSY, seed)
+    for riddle in (LOW, CHOOSY, DARK):
+        check_riddle(answer, riddle, seed)
     return (
         f"Right: it solves the riddles, and in the middle one of {RUNS} runs on Catch in changing light it catches"
         f" {share:.0%} of the balls; random play catches 20%."

@@ -304,9 +304,9 @@ sliders(
 #
 # **Measured.** With ten runs each, and the other sliders as they were:
 #
-# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (of more, in a quarter). At 60 and 80 it gets to about 40.
+# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (in a quarter of 100 runs). At 60 and 80 it gets to about 40.
 # - **n_grips.** At height 60 the novelty agent gets to 40 with two grips, to 27 with three and to 19 with five. Go-Explore
-#   still solves it with three, and with five in eight of ten runs (in nearly all of more).
+#   still solves it with three, and with five in eight of ten runs (in nearly all of 100).
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on. (With $\varepsilon = 1$ it acts at random, as the agent called ε-greedy does.)
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
@@ -338,10 +338,10 @@ in_pairs("visits", figures.visit_maps(walls[100], 100))
 Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 
 # %% [markdown]
-# The novelty agent follows the dashed line, $0.95^h$, as far as it knows the way already when this half begins. Higher
-# places it gets to know later, and in some runs never, so there its line drops faster. Go-Explore returns without exploring, so
-# its climbs do not derail. Its line is flat, up to the last positions, because nearly all goals of the second half of
-# training are close to the top. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
+# Only climbs of the second half of training count. The novelty agent follows the dashed line, $0.95^h$, as far as it
+# knows the way by then. Higher places it gets to know later, and in some runs never, so there its line drops faster. Go-Explore returns without exploring, so
+# its climbs do not derail. Its line is flat, up to the last positions, because nearly all goals are
+# close to the top then. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
 # The others arrive at their goal.
 #
 # An agent whose frontier is at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
@@ -619,7 +619,7 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 # it is ahead in the evaluations, with two grips hardly, with three clearly. (With $\alpha = 0.5$, in your race above, it
 # rarely solves the high wall: each disappointment then takes only half of the optimism away.) We think that it is ahead
 # since Go-Explore reaches for random grips, and so also for some that it has tried. With more grips both take longer:
-# with four, neither gets to the top in 20 000 steps (in some 3 % of other runs Go-Explore does).
+# with four, neither gets to the top in 20 000 steps (with other seeds Go-Explore does in some 3 %).
 # </details>
 #
 # <details><summary>A trap: values that are equal but for rounding</summary>
@@ -759,7 +759,7 @@ check(exercise_4, frozen)
 # ### The open challenge: learn to climb in 5 000 steps
 # A wall of height 60 with two grips, and 5 000 steps in all: how *early* can an agent know the way? Write an agent of
 # your own. It is tried on ten walls that belong to your name, and nobody else has the same ones. Of the task it is
-# told only its observation space and its action space. It needs `act` and `learn`, like yours of exercise 3. Its
+# told only its observation space and its action space. It needs `act` and `learn`, like yours of exercise 3, which is too slow for this wall. Its
 # points are its average return over training, in percent of that of an explorer that takes no avoidable step and is
 # never cut off: it needs 975 steps on average to reach the top for the first time, and knows the way from then on.
 #
@@ -779,7 +779,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall
 # of height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an
-# idea of your own. Some 30 lines are enough.
+# idea of your own. (Those of exercises 2 and 3 need more steps.) Some 30 lines are enough.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode. In the end it returns its *policy*: a function that takes a state and returns an action, and climbs to the top
@@ -790,7 +790,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So when
-# it names a mistake, this is the likely cause.
+# it names a mistake, this is the likely cause. It cannot find one that does no harm.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -191,7 +191,8 @@ def exercise_2(answer: Any, seed: int, first: First = None) -> str:
         discount = getattr(agent_made_by(call, answer, easiest), "discount", 0)
         why = STILL_SEES if 0 < discount < QLearning.create(easiest).discount else WHICH_PART
         raise WrongAnswer(
-            f"{told}: it has no hole in Study, since its score there is not surely lower by {HOLE}; {why}"
+            f"{told}: it has no hole in Study, since its score there is not surely lower by {HOLE} (95 % interval"
+            f" {hard.low:+.2f} to {hard.high:+.2f}); {why}"
         )
     return "That is the hole: as good as Q-learning in Tamagotchi, and no good in Study."
 

@@ -1,23 +1,27 @@
 """Profiles (lesson 15): which ladders agents climb, and what of it follows from their equations.
 
-All agents have their defaults, but for what their names say: Q-learning has learning rate 0.1, discount 0.99 and
-ε = 0.1; R-max knows a pair after one try, or after 10. The ladders are those of `edugym.profile`: 20 000 steps on each
-rung of Boulder and Study, 30 000 in Golf and 50 000 in Tamagotchi. 20 repetitions; the seeds and layouts are the same
-for every agent.
+All agents have their defaults, but for what their names say: Q-learning has learning rate 0.1, discount 0.99 and ε =
+0.1; R-max knows a pair after one try, or after 10, and its U is 100, or 8000. The ladders are those of
+`edugym.profile`: 20 000 steps on each rung of Boulder and Study, 30 000 in Golf and 50 000 in Tamagotchi. 20
+repetitions; the seeds and layouts are the same for every agent.
 """
 
 from collections.abc import Sequence
 from typing import Any
 
+from edugym.experiments.profiles.ladders import Ladder
 from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.results.claims import Above, Below, Claim, Within
 from edugym.system.files import write_whole
 from edugym_course.lessons.profiles import figures
 from edugym_course.lessons.profiles.methods import (
+    CERTAIN_MESSAGES,
     HOLE,
     Q_LEARNING,
     R_MAX,
     R_MAX_10,
+    R_MAX_8000,
+    R_MAX_BOTH,
     SHORT_SIGHTED,
     SLOW,
     climb,
@@ -29,6 +33,7 @@ from edugym_course.reporting import SharedArguments, reporting
 
 OF_PROFILES = ("repetitions", "seed", "jobs", "progress", "checkpoints")
 NO_CHANCE = "Where no hit misses its aim R-max masters Golf"
+BOTH = "With ten tries and U = 8000 R-max masters the first rung of Tamagotchi"
 MORE_TRIES = "With ten tries before a pair is known R-max gains in Golf"
 
 
@@ -36,11 +41,14 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Make the profiles; none begins after the experiments were stopped."""
     return (
         _climb(how, "r_max", (Q_LEARNING, R_MAX, R_MAX_10), ("Boulder", "Study", "Golf")),
+        _climb(how, "tamagotchi", (R_MAX, R_MAX_10, R_MAX_8000, R_MAX_BOTH), (CERTAIN_MESSAGES,)),
         _climb(how, "holes", (Q_LEARNING, SLOW, SHORT_SIGHTED), ("Study", "Tamagotchi")),
     )
 
 
-def _climb(how: SharedArguments, name: str, agents: Sequence[str], challenges: Sequence[str]) -> Profile | None:
+def _climb(
+    how: SharedArguments, name: str, agents: Sequence[str], challenges: Sequence[str | Ladder]
+) -> Profile | None:
     if how.shared["stop"].is_set():
         return None
     found = climb(agents, challenges, **{key: how.shared[key] for key in OF_PROFILES})
@@ -49,10 +57,10 @@ def _climb(how: SharedArguments, name: str, agents: Sequence[str], challenges: S
     return found
 
 
-def judge(by_model: Profile, holes: Profile) -> Report:
+def judge(by_model: Profile, certain: Profile, holes: Profile) -> Report:
     """Return claims and figures."""
     return Report(
-        [*model_claims(by_model), *hole_claims(holes)],
+        [*model_claims(by_model), *tamagotchi_claims(certain), *hole_claims(holes)],
         [figures.ladders(by_model, "r_max"), figures.ladders(holes, "holes")],
     )
 
@@ -78,6 +86,34 @@ def model_claims(found: Profile) -> list[Claim]:
         ),
         Claim(NO_CHANCE, "score on the first rung", on_first_rung(found, R_MAX, "Golf"), Above(0.9)),
         Claim(MORE_TRIES, "score, less that with one try", gap(found, R_MAX_10, R_MAX, "Golf"), Above(0.0)),
+    ]
+
+
+def tamagotchi_claims(found: Profile) -> list[Claim]:
+    """Return the claims on R-max where the messages have no noise: what keeps it down there."""
+    quantity = "score on the first rung"
+    return [
+        Claim(
+            "Where messages have no noise R-max scores hardly above 0 in Tamagotchi",
+            quantity,
+            on_first_rung(found, R_MAX, "Tamagotchi"),
+            Below(0.1),
+            "one try shows one of many outcomes, since the state is hidden, and U is below the best return",
+            (BOTH,),
+        ),
+        Claim(
+            "Ten tries alone help it little there",
+            quantity,
+            on_first_rung(found, R_MAX_10, "Tamagotchi"),
+            Within(0.1, 0.4),
+        ),
+        Claim(
+            "U = 8000 alone does not let it master the rung",
+            quantity,
+            on_first_rung(found, R_MAX_8000, "Tamagotchi"),
+            Below(0.6),
+        ),
+        Claim(BOTH, quantity, on_first_rung(found, R_MAX_BOTH, "Tamagotchi"), Above(0.9)),
     ]
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from edugym.agents.q_learning import QLearning
 from edugym.agents.r_max import RMax
+from edugym.experiments.profiles.ladders import LADDERS, Ladder
 from edugym.experiments.profiles.profile import profile
 from edugym.experiments.profiles.scores import Profile
 from edugym.experiments.profiles.verdicts import said
@@ -14,11 +15,14 @@ from edugym.experiments.results.statistics import Interval, mean_interval, paire
 from edugym_course import agent_profiles
 
 Q_LEARNING, R_MAX, R_MAX_10 = "Q-learning", "R-max", "R-max, 10 tries"
+R_MAX_8000, R_MAX_BOTH = "R-max, U = 8000", "R-max, 10 tries, U = 8000"
 SLOW, SHORT_SIGHTED = "α = 0.000001", "γ = 0"
 AGENTS = {
     Q_LEARNING: QLearning.create,
     R_MAX: RMax.create,
     R_MAX_10: partial(RMax.create, known_after=10),
+    R_MAX_8000: partial(RMax.create, highest_return=8000.0),
+    R_MAX_BOTH: partial(RMax.create, known_after=10, highest_return=8000.0),
     SLOW: partial(QLearning.create, learning_rate=0.000001),
     SHORT_SIGHTED: partial(QLearning.create, discount=0.0),
 }
@@ -26,6 +30,8 @@ AGENTS = {
 REPETITIONS = 5
 HOLE = 0.2
 """How much lower a score must be to count as a hole."""
+CERTAIN_MESSAGES = next(ladder for ladder in LADDERS if ladder.name == "Tamagotchi")._replace(strengths=(0.0,))
+"""The first rung of Tamagotchi alone."""
 WITH_AND_WITHOUT = ("Tamagotchi", "Study")
 """The ladder on which an agent should be as good as before, and that of the hole."""
 TRAINING = "training what make_mine returns"
@@ -55,7 +61,7 @@ def whole_profile(agent: str) -> list[str]:
     return [f"{name} ({found.ladder(name).challenge}). {said(found, name).sentence}" for name in found.challenges]
 
 
-def climb(names: Sequence[str], challenges: Sequence[str], **how: Any) -> Profile:
+def climb(names: Sequence[str], challenges: Sequence[str | Ladder], **how: Any) -> Profile:
     """Profile agents of the lesson; other arguments are those of `edugym.profile`."""
     return profile(
         {name: AGENTS[name] for name in names}, **{"challenges": challenges, "repetitions": REPETITIONS, **how}

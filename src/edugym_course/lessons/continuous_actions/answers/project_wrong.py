@@ -94,7 +94,7 @@
 # + V[S[k]] += 0.01 * delta
 
 # %% a wide start
-# says: No usual mistake gives these numbers. Compare the rates, γ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once? Does the policy return μ as it is?
+# says: No usual mistake gives these numbers. Compare the rates, γ, the bounds of σ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once? Does the policy return μ as it is?
 # in: lists of an episode
 # - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
 # + mu, ls, V = np.zeros(n), np.full(n, 0.5), np.zeros(n)
@@ -250,7 +250,7 @@
 
 # %% an action that is cut off
 # says:  steps the action of
-# says: : give the environment what is drawn, and do not cut it off
+# says: : give the environment what is drawn, not cut off and not rounded; and draw anew at each step, from one generator that is made before the first
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
 # + a = np.clip(rng.normal(mu[s], np.exp(ls[s])), -1, 1)
@@ -420,13 +420,13 @@
 
 # %% cut off for the environment alone
 # says:  steps the action of
-# says: : give the environment what is drawn, and do not cut it off
+# says: : give the environment what is drawn, not cut off and not rounded; and draw anew at each step, from one generator that is made before the first
 # in: lists of an episode
 # - s, r, terminated, truncated, _ = environment.step(a)
 # + s, r, terminated, truncated, _ = environment.step(min(max(a, -1), 1))
 
 # %% cut off far out
-# says: : give the environment what is drawn, and do not cut it off
+# says: : give the environment what is drawn, not cut off and not rounded; and draw anew at each step, from one generator that is made before the first
 # in: lists of an episode
 # - s, r, terminated, truncated, _ = environment.step(a)
 # + s, r, terminated, truncated, _ = environment.step(min(max(a, -3), 3))
@@ -462,7 +462,7 @@
 # + return lambda s: round(mu[s], 1)
 
 # %% a uniform draw
-# says: Are they drawn by rng.normal(μ, σ), each once?
+# says: so they do, but their distribution is not normal: draw them by rng.normal(μ, σ)
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
 # + a = mu[s] + 1.7320508 * np.exp(ls[s]) * rng.uniform(-1, 1)
@@ -472,3 +472,35 @@
 # in: lists of an episode
 # - return lambda s: mu[s]
 # + return lambda s: mu
+
+# %% one draw for the whole episode
+# says: my_program has the right μ, but one action of an episode tells the next: on the same side of μ or on the other. Draw the noise of each step anew
+# in: lists of an episode
+# - S, A, R, over = [], [], [], False
+# + S, A, R, over, z0 = [], [], [], False, rng.standard_normal()
+# -         a = rng.normal(mu[s], np.exp(ls[s]))
+# +         a = mu[s] + np.exp(ls[s]) * z0
+
+# %% a Gaussian that is cut at 2.5 σ
+# says: σ from μ: give the environment what is drawn, and do not cut it off
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = mu[s] + np.exp(ls[s]) * np.clip(rng.standard_normal(), -2.5, 2.5)
+
+# %% a new generator at each step
+# says: not cut off and not rounded; and draw anew at each step, from one generator that is made before the first
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = np.random.default_rng(seed).normal(mu[s], np.exp(ls[s]))
+
+# %% σ may fall to 0.1
+# says: A usual mistake gives the very same numbers: σ may fall to 0.1, and it should stay at 0.2 or above
+# in: lists of an episode
+# - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
+# + ls[S[k]] = min(max(ls[S[k]], np.log(0.1)), np.log(2))
+
+# %% an array with the mean of each state
+# says: it returns is of the type ndarray: return `lambda state: actions[state]` for an array with an action for each state
+# in: lists of an episode
+# - return lambda s: mu[s]
+# + return mu

@@ -124,6 +124,15 @@ def learn(self, state, action, reward, next_state, terminated):
         self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]
 
 
+# %% only the target in the loop
+# says: compute the target once, before any weight moves
+def learn(self, state, action, reward, next_state, terminated):
+    x, v = self.features(state), self.value(state, action)
+    for i in range(len(x)):
+        target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+        self.w[i, action] += self.learning_rate * (target - v) * x[i]
+
+
 # %% no learning rate
 # says: the learning rate is missing
 def learn(self, state, action, reward, next_state, terminated):

@@ -34,7 +34,7 @@
 # says:  takes the right action in
 # says:  of the questions after
 # says:  steps; by chance it would be 33%.
-# says: , so it learns too slowly: likely a learning rate or first weights that are too small, too few updates, or weights that are never learned
+# says: , so it learns too slowly: likely a learning rate or first weights that are too small, too few updates, weights that are never learned, or an ε below 0.1
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
@@ -210,7 +210,7 @@ def my_program(environment, n_steps, seed):
 
 # %% ε and 1 - ε
 # says: steps, but while it learned the program took it in
-# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten. Have ε and 1 − ε changed places, or are all actions drawn at random?
+# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten. Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?
 # in: SARSA from each step once
 # - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
 # + return rng.integers(k) if rng.random() > 0.1 else np.argmax(q(x)[1])
@@ -257,3 +257,41 @@ def my_program(environment, n_steps, seed):
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1, initial=0.0)
+
+# %% biases that are never learned
+# slow
+# says: only a black image counts, with which half of the episodes begin. All its pixels are 0, so that W1 does not matter and the values are those of the biases: are there biases, and does the gradient change b1 and b2?
+# in: SARSA from each step once
+# - c[a] += 0.05 * delta
+# - W += 0.05 * delta * np.outer(g, x)
+# - b += 0.05 * delta * g
+# + W += 0.05 * delta * np.outer(g, x)
+
+# %% ε = 0.5
+# slow
+# says: steps, but while it learned the program took it in
+# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten. Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?
+# in: a memory in arrays
+# - a = network.best(s) if rng.random() > 0.1 else rng.integers(k)
+# + a = network.best(s) if rng.random() > 0.5 else rng.integers(k)
+
+# %% the minimum over the next actions
+# slow
+# says: It does not solve another riddle either, in which the right action leads to an image in which one action brings 1 and the others −1, and another one to an image in which all bring −0.2: does the target have the *largest* value of S', and not their mean, or that of one action?
+# in: a memory in arrays
+# - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
+# + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].min(axis=1)
+
+# %% the next value of the action that was taken
+# slow
+# says: does the target have the *largest* value of S', and not their mean, or that of one action?
+# in: SARSA from each step once
+# - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
+# + delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a] - Q[a]
+
+# %% no exploration
+# slow
+# says: In the end it takes the same action nearly each time that it sees an image: does it explore, with ε = 0.1?
+# in: SARSA from each step once
+# - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
+# + return np.argmax(q(x)[1])

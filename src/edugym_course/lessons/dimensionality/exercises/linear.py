@@ -133,6 +133,9 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "compute the target and the error once, before any weight moves": lambda s: _in_a_loop(
             s, lambda w: _target(s._replace(w=w))
         ),
+        "compute the target once, before any weight moves": lambda s: _in_a_loop(
+            s, lambda w: _target(s._replace(w=w)), of=_here(s)
+        ),
         "the learning rate is missing": lambda s: _moved(s, _target(s), rate=1.0),
         "the error has the wrong sign: it is the target less the present value": lambda s: _moved(
             s, _target(s), rate=-s.alpha
@@ -202,11 +205,15 @@ def _here(step: Step) -> float:
     return float(step.x @ step.w[:, step.action])
 
 
-def _in_a_loop(step: Step, target: Callable[[Any], float]) -> Any:
-    """Return the weights if the error is computed again for each of them, from those that have moved already."""
+def _in_a_loop(step: Step, target: Callable[[Any], float], of: float | None = None) -> Any:
+    """Return the weights if the error is computed again for each of them, from those that have moved already.
+
+    `of` is the present value if that is computed only once.
+    """
     w = step.w.copy()
     for i, feature in enumerate(step.x):
-        w[i, step.action] += step.alpha * (target(w) - float(step.x @ w[:, step.action])) * feature
+        present = float(step.x @ w[:, step.action]) if of is None else of
+        w[i, step.action] += step.alpha * (target(w) - present) * feature
     return w
 
 

@@ -327,7 +327,7 @@ def _why_uneven(agent: Any, us: list[float], rows: list[int], filled: int) -> st
             f"you draw from {n} places, and {filled} are filled. Their number is the smaller one of `self.steps[0]` and"
             " `len(self.memory.actions)`"
         )
-    if steps > size and {row % size for row in rows} == {*range(size)}:
+    if steps > size and max(rows) >= size and {row % size for row in rows} == {*range(size)}:
         return (
             f"that counts the transitions from the first one on, but transition {size} took place 0 again, and so on:"
             f" the place of transition k is k % {size}, with `len(self.memory.actions)` for {size}"

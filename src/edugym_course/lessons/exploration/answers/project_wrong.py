@@ -98,3 +98,18 @@ def my_program(environment, n_steps, seed):
 # + if over:
 # +     break
 # + s = environment.reset()[0] if cut else s2
+
+# %% one step too many
+# says: steps, and
+# says: were asked for: one too many; is there a `<=` in place of `<`, or does the loop end at n_steps + 1?
+# in: one grip after another, without chance
+# - for _ in range(n_steps):
+# + for _ in range(n_steps + 1):
+
+# %% a policy that counts its steps
+# says: times in a row: does it remember the way, and go it without trying anything?
+# says: Does it choose by the state that it is given?
+# in: one grip after another, without chance
+# - return lambda s: grip[s]
+# + calls = iter(range(10**9))
+# + return lambda s: grip[next(calls) % len(grip)] if s else grip[next(calls) * 0]
