@@ -224,6 +224,8 @@ def run_program(
         raise type(wrong)("; ".join([str(wrong), *told])) from None
     if recorder.slip:  # the program caught it, and went on
         raise WrongAnswer(recorder.slip)
+    if not recorder.steps:
+        raise WrongAnswer(f"{NAME} takes no step in the environment that it is given: does it make one of its own?")
     if len(recorder.steps) < ENOUGH * n_steps:
         raise WrongAnswer(
             f"{NAME} takes {len(recorder.steps)} of its {n_steps} steps: go on, episode after episode, until all are"

@@ -375,7 +375,7 @@ class Rule:
         if found > 0.9 * by_chance:
             return (
                 "So many come from chance alone, or from a table that never changes: are the actions chosen by the"
-                " values, with probability 1 − ε, and does the update change these values?"
+                " values, with probability 1 − ε, and does the update change that of the action taken, and no other?"
             )
         compare = (
             f"{self.settings} with those of the text, and the update with its equation, term by term{self.otherwise}"
@@ -386,7 +386,9 @@ class Rule:
                 f" or a number in it. Compare {compare}"
             )
         if found < right.expected:
-            return "So it seldom tries an action at random: is ε that of the text, up to the last step?"
+            return (
+                "So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?"
+            )
         is_known = tries is not None and abs(tries / self.epsilon - 1) <= NEAR
         if_others = self.epsilon * np.count_nonzero(right.chances)
         is_other = abs(found - if_others) < SIGMAS * right.deviation

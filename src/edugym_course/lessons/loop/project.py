@@ -12,17 +12,25 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
+from edugym_course.grading.close_calls import require_close_calls
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
+from edugym_course.grading.learners import (
+    Learner,
+    mistakes_of_loops,
+    other_settings,
+    other_tables,
+)
 from edugym_course.grading.replay import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000
 
 
-def agent(shape: tuple[int, int], learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT) -> QLearning:
+def agent(
+    shape: tuple[int, int], learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT, first: float = 0.0
+) -> QLearning:
     """Make an agent with the settings of the project."""
-    return QLearning.create(shape, learning_rate=learning_rate, discount=discount)
+    return QLearning.create(shape, learning_rate=learning_rate, discount=discount, initial_value=first)
 
 
 class _LearnsTheMean(EpsilonGreedy):
@@ -48,6 +56,8 @@ class _Slips:
         adds_up: whether the old value is not subtracted from the target.
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
+        forgets: whether the old value is not added to the step.
+        whole_row: whether the values of all actions move.
         of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
         next_action: whether it has that of the action that is taken next; after a cut nobody sees that one, so it has
             the highest there.
@@ -57,6 +67,8 @@ class _Slips:
     adds_up: bool = False
     counts: bool = False
     same_action: bool = False
+    forgets: bool = False
+    whole_row: bool = False
     of_the_best: bool = False
     next_action: bool = False
     _updates: Integers = field(init=False)
@@ -91,7 +103,9 @@ class _Slips:
     def _move(self, state: int, action: int, target: float) -> None:
         self._updates[state, action] += 1
         rate = 1 / self._updates[state, action] if self.counts else LEARNING_RATE
-        self.Q[state, action] += rate * (target - (0.0 if self.adds_up else self.Q[state, action]))
+        old = float(self.Q[state, action])
+        moved = slice(None) if self.whole_row else action
+        self.Q[state, moved] = (0.0 if self.forgets else old) + rate * (target - (0.0 if self.adds_up else old))
 
 
 def slips(shape: tuple[int, int], **how: bool) -> _Slips:
@@ -117,6 +131,16 @@ RULE = Rule(
             partial(agent, learning_rate=1.0)
         ),
         "− Q(S, A) is missing in the brackets, so the values grow and grow": Learner(partial(slips, adds_up=True)),
+        "the old value is lost: `=` stands where `+=` should, so that Q(S, A) + is missing before the step": Learner(
+            partial(slips, forgets=True)
+        ),
+        "in its table all actions of a state are worth the same, or it does not look there: does the update change the"
+        " value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?": (
+            Learner(partial(slips, whole_row=True))
+        ),
+        "the last reward of an episode is lost: after a terminated step the target is R, and not 0": Learner(
+            agent, lambda step, before: step._replace(reward=0.0) if step.terminated else step
+        ),
         "the learning rate falls with the number of updates, and it is 0.5 in the text": Learner(
             partial(slips, counts=True)
         ),
@@ -135,10 +159,18 @@ RULE = Rule(
     | other_tables(agent),
     EPSILON,
 )
+OTHER_NUMBERS = {
+    "γ is larger than 0.99; is it missing?": Learner(partial(agent, discount=1.0)),
+    "γ is smaller than 0.99": Learner(partial(agent, discount=0.97)),
+    "the first values are below 0": Learner(partial(agent, first=-1.0)),
+    "the first values are above 0": Learner(partial(agent, first=0.5)),
+}
+"""Those that hardly matter where rewards are large."""
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))
 
 
 def project_0(answer: Any, seed: int) -> str:
     """Check a program with Q-learning."""
     RULE.check(answer, seed)
+    require_close_calls(answer, seed, RULE.right, OTHER_NUMBERS, EPSILON)
     return f"Right: that is all of it, the loop and the learner. {compare_with_ours(answer, SHOP, seed)}"

@@ -86,7 +86,7 @@ my_program = ...
 
 # %% seldom tries
 # slow
-# says: So it seldom tries an action at random: is ε that of the text, up to the last step?
+# says: So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.01:
@@ -108,7 +108,7 @@ my_program = ...
 
 # %% the wrong way round
 # slow
-# says: So many come from chance alone, or from a table that never changes: are the actions chosen by the values, with probability 1 − ε, and does the update change these values?
+# says: in its table all actions of a state are worth the same, or it does not look there: does the update change the value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() > 0.0:
@@ -231,7 +231,7 @@ def my_program(environment, n_steps, seed):
 
 # %% half of the ε
 # slow
-# says: So it seldom tries an action at random: is ε that of the text, up to the last step?
+# says: So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
@@ -268,3 +268,53 @@ def my_program(environment, n_steps, seed):
 # in: ε-greedy written out
 # - action = rng.integers(len(Q[state]))
 # + action = environment.action_space.sample()
+
+# %% γ is forgotten
+# slow
+# says: in worlds where small differences decide, with 60
+# says: They fit a usual mistake: γ is larger than 0.99; is it missing?
+# in: episode after episode
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] += 0.5 * (r + (not end) * Q[s2].max() - Q[s, a])
+
+# %% first values of −1
+# slow
+# says: They fit a usual mistake: the first values are below 0
+# in: episode after episode
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + Q = -np.ones((environment.observation_space.n, environment.action_space.n))
+
+# %% first values that are drawn
+# slow
+# says: Are γ and the first values those of the text, and the first values all the same?
+# in: episode after episode
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + Q = np.random.default_rng(seed).random((environment.observation_space.n, environment.action_space.n))
+
+# %% = for +=
+# slow
+# says: the old value is lost: `=` stands where `+=` should, so that Q(S, A) + is missing before the step
+# in: episode after episode
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] = 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+
+# %% the whole row
+# slow
+# says: in its table all actions of a state are worth the same, or it does not look there: does the update change the value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?
+# in: an agent of its own
+# - self.row(s)[a] = 0.5 * self.row(s)[a] + 0.5 * (r + 0.99 * future)
+# + self.values[int(s)] = [0.5 * self.row(s)[a] + 0.5 * (r + 0.99 * future)] * self.n_actions
+
+# %% nothing for the last step
+# slow
+# says: the last reward of an episode is lost: after a terminated step the target is R, and not 0
+# in: episode after episode
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] += 0.5 * ((not end) * (r + 0.99 * Q[s2].max()) - Q[s, a])
+
+# %% an environment of its own
+# says: takes no step in the environment that it is given: does it make one of its own?
+# in: episode after episode
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + environment = __import__("gymnasium").make("edugym/Supermarket-v0")
+# + Q = np.zeros((environment.observation_space.n, environment.action_space.n))

@@ -1,0 +1,105 @@
+"""A world of close calls: small differences in γ or in the first values change which action looks best."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.learners import Learner
+from edugym_course.grading.programs import APART, NAME, run_program, shape_of
+from edugym_course.grading.replay import likeliest, replay
+from edugym_course.grading.surprises import NEAR, Surprises
+
+WORLDS, N_STEPS = 2, 3_000
+
+ACTIONS, BANDITS, CORRIDOR = 2, 30, 10
+SMALL = 0.05
+"""The size of a bandit's reward: the first action stays the best one if it is above the first value of the others."""
+LEAVE = -0.945, -0.865
+"""What leaving the corridors at once brings. The way to the end is worth −γ^9: −0.914 with γ = 0.99; with 0.995 or more
+it is less than the first of these, and with 0.983 or less it is more than the second.
+"""
+
+
+class CloseCalls(gymnasium.Env[Any, Any]):
+    """Bandits of one step, and two corridors that one may leave at once.
+
+    In a bandit all actions bring the same reward, a little more than 0 or a little less; then the episode is over. In a
+    corridor of ten steps every action goes on, and the last one costs 1. But in its first state action 0 ends the
+    episode at once, for a cost near that of the way to the end. All values here are below 0, where they begin, so that
+    a greedy program tries every action until it knows what it costs.
+
+    Args:
+        seed: the number from which the numbers of the states are drawn.
+    """
+
+    def __init__(self, seed: int) -> None:
+        """Number the states anew, so that a corridor does not run from 0 to 9."""
+        n = BANDITS + len(LEAVE) * CORRIDOR
+        self.observation_space = spaces.Discrete(n)
+        self.action_space = spaces.Discrete(ACTIONS)
+        self._number = np.random.default_rng(APART + seed).permutation(n)
+        self._place = 0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Begin at a bandit or in a corridor, there mostly in the first state."""
+        super().reset(seed=seed)
+        if self.np_random.random() < 0.3:
+            self._place = int(self.np_random.integers(BANDITS))
+        else:
+            begins_late = self.np_random.random() < 0.5
+            inside = int(self.np_random.integers(CORRIDOR)) if begins_late else 0
+            self._place = BANDITS + CORRIDOR * int(self.np_random.integers(len(LEAVE))) + inside
+        return int(self._number[self._place]), {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Take the reward of a bandit, or go on in a corridor."""
+        here, (which, inside) = self._place, divmod(self._place - BANDITS, CORRIDOR)
+        if here < BANDITS:
+            reward, terminated = SMALL if here % 2 else -SMALL, True
+        elif inside == 0 and action == 0:
+            reward, terminated = LEAVE[which], True
+        else:
+            terminated = inside == CORRIDOR - 1
+            reward = -float(terminated)
+            self._place += not terminated
+        return int(self._number[self._place]), reward, terminated, False, {}
+
+
+def require_close_calls(
+    program: Any, seed: int, right: Learner, mistakes: Mapping[str, Learner], epsilon: float
+) -> None:
+    """Refuse a program with another γ or other first values, whose update is right in all else.
+
+    Args:
+        program: the program.
+        seed: the number from which the worlds are drawn.
+        right: the method that it should have.
+        mistakes: the same with other numbers, by the sentence that tells of each.
+        epsilon: how often the program should try a random action.
+
+    Raises:
+        WrongAnswer: too many of its actions do not follow from its steps; or it breaks the contract.
+    """
+    seeds = range(WORLDS * seed, WORLDS * (seed + 1))
+    runs = [run_program(program, CloseCalls(number), N_STEPS, number).steps for number in seeds]
+    shape = shape_of(CloseCalls(seeds[0]))
+    found = Surprises.of(replay(runs, right, shape, epsilon))
+    if found.is_usual():
+        return
+    replays = [replay(runs, mistake, shape, epsilon) for mistake in mistakes.values()]
+    number, rows = likeliest(replays, sum(map(len, runs)), math.log(1 - epsilon + epsilon / shape[1]))
+    likely = Surprises.of(rows)
+    if likely.explains_better_than(found) and likely.is_usual(NEAR):
+        cause = f"They fit a usual mistake: {[*mistakes][number]}"
+    else:
+        cause = "Are γ and the first values those of the text, and the first values all the same?"
+    raise WrongAnswer(
+        f"in worlds where small differences decide, with {found.found.size} steps, {found.found.sum():.0f} actions of"
+        f" {NAME} are not those that its own steps make look best by the equation of this lesson, and with ε ="
+        f" {epsilon:g} it should be some {found.expected:.0f}. {cause}"
+    )
