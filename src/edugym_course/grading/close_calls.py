@@ -17,21 +17,24 @@ from edugym_course.grading.surprises import NEAR, Surprises
 WORLDS, N_STEPS = 2, 3_000
 
 ACTIONS, BANDITS, CORRIDOR = 2, 30, 10
-SMALL = 0.05
-"""The size of a bandit's reward: the first action stays the best one if it is above the first value of the others."""
-LEAVE = -0.945, -0.865
-"""What leaving the corridors at once brings. The way to the end is worth −γ^9: −0.914 with γ = 0.99; with 0.995 or more
-it is less than the first of these, and with 0.983 or less it is more than the second.
+SMALL, LESS = 0.05, 0.03
+"""The size of a bandit's reward: the first action stays the best one if it is above the first value of the other one.
+Action 1 brings so much less, there and on the way through a corridor: values that end up equal would be told apart by
+their last digits.
+"""
+END, LEAVE = -4.0, (-3.78, -3.46)
+"""What the end of a corridor brings, and what leaving the corridors at once does. The way to the end is worth −4 γ^9:
+−3.65 with γ = 0.99; with 0.995 or more it is less than the first of these, with 0.983 or less more than the second.
 """
 
 
 class CloseCalls(gymnasium.Env[Any, Any]):
     """Bandits of one step, and two corridors that one may leave at once.
 
-    In a bandit all actions bring the same reward, a little more than 0 or a little less; then the episode is over. In a
-    corridor of ten steps every action goes on, and the last one costs 1. But in its first state action 0 ends the
-    episode at once, for a cost near that of the way to the end. All values here are below 0, where they begin, so that
-    a greedy program tries every action until it knows what it costs.
+    A bandit brings a little more than 0 or a little less; then the episode is over. In a corridor of ten steps both
+    actions go on, and the last step costs 4. But in its first state action 0 ends the episode at once, for a cost near
+    that of the way to the end. The values of a corridor are below 0, where they begin, so that a greedy program tries
+    both actions until it knows what they cost.
 
     Args:
         seed: the number from which the numbers of the states are drawn.
@@ -60,13 +63,13 @@ class CloseCalls(gymnasium.Env[Any, Any]):
         """Take the reward of a bandit, or go on in a corridor."""
         here, (which, inside) = self._place, divmod(self._place - BANDITS, CORRIDOR)
         if here < BANDITS:
-            reward, terminated = SMALL if here % 2 else -SMALL, True
-        elif inside == 0 and action == 0:
-            reward, terminated = LEAVE[which], True
+            reward, terminated = (SMALL if here % 2 else -SMALL) - LESS * action, True
+        elif inside == 0:
+            reward, terminated = (0.0, False) if action else (LEAVE[which], True)
         else:
             terminated = inside == CORRIDOR - 1
-            reward = -float(terminated)
-            self._place += not terminated
+            reward = END * terminated - LESS * action
+        self._place += not terminated
         return int(self._number[self._place]), reward, terminated, False, {}
 
 
@@ -97,7 +100,10 @@ def require_close_calls(
     if likely.explains_better_than(found) and likely.is_usual(NEAR):
         cause = f"They fit a usual mistake: {[*mistakes][number]}"
     else:
-        cause = "Are γ and the first values those of the text, and the first values all the same?"
+        cause = (
+            "Are α, γ and the first values those of the text, the first values all the same, and the values neither"
+            " rounded nor cut off?"
+        )
     raise WrongAnswer(
         f"in worlds where small differences decide, with {found.found.size} steps, {found.found.sum():.0f} actions of"
         f" {NAME} are not those that its own steps make look best by the equation of this lesson, and with ε ="

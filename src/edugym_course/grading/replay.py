@@ -43,8 +43,9 @@ TRIAL = 300
 """The steps of the runs that must repeat each other."""
 ASKED = 200
 """How many observations a policy is asked about."""
-RARELY, ENOUGH = 0.25, 30
-"""The share of its chances below which an action is hardly tried; and how many chances are enough to tell."""
+SELDOM, BY_CHANCE, ENOUGH = 0.75, 5.0, 30
+"""The share of its chances below which an action is tried too seldom, and how many standard deviations below them; and
+how many chances are enough to tell."""
 FURTHER, LONGER = 500_000, 2
 """How far the seeds of the second look are from those of the first; how many times longer each of its runs is."""
 AT_ONCE = 100
@@ -63,7 +64,8 @@ LATE = 5.0
 a program, and do not to our agent, are rare at the beginning. Of 99 runs of right programs, 2.5 was the most."""
 FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
-    " that reset() gives; and does the program learn from the first step of an episode as from the others?"
+    " that reset() gives; and does the program learn from the first step of an episode as from the others, and at an"
+    " end from R alone?"
 )
 
 
@@ -327,11 +329,12 @@ class Rule:
                 best = _best(agent, step.state)
                 chances += [self.epsilon / len(best) * (not looks) for looks in best]
                 tries[step.action] += not best[step.action]
-        for action in np.flatnonzero((tries < RARELY * chances) & (chances > ENOUGH)):
+        few = (tries < SELDOM * chances) & (tries < chances - BY_CHANCE * np.sqrt(chances))
+        for action in np.flatnonzero(few & (chances > ENOUGH)):
             raise WrongAnswer(
                 f"{NAME} tries the action {action} {tries[action]:.0f} times where another one looks better, and with"
                 f" ε = {self.epsilon:g} it should be some {chances[action]:.0f} times: is the random action one of"
-                " *all* n actions, 0 to n - 1? rng.integers(n) draws one of these"
+                " *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so"
             )
 
     def require_best_actions(self, runs: Sequence[Run], shape: tuple[int, int], most: float = UNEXPLAINED) -> None:

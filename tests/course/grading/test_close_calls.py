@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 
 from edugym_course.grading import WrongAnswer
-from edugym_course.grading.close_calls import BANDITS, CORRIDOR, LEAVE, CloseCalls, require_close_calls
+from edugym_course.grading.close_calls import (
+    BANDITS,
+    CORRIDOR,
+    END,
+    LEAVE,
+    LESS,
+    SMALL,
+    CloseCalls,
+    require_close_calls,
+)
 from edugym_course.grading.curves import program_of
 from edugym_course.lessons.loop.project import EPSILON, OTHER_NUMBERS, RULE, agent
 
@@ -16,7 +25,7 @@ from edugym_course.lessons.loop.project import EPSILON, OTHER_NUMBERS, RULE, age
 )
 def test_when_leaving_is_better(discount: float, leaves: list[bool]) -> None:
     """With γ = 0.99 in the second corridor alone; γ decides, since the way to the end is long."""
-    assert [cost > -(discount ** (CORRIDOR - 1)) for cost in LEAVE] == leaves
+    assert [cost > END * discount ** (CORRIDOR - 1) for cost in LEAVE] == leaves
 
 
 def test_the_world() -> None:
@@ -25,15 +34,16 @@ def test_the_world() -> None:
     state, rewards = world.reset(seed=0)[0], list[float]()
     seen = {state}
     for _ in range(3_000):
-        state, reward, terminated, truncated, _ = world.step(int(rng.integers(2)))
+        action = int(rng.integers(2))
+        state, reward, terminated, truncated, _ = world.step(action)
         assert not truncated
-        rewards.append(reward)
+        rewards.append(reward if reward in LEAVE or reward == 0.0 else reward + LESS * action)
         seen.add(state)
         if terminated:
             found.add((len(rewards), round(sum(rewards), 3)))
             state, rewards = world.reset()[0], []
-    walked = {(length, -1.0) for length in range(1, CORRIDOR + 1)}
-    assert found == {(1, 0.05), (1, -0.05), *((1, cost) for cost in LEAVE)} | walked
+    walked = {(length, END) for length in range(1, CORRIDOR + 1)}
+    assert found == {(1, SMALL), (1, -SMALL), *((1, cost) for cost in LEAVE)} | walked
     assert seen == {*range(BANDITS + 2 * CORRIDOR)}
 
 

@@ -61,7 +61,7 @@ for action in (1, 3):
     print(f"action {action}: state {state}, reward {reward}, terminated {terminated}, truncated {truncated}")
 
 # %% [markdown]
-# The state is only a number to the agent: nothing tells it that 88 and 96 are neighbours. Here is the whole loop, in the
+# The state is only a number to the agent (8 times that of the cell, plus that of the bag): nothing tells it that 88 and 96 are neighbours. Here is the whole loop, in the
 # words of [Gymnasium](https://gymnasium.farama.org), with the simplest agent there is. It acts at random.
 
 # %%
@@ -164,7 +164,7 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** −248 points. Where no item and no exit is beside it, all four rewards are −1, and this player walks at
-# random too. Beside the exit it leaves, whatever is still missing in its bag. The best policy would not, but this is
+# random too. Beside the exit it leaves, whatever is still missing in its bag. The policy with the highest total would not, but this is
 # why the player does better than random play: fewer of its episodes are cut off. Taking the items beside it adds
 # little. </details>
 
@@ -237,7 +237,7 @@ frames(env, agent, max_steps=40)
 # **In other environments.** The loop stays the same. But a table has numbered rows, and in other tasks the agent
 # observes more than one number. On the road of lesson 2 there are two, the place of a runner and its speed.
 # `TabularObservation` makes them the number of a row. (`train` does so by itself. Images have too many values for a
-# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. Braking at speed 0 ends the run at a cost of 100.
+# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A step costs 1, the last one brings 1, and the best run brings −2. Braking at speed 0 ends the run at a cost of 100.
 
 # %%
 road = gym.make("edugym/Roadrunner-v0")

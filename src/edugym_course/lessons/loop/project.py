@@ -1,5 +1,6 @@
 """The project of lesson 0: Q-learning and its loop, from a blank file."""
 
+import math
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -41,10 +42,10 @@ class _LearnsTheMean(EpsilonGreedy):
         return float(Q[state].mean())
 
 
-def agent_of_the_mean(shape: tuple[int, int]) -> ExpectedSARSA:
-    """Make an agent whose target has the mean over the next actions."""
+def agent_of_the_mean(shape: tuple[int, int], weighs: Any = _LearnsTheMean) -> ExpectedSARSA:
+    """Make an agent whose target has the mean over the next actions, by default the plain one."""
     settings = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}
-    return ExpectedSARSA.create(shape, **settings, exploration=_LearnsTheMean(EPSILON))
+    return ExpectedSARSA.create(shape, **settings, exploration=weighs(EPSILON))
 
 
 @dataclass
@@ -56,6 +57,7 @@ class _Slips:
         adds_up: whether the old value is not subtracted from the target.
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
+        least: below which no value of a next state is.
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
         of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
@@ -67,6 +69,7 @@ class _Slips:
     adds_up: bool = False
     counts: bool = False
     same_action: bool = False
+    least: float = -math.inf
     forgets: bool = False
     whole_row: bool = False
     of_the_best: bool = False
@@ -96,7 +99,7 @@ class _Slips:
         if self.next_action and not (terminated or truncated):
             self._waiting = state, action, reward, next_state
         else:
-            future = row[action] if self.same_action else row.max()
+            future = row[action] if self.same_action else max(row.max(), self.least)
             moved = int(self.Q[state].argmax()) if self.of_the_best else action
             self._move(state, moved, reward + (0.0 if terminated else DISCOUNT * float(future)))
 
@@ -108,7 +111,7 @@ class _Slips:
         self.Q[state, moved] = (0.0 if self.forgets else old) + rate * (target - (0.0 if self.adds_up else old))
 
 
-def slips(shape: tuple[int, int], **how: bool) -> _Slips:
+def slips(shape: tuple[int, int], **how: Any) -> _Slips:
     """Make an agent that makes a mistake in its update."""
     return _Slips(np.zeros(shape), **how)
 
@@ -121,6 +124,9 @@ RULE = Rule(
             partial(agent, discount=0.0)
         ),
         "the mean over the actions of the next state stands where the maximum should": Learner(agent_of_the_mean),
+        "the mean over the actions of ε-greedy stands where the maximum should: that is expected SARSA": Learner(
+            partial(agent_of_the_mean, weighs=EpsilonGreedy)
+        ),
         "Q(S', A'), the value of the action that is taken next, stands where the maximum should": Learner(
             partial(slips, next_action=True), leaves=0.5
         ),
@@ -162,6 +168,9 @@ RULE = Rule(
 OTHER_NUMBERS = {
     "γ is larger than 0.99; is it missing?": Learner(partial(agent, discount=1.0)),
     "γ is smaller than 0.99": Learner(partial(agent, discount=0.97)),
+    "the maximum over the next actions is never below 0: a search for the largest value must not start there": Learner(
+        partial(slips, least=0.0)
+    ),
     "the first values are below 0": Learner(partial(agent, first=-1.0)),
     "the first values are above 0": Learner(partial(agent, first=0.5)),
 }

@@ -226,7 +226,7 @@
 
 # %% the first pair never learns
 # slow
-# says: and does the program learn from the first step of an episode as from the others?
+# says: and does the program learn from the first step of an episode as from the others, and at an end from R alone?
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 1 or (over and tau < len(R) - n):

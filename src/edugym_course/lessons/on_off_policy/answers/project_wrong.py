@@ -79,7 +79,7 @@
 # slow
 # says: tries the action 3
 # says: times where another one looks better, and with ε =
-# says: times: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
+# says: times: is the random action one of *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so
 # in: the next action is kept
 # - return rng.integers(len(values))
 # + return rng.integers(len(values) - 1)
@@ -120,7 +120,7 @@
 
 # %% the action of the old episode
 # slow
-# says: It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state that reset() gives; and does the program learn from the first step of an episode as from the others?
+# says: It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state that reset() gives; and does the program learn from the first step of an episode as from the others, and at an end from R alone?
 # in: the next action is kept
 # - s2, _ = environment.reset()
 # - a2 = choose(Q[s2], rng)
