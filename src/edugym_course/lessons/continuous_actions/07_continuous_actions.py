@@ -143,7 +143,7 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # same: $(R - b)\, \nabla \ln \pi(A \mid \theta)$. What changes is its *noise*: how far the single estimates lie apart.
 #
 # **Many decisions.** In an episode the return $G_t$ from step $t$ takes the place of $R$, and a learned value $V(s)$
-# that of $b$. The policy gradient theorem (section 13.2) says that this works. The algorithm is **REINFORCE** with a
+# that of $b$. The policy gradient theorem says that this works (sections 13.2 to 13.4). The algorithm is **REINFORCE** with a
 # baseline. For each step $t$ of an episode:
 #
 # $$
@@ -290,7 +290,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # %% [markdown] tags=["aside"]
 # ### Aside: what a baseline does to learning
 # One hundred policies learn $\mu$ and $\sigma$ in 2 000 updates, with one action each
-# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the newest among them). The code keeps
+# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
 
@@ -368,10 +368,10 @@ source(TileCoding.see)
 # $$
 #
 # $\gamma V(S')$ is 0 if $S'$ is terminal. The updates leave out the factor $\gamma^t$ of REINFORCE, as is usual, and
-# an update of $\sigma$, which is fixed here. (PPO, in an aside, learns it.) The code differs from these lines in two points:
+# an update of $\sigma$, which is fixed here. (PPO, in an aside, learns it.) The code differs in two points:
 #
 # - It divides both rates by the number of grids, `at_once`, since so many features are 1 at a time.
-# - The arm gets a drawn action beyond ±1 as ±1; the agent learns from what it drew.
+# - The arm gets, outside `learn`, a drawn action beyond ±1 as ±1; the agent learns from what it drew.
 
 # %%
 source(GaussianActorCritic.learn)
@@ -470,7 +470,7 @@ sliders(
 # <details><summary>What we found</summary>
 #
 # $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. With $\sigma = 1$
-# three of four deliver the box (of 60 more runs 70 %, against 88 % with 0.5). With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
+# three of four deliver the box (at the end of 180 more runs 57 % do, and 89 % with 0.5). With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
 # </details>
 
 # %% [markdown]
@@ -793,7 +793,7 @@ display(figures.climb_race(my_scores))
 #
 # `self.look(state)` writes $\pi(\cdot \mid s)$ into `self.probabilities`. The fields `learning_rate` and
 # `value_learning_rate` are $\alpha^\theta$ and $\alpha^w$. You write plain Python, with loops over numbers, and it
-# runs as machine code. (If a warning says that it cannot be compiled, the race takes a minute instead of seconds.)
+# runs as machine code. (If a warning says that it cannot be compiled, as with `reversed`, the race takes a minute or two.)
 # The race is on Trashbot with 5 bins, 40 000 steps and 8 repetitions, beside REINFORCE of the package with a baseline
 # and without.
 #
@@ -890,7 +890,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # since hardly anybody delivers the box before they have learned to.
 #
 # Everything is allowed that learns from its own steps: other features, a $\sigma$ that shrinks, bins inside of the
-# agent, an agent of your own. Half a page with it: what did you change, why should it help, and what did you measure?
+# agent, an agent of your own (with `act`, `greedy`, `learn` and `tabular = False`). Half a page with it: what did you change, why should it help, and what did you measure?
 
 
 # %%

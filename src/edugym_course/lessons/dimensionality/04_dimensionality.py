@@ -481,7 +481,7 @@ unseen.measured(len(generalises))
 #
 # ### The picture that explains it
 # Each cell is a state, with the ball in row 5 of the board. The arrow is what the agent does there; • is stay. A cell
-# is green if the agent then catches the ball, and red if not. The frames are for balls from the withheld columns.
+# is green if the agent then catches the ball, and red if not (low down, nobody may get there in time). The frames are for balls from the withheld columns.
 #
 # Runs differ much, so move `run` as well. DQN on pixels catches balls from both withheld columns in one run of ten, and
 # from one of them in two; DQN on the positions from both in five, and from one in three.
@@ -537,7 +537,7 @@ for column in tasks.WITHHELD:
 # can be wrong as well. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate: it is right in 8 of 10
 # runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
 # 0 in their place the network does not see the ball at all, and the paddle mostly ends in the middle. Moving is not enough: with
-# noise in all pixels in training all weights move, and yet in 15 of 20 runs every withheld ball was missed, and in the other five all but those from one column.
+# noise in all pixels in training all weights move, and yet without noise in the test every withheld ball was missed in 15 of 20 runs, and all but those from one column in the other five.
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
@@ -716,7 +716,7 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 #
 # **Measured.** 80 times as many in these three runs; in ten runs it was 100 times (15 000 steps and 150). So the steps
 # grow faster than the boards. The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
-# ten runs took 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. With 9 columns they took 560 with 6 rows,
+# the median of ten runs was 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. With 9 columns they took 560 with 6 rows,
 # and some 880 with 18. DQN needs more steps than the table on all four boards, but the ratio falls. (The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>

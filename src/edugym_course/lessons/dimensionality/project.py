@@ -47,7 +47,7 @@ MUCH = 0.1
 PATIENCE = 5
 """A program that solves a riddle in this many times as many steps is only slow."""
 TWIN_STEPS, TWIN_QUESTIONS, TWINS_SOLVED = 4_000, 300, 0.92
-MASK = "Is g_j 0 where h_j is 0?"
+MASK = "Is h_j never below 0, and g_j 0 where h_j is 0?"
 FROZEN = (
     "Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2"
     f" and b2? {MASK}"
@@ -133,7 +133,7 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"
             " before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are"
-            " all first weights 0, so that no pixel counts?"
+            " all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?"
         )
     if found.trained > SOLVED:
         return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"

@@ -304,7 +304,7 @@ sliders(
 #
 # **Measured.** With ten runs each, and the other sliders as they were:
 #
-# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (in a quarter of 100 runs). At 60 and 80 it gets to about 40.
+# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (in 22 to 34 of 100). At 60 and 80 it gets to about 40.
 # - **n_grips.** At height 60 the novelty agent gets to 40 with two grips, to 27 with three and to 19 with five. Go-Explore
 #   still solves it with three, and with five in eight of ten runs (in nearly all of 100).
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
@@ -779,7 +779,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall
 # of height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an
-# idea of your own. (Those of exercises 2 and 3 need more steps.) Some 30 lines are enough.
+# idea of your own. (That of exercise 2 with α = 0.5, and that of exercise 3, often need more steps.) Some 30 lines are enough.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode. In the end it returns its *policy*: a function that takes a state and returns an action, and climbs to the top

@@ -187,6 +187,11 @@ def exercise_2(answer: Any, seed: int, first: First = None) -> str:
         raise WrongAnswer(f"{told}: it is worse in both, and a hole has ground around it")
     if worse:
         raise WrongAnswer(f"{told}: it is worse in Tamagotchi, where it should be as good as before")
+    if hard.high > -HOLE and hard.estimate < -HOLE:
+        raise WrongAnswer(
+            f"{told}: there may be a hole in Study, but {REPETITIONS} runs do not make it sure (95 % interval"
+            f" {hard.low:+.2f} to {hard.high:+.2f}): make it deeper"
+        )
     if hard.high > -HOLE:
         discount = getattr(agent_made_by(call, answer, easiest), "discount", 0)
         why = STILL_SEES if 0 < discount < QLearning.create(easiest).discount else WHICH_PART

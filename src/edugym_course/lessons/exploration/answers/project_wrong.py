@@ -107,9 +107,8 @@ def my_program(environment, n_steps, seed):
 # + for _ in range(n_steps + 1):
 
 # %% a policy that counts its steps
-# says: times in a row: does it remember the way, and go it without trying anything?
-# says: Does it choose by the state that it is given?
+# says: the policy that my_program returns draws its actions: asked twice about one state, it gives two of them
 # in: one grip after another, without chance
 # - return lambda s: grip[s]
 # + calls = iter(range(10**9))
-# + return lambda s: grip[next(calls) % len(grip)] if s else grip[next(calls) * 0]
+# + return lambda s: grip[next(calls) % (len(grip) - 1)]

@@ -136,7 +136,7 @@ def epsilon_greedy(best: list[float]) -> dict[str, list[float]]:
     """Return the probabilities of some agents that still explore."""
     return {
         f"it still explores, with an ε near {epsilon}": [epsilon / len(best) + (1 - epsilon) * share for share in best]
-        for epsilon in (0.05, 0.1, 0.2, 0.5)
+        for epsilon in (0.1, 0.2, 0.5)
     }
 
 
