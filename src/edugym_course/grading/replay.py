@@ -277,7 +277,8 @@ class Rule:
         if not is_better and right.is_usual(NEAR):
             self._require_tries(runs, shape)
             begun = right.among(first)
-            if self.looks_closer and begun.too_many < -SIGMAS * begun.deviation:
+            never = begun.too_many < -SIGMAS * begun.deviation and begun.found.sum() < begun.expected / 2
+            if self.looks_closer and never:
                 raise self._refused(begun, NEVER_FIRST)
             if self._are_drawn(right):
                 self._require_steady_tries(runs, right, grows=True)
@@ -389,9 +390,7 @@ class Rule:
                 f" or a number in it. Compare {compare}"
             )
         if found < right.expected:
-            return (
-                "So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?"
-            )
+            return "So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?"
         is_known = tries is not None and abs(tries / self.epsilon - 1) <= NEAR
         if_others = self.epsilon * np.count_nonzero(right.chances)
         is_other = abs(found - if_others) < SIGMAS * right.deviation

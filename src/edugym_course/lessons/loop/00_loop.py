@@ -292,8 +292,8 @@ worst.measured(min(late, key=late.get))
 # **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. In cells in which
 # the agent has often been, its values are about −1, except beside an item or the exit. With exactly right values it
 # would be the player of −248. But its values are not quite right, and in this episode they do not change: where the
-# smallest difference decides, the same action is taken at every visit, and the shopper stands at a wall or wanders among
-# a few cells until the clock stops. While it learns (right panel) it is no worse than random play. After some forty tries of an action its
+# smallest difference decides, the same action is taken at every visit, and the shopper stands at a wall or wanders in
+# one part of the shop until the clock stops. While it learns (right panel) it is no worse than random play. After some forty tries of an action its
 # value is −1 up to $10^{-12}$, which counts as equal here. Where that is so of all four, chance decides again: we think that the orange line
 # begins to rise for that reason. (The test: with $\alpha = 1$ a value is exactly −1 after one try, and then this player
 # is nearly as good as the one of −248.)

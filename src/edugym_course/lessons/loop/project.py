@@ -58,6 +58,7 @@ class _Slips:
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
         least: below which no value of a next state is.
+        moves_on: whether it is a value of the next state that moves.
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
         of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
@@ -70,6 +71,7 @@ class _Slips:
     counts: bool = False
     same_action: bool = False
     least: float = -math.inf
+    moves_on: bool = False
     forgets: bool = False
     whole_row: bool = False
     of_the_best: bool = False
@@ -101,7 +103,11 @@ class _Slips:
         else:
             future = row[action] if self.same_action else max(row.max(), self.least)
             moved = int(self.Q[state].argmax()) if self.of_the_best else action
-            self._move(state, moved, reward + (0.0 if terminated else DISCOUNT * float(future)))
+            self._move(
+                next_state if self.moves_on else state,
+                moved,
+                reward + (0.0 if terminated else DISCOUNT * float(future)),
+            )
 
     def _move(self, state: int, action: int, target: float) -> None:
         self._updates[state, action] += 1
@@ -143,6 +149,12 @@ RULE = Rule(
         "in its table all actions of a state are worth the same, or it does not look there: does the update change the"
         " value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?": (
             Learner(partial(slips, whole_row=True))
+        ),
+        "`state = next_state` comes before the update, which then moves a value of S' in place of one of S": Learner(
+            partial(slips, moves_on=True)
+        ),
+        "nothing is learned from a step that is truncated: it is a step like the others": Learner(
+            agent, skips=lambda step: step.truncated
         ),
         "the last reward of an episode is lost: after a terminated step the target is R, and not 0": Learner(
             agent, lambda step, before: step._replace(reward=0.0) if step.terminated else step

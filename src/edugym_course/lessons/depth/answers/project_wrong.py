@@ -219,7 +219,7 @@
 
 # %% half the exploration
 # slow
-# says: So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?
+# says: So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?
 # in: three steps later
 # - def choose(values, rng, epsilon=0.1):
 # + def choose(values, rng, epsilon=0.05):

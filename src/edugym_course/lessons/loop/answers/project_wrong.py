@@ -86,7 +86,7 @@ my_program = ...
 
 # %% seldom tries
 # slow
-# says: So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?
+# says: So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.01:
@@ -231,7 +231,7 @@ def my_program(environment, n_steps, seed):
 
 # %% half of the ε
 # slow
-# says: So it seldom tries an action at random: is ε that of the text, up to the last step, and rng made once?
+# says: So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?
 def my_program(environment, n_steps, seed):
     rng = np.random.default_rng(seed)
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
@@ -286,7 +286,7 @@ def my_program(environment, n_steps, seed):
 
 # %% first values that are drawn
 # slow
-# says: Are γ and the first values those of the text, and the first values all the same?
+# says: Are α, γ and the first values those of the text, the first values all the same, and the values neither rounded nor cut off?
 # in: episode after episode
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # + Q = np.random.default_rng(seed).random((environment.observation_space.n, environment.action_space.n))
@@ -318,3 +318,27 @@ def my_program(environment, n_steps, seed):
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # + environment = __import__("gymnasium").make("edugym/Supermarket-v0")
 # + Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+
+# %% the state moves on too early
+# slow
+# says: `state = next_state` comes before the update, which then moves a value of S' in place of one of S
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# - state = next_state
+# + state = next_state
+# + Q[state, action] += 0.5 * (target - Q[state, action])
+
+# %% nothing from a truncated step
+# slow
+# says: nothing is learned from a step that is truncated: it is a step like the others
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + if not truncated:
+# +     Q[state, action] += 0.5 * (target - Q[state, action])
+
+# %% ε a little too small
+# slow
+# says: So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?
+# in: ε-greedy written out
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.078:
