@@ -28,8 +28,14 @@ END, LEAVE = -4.0, (-3.78, -3.46)
 """
 
 
+TOLL, AROUND = -4.0, -3.98
+"""What a toll costs, after which there is one more step, and what the way around it costs, which is a single step. Who
+discounts rewards as well pays the toll.
+"""
+
+
 class CloseCalls(gymnasium.Env[Any, Any]):
-    """Bandits of one step, and two corridors that one may leave at once.
+    """Bandits of one step, two corridors that one may leave at once, and a toll that one may go around.
 
     A bandit brings a little more than 0 or a little less; then the episode is over. In a corridor of ten steps both
     actions go on, and the last step costs 4. But in its first state action 0 ends the episode at once, for a cost near
@@ -42,17 +48,20 @@ class CloseCalls(gymnasium.Env[Any, Any]):
 
     def __init__(self, seed: int) -> None:
         """Number the states anew, so that a corridor does not run from 0 to 9."""
-        n = BANDITS + len(LEAVE) * CORRIDOR
+        n = BANDITS + len(LEAVE) * CORRIDOR + 2
         self.observation_space = spaces.Discrete(n)
         self.action_space = spaces.Discrete(ACTIONS)
         self._number = np.random.default_rng(APART + seed).permutation(n)
         self._place = 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
-        """Begin at a bandit or in a corridor, there mostly in the first state."""
+        """Begin at a bandit, before the toll or in a corridor, there mostly in the first state."""
         super().reset(seed=seed)
-        if self.np_random.random() < 0.3:
+        kind = self.np_random.random()
+        if kind < 0.3:
             self._place = int(self.np_random.integers(BANDITS))
+        elif kind < 0.45:
+            self._place = BANDITS + len(LEAVE) * CORRIDOR
         else:
             begins_late = self.np_random.random() < 0.5
             inside = int(self.np_random.integers(CORRIDOR)) if begins_late else 0
@@ -60,10 +69,13 @@ class CloseCalls(gymnasium.Env[Any, Any]):
         return int(self._number[self._place]), {}
 
     def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
-        """Take the reward of a bandit, or go on in a corridor."""
+        """Take the reward of a bandit, pay the toll or go around it, or go on in a corridor."""
         here, (which, inside) = self._place, divmod(self._place - BANDITS, CORRIDOR)
         if here < BANDITS:
             reward, terminated = (SMALL if here % 2 else -SMALL) - LESS * action, True
+        elif which == len(LEAVE):
+            terminated = inside == 1 or action == 0
+            reward = 0.0 if inside == 1 else AROUND if terminated else TOLL
         elif inside == 0:
             reward, terminated = (0.0, False) if action else (LEAVE[which], True)
         else:

@@ -93,7 +93,8 @@ def compare_with_ours(program: Any, race: Race, seed: int) -> str:
     for name in race.judged:
         ours, yours = ([float(getattr(one, name)) for one in results] for results in (our_results(race), found))
         middle = float(np.median(yours))
-        figures.append(f"{WHAT[name]} {middle:.1f} (ours {min(ours):.1f} to {max(ours):.1f})")
+        places = 1 if round(middle, 1) != round(min(ours), 1) else 2
+        figures.append(f"{WHAT[name]} {middle:.{places}f} (ours {min(ours):.{places}f} to {max(ours):.{places}f})")
         if not middle >= lowest(ours):  # also when no episode ended
             worst = min(found, key=lambda result: result.played)
             has_learned = name == "played" and "late" in race.judged  # that was judged before

@@ -7,12 +7,14 @@ import pytest
 
 from edugym_course.grading import WrongAnswer
 from edugym_course.grading.close_calls import (
+    AROUND,
     BANDITS,
     CORRIDOR,
     END,
     LEAVE,
     LESS,
     SMALL,
+    TOLL,
     CloseCalls,
     require_close_calls,
 )
@@ -29,7 +31,7 @@ def test_when_leaving_is_better(discount: float, leaves: list[bool]) -> None:
 
 
 def test_the_world() -> None:
-    """Its episodes are those of a bandit, of a corridor that is left at once, and of one that is walked to its end."""
+    """Its episodes are those of a bandit, of a corridor that is left or walked to its end, and of a toll."""
     world, rng, found = CloseCalls(0), np.random.default_rng(0), set()
     state, rewards = world.reset(seed=0)[0], list[float]()
     seen = {state}
@@ -37,14 +39,15 @@ def test_the_world() -> None:
         action = int(rng.integers(2))
         state, reward, terminated, truncated, _ = world.step(action)
         assert not truncated
-        rewards.append(reward if reward in LEAVE or reward == 0.0 else reward + LESS * action)
+        rewards.append(reward if reward in (*LEAVE, TOLL, AROUND, 0.0) else reward + LESS * action)
         seen.add(state)
         if terminated:
             found.add((len(rewards), round(sum(rewards), 3)))
             state, rewards = world.reset()[0], []
     walked = {(length, END) for length in range(1, CORRIDOR + 1)}
-    assert found == {(1, SMALL), (1, -SMALL), *((1, cost) for cost in LEAVE)} | walked
-    assert seen == {*range(BANDITS + 2 * CORRIDOR)}
+    tolls = {(1, AROUND), (2, TOLL)}
+    assert found == {(1, SMALL), (1, -SMALL), *((1, cost) for cost in LEAVE)} | walked | tolls
+    assert seen == {*range(BANDITS + 2 * CORRIDOR + 2)}
 
 
 @pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])

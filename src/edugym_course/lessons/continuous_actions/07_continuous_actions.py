@@ -348,7 +348,7 @@ pictures.tile_coding()
 
 # %% [markdown] tags=["aside"]
 # ### Aside: tile coding in code
-# The code finds the tile of each grid `k`. `shift` displaces the grid, by another share of a tile in each coordinate;
+# The code finds the tile of each grid `k`. `shift` displaces the grid, in most grids by another share of a tile in each coordinate;
 # so a place near the upper edge may be in one tile more, hence `+ 1`. The number of a tile is put together from its
 # places in all coordinates, as 352 is from its digits: $(3 \cdot 10 + 5) \cdot 10 + 2$.
 

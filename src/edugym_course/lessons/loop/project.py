@@ -58,6 +58,7 @@ class _Slips:
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
         least: below which no value of a next state is.
+        discounts_all: whether the reward is discounted, too, where the episode goes on.
         moves_on: whether it is a value of the next state that moves.
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
@@ -71,6 +72,7 @@ class _Slips:
     counts: bool = False
     same_action: bool = False
     least: float = -math.inf
+    discounts_all: bool = False
     moves_on: bool = False
     forgets: bool = False
     whole_row: bool = False
@@ -103,11 +105,9 @@ class _Slips:
         else:
             future = row[action] if self.same_action else max(row.max(), self.least)
             moved = int(self.Q[state].argmax()) if self.of_the_best else action
-            self._move(
-                next_state if self.moves_on else state,
-                moved,
-                reward + (0.0 if terminated else DISCOUNT * float(future)),
-            )
+            earned = DISCOUNT * reward if self.discounts_all and not terminated else reward
+            target = earned + (0.0 if terminated else DISCOUNT * float(future))
+            self._move(next_state if self.moves_on else state, moved, target)
 
     def _move(self, state: int, action: int, target: float) -> None:
         self._updates[state, action] += 1
@@ -153,6 +153,9 @@ RULE = Rule(
         "`state = next_state` comes before the update, which then moves a value of S' in place of one of S": Learner(
             partial(slips, moves_on=True)
         ),
+        "nothing is learned from the last step of an episode: where `terminated` is True, the target is R": Learner(
+            agent, skips=lambda step: step.terminated
+        ),
         "nothing is learned from a step that is truncated: it is a step like the others": Learner(
             agent, skips=lambda step: step.truncated
         ),
@@ -180,6 +183,9 @@ RULE = Rule(
 OTHER_NUMBERS = {
     "γ is larger than 0.99; is it missing?": Learner(partial(agent, discount=1.0)),
     "γ is smaller than 0.99": Learner(partial(agent, discount=0.97)),
+    "the reward is discounted as well, and γ belongs to the value of the next state alone": Learner(
+        partial(slips, discounts_all=True)
+    ),
     "the maximum over the next actions is never below 0: a search for the largest value must not start there": Learner(
         partial(slips, least=0.0)
     ),

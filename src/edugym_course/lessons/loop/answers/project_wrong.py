@@ -342,3 +342,18 @@ def my_program(environment, n_steps, seed):
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.078:
+
+# %% the reward is discounted too
+# slow
+# says: the reward is discounted as well, and γ belongs to the value of the next state alone
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if terminated else 0.99 * (reward + Q[next_state].max())
+
+# %% nothing from the last step
+# slow
+# says: nothing is learned from the last step of an episode: where `terminated` is True, the target is R
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + if not terminated:
+# +     Q[state, action] += 0.5 * (target - Q[state, action])
