@@ -43,11 +43,11 @@ gym.make("edugym/Boulder-v0", height=boulder.strengths[0]).unwrapped.scene()
 gym.make("edugym/Boulder-v0", height=boulder.strengths[-1]).unwrapped.scene()
 
 # %% [markdown]
-# Climb the first rung yourself, seeing only what an agent sees. At each height one of the two grips holds, and it is the same one in every episode.
+# Climb the first rung yourself, a wall with other grips, seeing only what an agent sees. At each height one of the two grips holds, and it is the same one in every episode.
 # How many wrong grips do you need to reach the top? Then think of 100 levels.
 
 # %%
-play("Boulder", height=boulder.strengths[0], blind=True)
+play("Boulder", height=boulder.strengths[0], layout_seed=1, blind=True)
 
 # %% [markdown]
 # On each rung an agent trains for a fixed number of steps, from the beginning: what it has learned on one rung is forgotten on the next. Then it
@@ -97,7 +97,7 @@ print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
 # $$
 #
 # A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. By default $m = 1$ and $U = 100$.
-# So it acts while it learns. It is scored by a second table with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
+# In this way it acts while it learns. It is scored by a second table with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
 
 # %%
 source(RMax, "learn", "act", "greedy")
@@ -157,7 +157,7 @@ sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.9
 # <details><summary>What came out</summary>
 #
 # Study hardly moved, whatever the learning rate and $\varepsilon$ were: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration, and to 0.10 with
-# a learning rate of 1 (there chance decides: to 0.1 to 0.5 with other random numbers). With both, no exploration and a learning rate of 1, it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2.
+# a learning rate of 1 (with other random numbers to 0.1 to 0.5). With both, no exploration and a learning rate of 1, it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2.
 # </details>
 
 # %% [markdown]
@@ -176,9 +176,9 @@ figures.ladders(tries)
 # With ten tries it climbs higher on the rungs in the middle, and its score over the ladder is higher. On the first rung, where no hit misses, both score 1: without the
 # noise one try is enough. (On the noisiest rung ten tries score less: the steps are too few to try everything ten times. With 300 000 of them ten tries score 0.63, and one 0.49, in 150 runs.) So the reason passes two tests. (They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.)
 #
-# In Tamagotchi R-max scores about 0 on every rung, at most 0.02, even where messages have no noise. There, too, one try shows one of many outcomes, since the agent sees
-# hit points and a message, and not the state. And $U$ is no high value there: the best play gets 6 707. On that rung ten tries alone bring the score from 0.01 to 0.21 in 20 runs. $U = 8000$ alone brings it
-# to 0.12 in 100 runs: 7 of them score 1, and half of them less than 0.03. Together they bring it to 0.97: 96 of 100 score 1. So a low score may have two causes, and it does not help much to take away one.
+# In Tamagotchi R-max scores about 0 on every rung, even where messages have no noise. There, too, one try shows one of many outcomes, since the agent sees
+# hit points and a message, and not the state. And $U$ is no high value there: the best play gets 6 707. Where messages have no noise ten tries alone bring the score from 0.02 to 0.2 in 20 runs. $U = 8000$ alone brings it
+# to 0.12 in 100 runs: 7 of them score 1, and half of them less than 0.03. Together they bring it to nearly 1. So a low score may have two causes, and it does not help much to take away one.
 
 # %% [markdown]
 # ## Predict, then check
@@ -224,7 +224,7 @@ for sentence in methods.whole_profile("QLearning"):
 figures.all_ladders("QLearning")
 
 # %% [markdown]
-# Q-learning masters no ladder up to its last rung. Choose another agent, and say of each ladder, before you look, whether it climbs higher. Which part of
+# Q-learning masters no ladder up to its last rung. Choose another agent (first RMax, NStepSARSA, QLambda or DynaQ), and say of each ladder, before you look, whether it climbs higher. Which part of
 # its equation should help there?
 
 # %%
