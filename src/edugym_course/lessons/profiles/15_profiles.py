@@ -63,7 +63,7 @@ play("Boulder", height=boulder.strengths[0], layout_seed=1, blind=True)
 # x = \frac{G - G_\text{random}}{G_\text{best} - G_\text{random}}
 # $$
 #
-# 0 is random play and 1 the best play; below 0 is worse than random play. The *score* in a challenge is the mean of $x$ over the rungs. The agent
+# 0 is random play and 1 the best play; below 0 is worse than random play, and by chance a mean of some episodes may be above 1. The *score* in a challenge is the mean of $x$ over the rungs. The agent
 # *breaks* where the mean of $x$ over its runs first falls below 0.5, interpolated between two rungs.
 
 # %%
@@ -96,7 +96,7 @@ print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
 # \end{cases}
 # $$
 #
-# A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. By default $m = 1$ and $U = 100$.
+# A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. By default $m = 1$ and $U = 100$ (`known_after` and `highest_return`).
 # In this way it acts while it learns. It is scored by a second table with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
 
 # %%
@@ -157,7 +157,7 @@ sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.9
 # <details><summary>What came out</summary>
 #
 # Study hardly moved, whatever the learning rate and $\varepsilon$ were: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration, and to 0.10 with
-# a learning rate of 1 (with other random numbers to 0.1 to 0.5). With both, no exploration and a learning rate of 1, it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2.
+# a learning rate of 1 (with other random numbers to 0.1 to 0.5). With both, no exploration and a learning rate of 1, it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2: only the very end of its slider does it.
 # </details>
 
 # %% [markdown]
@@ -290,7 +290,7 @@ check(exercise_2, make_mine, seed=1, quiet=True)
 # %% [markdown]
 # More holes to build, with `profile` as the judge: an agent that masters Boulder and breaks in Golf; one that breaks in Boulder, but not in Golf; one that
 # gets further than Q-learning in MemoryCorridor (a wrapper is part of an agent: after `from edugym import FrameStack`, that is `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`). Why
-# can this one not enter Roadrunner? (`profile` says it.)
+# can this one not enter Roadrunner? (`profile(...).blank` says it.)
 
 # %% [markdown]
 # ## What you saw

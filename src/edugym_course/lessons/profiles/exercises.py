@@ -70,6 +70,7 @@ OVER_THE_RUNGS: Mapping[str, Callable[[Reals, Reals], float]] = {
     "`//` gives whole numbers; write `/`": lambda x, w: mean(np.floor(x), w),
     "the best play scores 1: no percentage is wanted": lambda x, w: mean(100 * x, w),
     "scores below 0 and above 1 count as they are": lambda x, w: mean(np.clip(x, 0, 1), w),
+    "scores above 1 count as they are": lambda x, w: mean(np.minimum(x, 1), w),
 }
 """How the scores of the rungs become one."""
 OTHERS: Mapping[str, Callable[[Reals, Reals, Reals, Reals], float]] = {

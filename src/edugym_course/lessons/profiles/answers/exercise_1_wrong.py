@@ -185,3 +185,9 @@ def ladder_score(returns, random, best):
 # says: that is the score of the best rung alone
 def ladder_score(returns, random, best):
     return max((returns - random) / (best - random))
+
+
+# %% no score above 1
+# says: scores above 1 count as they are
+def ladder_score(returns, random, best):
+    return np.mean(np.minimum((returns - random) / (best - random), 1))
