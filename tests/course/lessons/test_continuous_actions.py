@@ -8,7 +8,7 @@ import pytest
 from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
 from edugym_course.grading import WrongAnswer
-from edugym_course.lessons.continuous_actions import exact, experiments, methods, ppo, project, release
+from edugym_course.lessons.continuous_actions import draws, exact, experiments, methods, ppo, project, release
 from tests.course.lessons.made_up import made_up, measured
 
 
@@ -81,7 +81,7 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
 def test_a_program_that_draws_its_actions(seed: int) -> None:
     """Our program passes; with a mistake it is told as this one."""
     project.check_equations(project.reinforce, seed)
-    for sentence, make in (project.MISTAKES | project.WRONG_SPREADS).items():
+    for sentence, make in (project.MISTAKES | draws.WRONG_SPREADS).items():
         with pytest.raises(WrongAnswer) as refused:
             project.check_equations(partial(project.reinforce, make=make), seed)
         assert str(refused.value).endswith(sentence)

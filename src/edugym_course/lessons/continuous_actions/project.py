@@ -107,12 +107,7 @@ MISTAKES: dict[str, Maker] = {
     "nothing is learned from the last step of an episode: its G is its reward": partial(Gaussians, all_steps=False),
     UNBOUNDED: partial(Gaussians, bounds=(1e-9, 1e9)),
     "σ is kept below 1, and it may grow to 2": partial(Gaussians, bounds=(SMALLEST, 1.0)),
-    **{
-        f"σ may fall to {least:g}, and it should stay at {SMALLEST:g} or above": partial(
-            Gaussians, bounds=(least, LARGEST)
-        )
-        for least in (0.01, 0.05, 0.1)
-    },
+    "σ may fall to 0.1, and it should stay at 0.2 or above": partial(Gaussians, bounds=(0.1, LARGEST)),
     "ln σ is kept between 0.2 and 2, and it is σ that should be; ln σ lies between ln 0.2 and ln 2": partial(
         Gaussians, bounds=(math.exp(SMALLEST), math.exp(LARGEST))
     ),

@@ -48,6 +48,7 @@ PATIENCE = 5
 """A program that solves a riddle in this many times as many steps is only slow."""
 TWIN_STEPS, TWIN_QUESTIONS, TWINS_SOLVED = 4_000, 300, 0.92
 MASK = "Is h_j never below 0, and g_j 0 where h_j is 0?"
+NOT_CHOOSY = f"It does not solve another riddle, in which {CHOOSY.asks}"
 FROZEN = (
     "Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2"
     f" and b2? {MASK}"
@@ -148,7 +149,7 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
         solution(program, CHOOSY, RIDDLE_STEPS, seed).played < OPPOSITE
         or (longer > SOLVED and solution(program, CHOOSY, PATIENCE * RIDDLE_STEPS, seed).played < UNSOLVED)
     ):
-        return f"It does not solve another riddle either, in which {CHOOSY.asks}"
+        return NOT_CHOOSY
     if longer > SOLVED:
         return (
             f"After {PATIENCE * RIDDLE_STEPS} steps it is {longer:.0%}, so it learns too slowly: likely a learning"
@@ -199,7 +200,7 @@ def check_catch(program: Any, seed: int) -> float:
 
 def _cause_in_catch(program: Any, run: Run, share: float, number: int) -> str:
     if solution(program, CHOOSY, RIDDLE_STEPS, number).played < OPPOSITE:
-        return f"it takes the worst actions in another riddle, in which {CHOOSY.asks}"
+        return NOT_CHOOSY
     steady, _ = caught(program, number, brightest=True)
     if share < FEW and steady >= CAUGHT:
         return (

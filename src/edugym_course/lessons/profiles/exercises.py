@@ -197,10 +197,10 @@ def exercise_2(answer: Any, seed: int, first: First = None) -> str:
         discount = getattr(agent_made_by(call, answer, easiest), "discount", 0)
         why = STILL_SEES if 0 < discount < QLearning.create(easiest).discount else WHICH_PART
         raise WrongAnswer(
-            f"{told}: it has no hole in Study, since its score there is not surely lower by {HOLE} (95 % interval"
-            f" {hard.low:+.2f} to {hard.high:+.2f}); {why}"
+            f"{told}: it has no hole in Study, since its score there is not surely lower by {HOLE} ({hard.low:+.2f} to"
+            f" {hard.high:+.2f}); {why}"
         )
-    return f"That is the hole: as good as Q-learning in Tamagotchi, and no good in Study ({told})."
+    return "That is the hole: as good as Q-learning in Tamagotchi, and no good in Study."
 
 
 def _require_first(call: str, agent: Any, first: float | None) -> None:

@@ -494,7 +494,7 @@
 # + a = np.random.default_rng(seed).normal(mu[s], np.exp(ls[s]))
 
 # %% σ may fall to 0.1
-# says: A usual mistake gives the very same numbers: σ may fall to 0.1, and it should stay at 0.2 or above
+# says: σ may fall to 0.1, and it should stay at 0.2 or above
 # in: lists of an episode
 # - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
 # + ls[S[k]] = min(max(ls[S[k]], np.log(0.1)), np.log(2))

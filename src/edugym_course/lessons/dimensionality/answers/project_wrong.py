@@ -277,7 +277,7 @@ def my_program(environment, n_steps, seed):
 
 # %% the minimum over the next actions
 # slow
-# says: It does not solve another riddle either, in which the right action leads to an image in which one action brings 1 and the others −1, and another one to an image in which all bring −0.2: does the target have the *largest* value of S', and not their mean, or that of one action?
+# says: It does not solve another riddle, in which the right action leads to an image in which one action brings 1 and the others −1, and another one to an image in which all bring −0.2: does the target have the *largest* value of S', and not their mean, or that of one action?
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].min(axis=1)

@@ -41,7 +41,7 @@ def my_program(environment, n_steps, seed):
 # %% the policy forgets the way
 # says: , the program reached the top
 # says:  times while it learned, but the policy that it returns does not in
-# says: 30 steps: does it remember the way, and go it without trying anything?
+# says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), and from the state that reset gives in each episode?
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: 0

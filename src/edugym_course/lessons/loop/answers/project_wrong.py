@@ -272,14 +272,14 @@ def my_program(environment, n_steps, seed):
 # %% γ is forgotten
 # slow
 # says: in worlds where small differences decide, with 60
-# says: They fit a usual mistake: γ is larger than 0.99; is it missing?
+# says: γ is larger than 0.99; is it missing?
 # in: episode after episode
 # - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
 # + Q[s, a] += 0.5 * (r + (not end) * Q[s2].max() - Q[s, a])
 
 # %% first values of −1
 # slow
-# says: They fit a usual mistake: the first values are below 0
+# says: the first values are below 0
 # in: episode after episode
 # - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
 # + Q = -np.ones((environment.observation_space.n, environment.action_space.n))
@@ -357,3 +357,31 @@ def my_program(environment, n_steps, seed):
 # - Q[state, action] += 0.5 * (target - Q[state, action])
 # + if not terminated:
 # +     Q[state, action] += 0.5 * (target - Q[state, action])
+
+# %% γ = 0.97
+# slow
+# says: γ is smaller than 0.99
+# in: episode after episode
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] += 0.5 * (r + (not end) * 0.97 * Q[s2].max() - Q[s, a])
+
+# %% first values of 0.5
+# slow
+# says: the first values are above 0
+# in: episode after episode
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + Q = np.full((environment.observation_space.n, environment.action_space.n), 0.5)
+
+# %% a maximum that starts from 0
+# slow
+# says: the maximum over the next actions is never below 0: a search for the largest value must not start there
+# in: episode after episode
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] += 0.5 * (r + (not end) * 0.99 * max(0.0, *Q[s2]) - Q[s, a])
+
+# %% expected SARSA
+# slow
+# says: the mean over the actions of ε-greedy stands where the maximum should: that is expected SARSA
+# in: episode after episode
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] += 0.5 * (r + (not end) * 0.99 * (0.9 * Q[s2].max() + 0.1 * Q[s2].mean()) - Q[s, a])

@@ -216,3 +216,10 @@
 # - if terminated or truncated:
 # -     s2, _ = environment.reset()
 # -     a2 = choose(Q[s2], rng)
+
+# %% all actions are drawn
+# slow
+# says: So many come from chance alone, or from a table that never changes: are the actions chosen by the values, with probability 1 − ε, and does the update change that of the action taken, and no other?
+# in: a class with both
+# - return int(self.rng.integers(len(self.table[s]))) if self.rng.random() < 0.1 else self(s)
+# + return int(self.rng.integers(len(self.table[s])))

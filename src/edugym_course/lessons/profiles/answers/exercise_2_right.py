@@ -1,5 +1,6 @@
 # %% does not look ahead
 # slow
+# says: That is the hole: as good as Q-learning in Tamagotchi, and no good in Study.
 def make_mine(environment):
     return QLearning.create(environment, discount=0)
 

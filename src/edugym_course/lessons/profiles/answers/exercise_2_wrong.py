@@ -63,3 +63,12 @@ make_mine = "QLearning"
 # says: your agent cannot enter
 def make_mine(environment):
     return QLearning.create(make_mdp("Study"), discount=0.0)
+
+
+# %% high first values
+# slow
+# says: : there may be a hole in Study, but
+# says: runs do not make it sure (95 % interval
+# says: ): make it deeper
+def make_mine(environment):
+    return QLearning.create(environment, initial_value=100.0)
