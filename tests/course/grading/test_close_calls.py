@@ -19,7 +19,8 @@ from edugym_course.grading.close_calls import (
     require_close_calls,
 )
 from edugym_course.grading.curves import program_of
-from edugym_course.lessons.loop.project import EPSILON, OTHER_NUMBERS, RULE, agent
+from edugym_course.lessons.loop.methods import EPSILON
+from edugym_course.lessons.loop.project import OTHER_NUMBERS, RULE, agent
 
 
 @pytest.mark.parametrize(

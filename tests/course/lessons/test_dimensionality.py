@@ -15,7 +15,6 @@ from edugym_course.lessons.dimensionality import (
     figures,
     methods,
     networks,
-    project,
     sharing,
     sizes,
     tasks,
@@ -24,7 +23,7 @@ from edugym_course.lessons.dimensionality import (
 from edugym_course.lessons.dimensionality.boards import Offset
 from edugym_course.lessons.dimensionality.layers import SmallCNN
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
-from edugym_course.lessons.dimensionality.riddles import CHOOSY, DARK, QUESTIONS, RIDDLES, Album, Move, Riddle
+from edugym_course.lessons.dimensionality.riddles import CHOOSY, DARK, GOOD, QUESTIONS, RIDDLES, Album, Move, Riddle
 from edugym_course.lessons.model_based.figures import steps_to
 from tests.course.lessons.answers import Answer, verdict
 from tests.course.lessons.made_up import Curve, made_up, measured
@@ -215,9 +214,7 @@ def value(
     if mean and riddle.choosy:
         worth = (worth - 1.0 - 1.0) / 3
     ends = masked and (move.terminated or (truncated_ends and move.truncated))
-    return move.reward + (
-        0.0 if ends else discount * follows * (worth if move.image == project.GOOD else riddle.bad.reward)
-    )
+    return move.reward + (0.0 if ends else discount * follows * (worth if move.image == GOOD else riddle.bad.reward))
 
 
 @pytest.mark.parametrize(
