@@ -206,10 +206,7 @@ def _here(step: Step) -> float:
 
 
 def _in_a_loop(step: Step, target: Callable[[Any], float], of: float | None = None) -> Any:
-    """Return the weights if the error is computed again for each of them, from those that have moved already.
-
-    `of` is the present value if that is computed only once.
-    """
+    """Return the weights if the error, or with `of` its target alone, is computed again after each has moved."""
     w = step.w.copy()
     for i, feature in enumerate(step.x):
         present = float(step.x @ w[:, step.action]) if of is None else of
