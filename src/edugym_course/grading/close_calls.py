@@ -1,4 +1,4 @@
-"""A world of close calls: small differences in γ or in the first values change which action looks best."""
+"""A world of close calls: small differences in γ, in the rewards or in the first values decide what looks best."""
 
 import math
 from collections.abc import Mapping
@@ -8,14 +8,12 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner
-from edugym_course.grading.programs import APART, NAME, run_program, shape_of
-from edugym_course.grading.replay import likeliest, replay
-from edugym_course.grading.surprises import NEAR, Surprises
+from edugym_course.grading.programs import APART, run_program, shape_of
+from edugym_course.grading.replay import replay
+from edugym_course.grading.surprises import NEAR, Surprises, likeliest, refusal
 
 WORLDS, N_STEPS = 2, 3_000
-
 ACTIONS, BANDITS, CORRIDOR = 2, 30, 10
 SMALL, LESS = 0.05, 0.03
 """The size of a bandit's reward: the first action stays the best one if it is above the first value of the other one.
@@ -26,8 +24,6 @@ END, LEAVE = -4.0, (-3.78, -3.46)
 """What the end of a corridor brings, and what leaving the corridors at once does. The way to the end is worth −4 γ^9:
 −3.65 with γ = 0.99; with 0.995 or more it is less than the first of these, with 0.983 or less more than the second.
 """
-
-
 TOLL, AROUND = -4.0, -3.98
 """What a toll costs, after which there is one more step, and what the way around it costs, which is a single step. Who
 discounts rewards as well pays the toll.
@@ -116,8 +112,4 @@ def require_close_calls(
             "Are α, γ and the first values those of the text, the first values all the same, and the values neither"
             " rounded nor cut off?"
         )
-    raise WrongAnswer(
-        f"in worlds where small differences decide, with {found.found.size} steps, {found.found.sum():.0f} actions of"
-        f" {NAME} are not those that its own steps make look best by the equation of this lesson, and with ε ="
-        f" {epsilon:g} it should be some {found.expected:.0f}. {cause}"
-    )
+    raise refusal("worlds where small differences decide,", epsilon, found, cause)

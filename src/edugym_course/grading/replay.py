@@ -11,8 +11,6 @@ from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from heapq import heappop, heappush
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -37,24 +35,35 @@ from edugym_course.grading.programs import (
     shape_of,
 )
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
-from edugym_course.grading.surprises import BOTH, NATS, NEAR, OTHERS, SIGMAS, SLACK, UNEXPLAINED, Row, Surprises
+from edugym_course.grading.surprises import (
+    BOTH,
+    NATS,
+    NEAR,
+    OTHERS,
+    SIGMAS,
+    SLACK,
+    UNEXPLAINED,
+    Row,
+    Surprises,
+    likeliest,
+    refusal,
+)
 
 TRIAL = 300
 """The steps of the runs that must repeat each other."""
 ASKED = 200
 """How many observations a policy is asked about."""
-SELDOM, BY_CHANCE, ENOUGH = 0.75, 5.0, 30
-"""The share of its chances below which an action is tried too seldom, and how many standard deviations below them; and
-how many chances are enough to tell."""
+RARELY, SELDOM, BY_CHANCE, ENOUGH = 0.25, 0.75, 5.0, 30
+"""The shares of its chances below which an action is hardly tried, and tried too seldom if that is so many standard
+deviations below them; and how many chances are enough to tell."""
 FURTHER, LONGER = 500_000, 2
 """How far the seeds of the second look are from those of the first; how many times longer each of its runs is."""
-AT_ONCE = 100
-"""How many steps a mistake goes on, before another one that is more probable may."""
 SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
 FALLS, GROWS = (
     f"Their share {how} during a run: ε should be the same from the first step to the last"
     for how in ("falls", "grows")
 )
+TOO_SELDOM = "So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?"
 NEVER_FIRST = "These are the first actions of episodes: an action after a reset is drawn by ε-greedy, too"
 ONCE = "They come together, in few episodes: draw anew in each step whether its action is random, not once an episode"
 MANY = 1.5
@@ -142,29 +151,6 @@ def histories(steps: Sequence[Step]) -> list[tuple[Any, ...]]:
     return found
 
 
-def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) -> tuple[int, list[Row]]:
-    """Return the number of the replay that makes the actions most probable, the first among equals, and its rows.
-
-    No other is played to its end: the one that may still become the likeliest goes on (a best-first search), and most
-    mistakes are soon behind.
-
-    Args:
-        replays: at least one.
-        n_steps: how many steps each has.
-        highest: the largest logarithm that a step can have.
-    """
-    rows: list[list[Row]] = [[] for _ in replays]
-    queue = [(-n_steps * highest, number) for number in range(len(replays))]
-    while True:
-        _, number = heappop(queue)
-        mine = rows[number]
-        if len(mine) == n_steps:
-            return number, mine
-        mine += islice(replays[number], AT_ONCE)
-        at_most = sum(log for _, _, log, *_ in mine) + (n_steps - len(mine)) * highest
-        heappush(queue, (-at_most, number))
-
-
 @dataclass(frozen=True)
 class Rule:
     """The equation that a program should learn by.
@@ -245,7 +231,7 @@ class Rule:
         runs = self._longer_runs(program, seed, longer)
         right = Surprises.of(replay(runs, self.right, shape_of(self._world(0)), self.epsilon))
         if not (right.is_usual() and right.are_drawn()):
-            raise self._refused(right, replace(self, looks_closer=True)._cause(right, tries))
+            raise refusal("small worlds", self.epsilon, right, replace(self, looks_closer=True)._cause(right, tries))
         self._require_steady_tries(runs, right, grows=True)
 
     def _longer_runs(self, program: Any, seed: int, longer: int = LONGER) -> list[Sequence[Step]]:
@@ -271,15 +257,19 @@ class Rule:
         together, alone = right.among(late).once_an_episode(np.cumsum(first)[late], self.epsilon, shape[1])
         is_clear = together > max(alone, float(likely.logs[late].sum())) + NATS
         if is_clear and right.too_many < MANY * right.expected and right.are_drawn():
-            raise self._refused(right, ONCE)
+            raise refusal("small worlds", self.epsilon, right, ONCE)
         if not is_better and (right.is_usual(NEAR) or right.too_many < 0):
             self._require_steady_tries(runs, right)
         if not is_better and right.is_usual(NEAR):
             self._require_tries(runs, shape)
             begun = right.among(first)
-            never = begun.too_many < -SIGMAS * begun.deviation and begun.found.sum() < begun.expected / 2
-            if self.looks_closer and never:
-                raise self._refused(begun, NEVER_FIRST)
+            if self.looks_closer and begun.too_many < -SIGMAS * begun.deviation:
+                raise refusal(
+                    "small worlds",
+                    self.epsilon,
+                    begun,
+                    NEVER_FIRST if begun.found.sum() < begun.expected / 2 else TOO_SELDOM,
+                )
             if self._are_drawn(right):
                 self._require_steady_tries(runs, right, grows=True)
                 if right.is_usual(self.slack):
@@ -293,15 +283,7 @@ class Rule:
             others = right.among(~first)
             only_first = others.is_usual(NEAR) and others.are_drawn() and not right.among(first).is_usual(NEAR)
             cause = FIRST if only_first else self._cause(right, tries)
-        raise self._refused(right, cause)
-
-    def _refused(self, right: Surprises, cause: str) -> WrongAnswer:
-        """Return what to say of surprises, and of their cause."""
-        return WrongAnswer(
-            f"in small worlds with {right.found.size} steps, {right.found.sum():.0f} actions of {NAME} are not those"
-            " that its own steps make look best by the equation of this lesson, and with ε ="
-            f" {self.epsilon:g} it should be some {right.expected:.0f}. {cause}"
-        )
+        raise refusal("small worlds", self.epsilon, right, cause)
 
     def _are_drawn(self, right: Surprises) -> bool:
         return right.are_drawn() or not self.looks_closer
@@ -330,7 +312,8 @@ class Rule:
                 best = _best(agent, step.state)
                 chances += [self.epsilon / len(best) * (not looks) for looks in best]
                 tries[step.action] += not best[step.action]
-        few = (tries < SELDOM * chances) & (tries < chances - BY_CHANCE * np.sqrt(chances))
+        seldom = (tries < SELDOM * chances) & (tries < chances - BY_CHANCE * np.sqrt(chances))
+        few = (tries < RARELY * chances) | seldom
         for action in np.flatnonzero(few & (chances > ENOUGH)):
             raise WrongAnswer(
                 f"{NAME} tries the action {action} {tries[action]:.0f} times where another one looks better, and with"
@@ -390,7 +373,7 @@ class Rule:
                 f" or a number in it. Compare {compare}"
             )
         if found < right.expected:
-            return "So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?"
+            return TOO_SELDOM
         is_known = tries is not None and abs(tries / self.epsilon - 1) <= NEAR
         if_others = self.epsilon * np.count_nonzero(right.chances)
         is_other = abs(found - if_others) < SIGMAS * right.deviation

@@ -1,7 +1,9 @@
 """In which steps of a program the action was not one that looked best, and what their number tells."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+from heapq import heappop, heappush
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,6 +25,8 @@ UNEXPLAINED = 0.25
 SIGMAS, CLEARLY = 4.0, 2.0
 """How many standard deviations are more than chance; and how many more surprises a mistake may leave by chance."""
 
+AT_ONCE = 100
+"""How many steps a mistake goes on, before another one that is more probable may."""
 BOTH = 3.0
 """How many standard deviations are more than chance where a second number speaks against it too."""
 
@@ -124,6 +128,38 @@ class Surprises(NamedTuple):
     def explains_those_of(self, other: "Surprises", leaves: float = UNEXPLAINED) -> bool:
         """Whether it leaves few of the surprises of another one; a mistake that is only similar leaves more."""
         return self.too_many < leaves * other.too_many + CLEARLY * self.deviation
+
+
+def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) -> tuple[int, list[Row]]:
+    """Return the number of the replay that makes the actions most probable, the first among equals, and its rows.
+
+    No other is played to its end: the one that may still become the likeliest goes on (a best-first search), and most
+    mistakes are soon behind.
+
+    Args:
+        replays: at least one.
+        n_steps: how many steps each has.
+        highest: the largest logarithm that a step can have.
+    """
+    rows: list[list[Row]] = [[] for _ in replays]
+    queue = [(-n_steps * highest, number) for number in range(len(replays))]
+    while True:
+        _, number = heappop(queue)
+        mine = rows[number]
+        if len(mine) == n_steps:
+            return number, mine
+        mine += islice(replays[number], AT_ONCE)
+        at_most = sum(log for _, _, log, *_ in mine) + (n_steps - len(mine)) * highest
+        heappush(queue, (-at_most, number))
+
+
+def refusal(where: str, epsilon: float, found: Surprises, cause: str) -> WrongAnswer:
+    """Return what to say of surprises in some worlds, and of their cause."""
+    return WrongAnswer(
+        f"in {where} with {found.found.size} steps, {found.found.sum():.0f} actions of {NAME} are not those that its"
+        f" own steps make look best by the equation of this lesson, and with ε = {epsilon:g} it should be some"
+        f" {found.expected:.0f}. {cause}"
+    )
 
 
 def require_any_of_two(where: str, others: int, n_steps: int, epsilon: float) -> None:

@@ -20,7 +20,7 @@ from edugym_course.grading.close_calls import (
 )
 from edugym_course.grading.curves import program_of
 from edugym_course.lessons.loop.methods import EPSILON
-from edugym_course.lessons.loop.project import OTHER_NUMBERS, RULE, agent
+from edugym_course.lessons.loop.project import CLOSE_MISTAKES, RULE, agent
 
 
 @pytest.mark.parametrize(
@@ -54,15 +54,15 @@ def test_the_world() -> None:
 @pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
 def test_right_numbers(seed: int) -> None:
     """They are not refused."""
-    require_close_calls(program_of(agent), seed, RULE.right, OTHER_NUMBERS, EPSILON)
+    require_close_calls(program_of(agent), seed, RULE.right, CLOSE_MISTAKES, EPSILON)
 
 
-@pytest.mark.parametrize("sentence", OTHER_NUMBERS)
+@pytest.mark.parametrize("sentence", CLOSE_MISTAKES)
 @pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))])
-def test_other_numbers(sentence: str, seed: int) -> None:
+def test_close_mistakes(sentence: str, seed: int) -> None:
     """Each is told as this one."""
     with pytest.raises(WrongAnswer) as told:
-        require_close_calls(program_of(OTHER_NUMBERS[sentence].make), seed, RULE.right, OTHER_NUMBERS, EPSILON)
+        require_close_calls(program_of(CLOSE_MISTAKES[sentence].make), seed, RULE.right, CLOSE_MISTAKES, EPSILON)
     assert str(told.value).endswith(sentence)
 
 
@@ -75,4 +75,4 @@ def test_values_that_are_drawn() -> None:
         return learner
 
     with pytest.raises(WrongAnswer, match="the first values all the same"):
-        require_close_calls(program_of(drawn), 0, RULE.right, OTHER_NUMBERS, EPSILON)
+        require_close_calls(program_of(drawn), 0, RULE.right, CLOSE_MISTAKES, EPSILON)

@@ -118,8 +118,8 @@ def require_gaussian(runs: Sequence[Sequence[Step]]) -> None:
         raise WrongAnswer(f"{where} they lie {found.far:.3g} σ from it. They fit a usual mistake: {likely}")
     if abs(found.linked) > SIGMAS:
         raise WrongAnswer(
-            f"{NAME} has the right μ, but one action of an episode tells the next: on the same side of μ or on the"
-            " other. Draw the noise of each step anew"
+            f"{NAME} has the right μ, but too often two actions in a row lie on the same side of μ, or on different"
+            " ones. Draw the noise of each step anew"
         )
     if not found.is_one_away:
         raise WrongAnswer(f"{where} they lie {found.far:.3g} σ from it. Are they drawn by rng.normal(μ, σ), each once?")

@@ -180,7 +180,7 @@ RULE = Rule(
     | other_tables(agent),
     EPSILON,
 )
-OTHER_NUMBERS = {
+CLOSE_MISTAKES = {
     "γ is larger than 0.99; is it missing?": Learner(partial(agent, discount=1.0)),
     "γ is smaller than 0.99": Learner(partial(agent, discount=0.97)),
     "the reward is discounted as well, and γ belongs to the value of the next state alone": Learner(
@@ -192,12 +192,12 @@ OTHER_NUMBERS = {
     "the first values are below 0": Learner(partial(agent, first=-1.0)),
     "the first values are above 0": Learner(partial(agent, first=0.5)),
 }
-"""Those that hardly matter where rewards are large."""
+"""Those that change actions only where small differences decide."""
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))
 
 
 def project_0(answer: Any, seed: int) -> str:
     """Check a program with Q-learning."""
     RULE.check(answer, seed)
-    require_close_calls(answer, seed, RULE.right, OTHER_NUMBERS, EPSILON)
+    require_close_calls(answer, seed, RULE.right, CLOSE_MISTAKES, EPSILON)
     return f"Right: that is all of it, the loop and the learner. {compare_with_ours(answer, SHOP, seed)}"

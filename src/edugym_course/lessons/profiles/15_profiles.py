@@ -177,7 +177,7 @@ figures.ladders(tries)
 # noise one try is enough. (On the noisiest rung ten tries score less: the steps are too few to try everything ten times. With 300 000 of them ten tries score 0.63, and one 0.49, in 150 runs.) So the reason passes two tests. (They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.)
 #
 # In Tamagotchi R-max scores about 0 on every rung, even where messages have no noise. There, too, one try shows one of many outcomes, since the agent sees
-# hit points and a message, and not the state. And $U$ is no high value there: the best play gets 6 707. Where messages have no noise ten tries alone bring the score from 0.02 to 0.2 in 20 runs. $U = 8000$ alone brings it
+# hit points and a message, and not the state. And $U$ is not high there: the best play gets 6 707. Where messages have no noise ten tries alone bring the score from 0.02 to 0.2 in 20 runs. $U = 8000$ alone brings it
 # to 0.12 in 100 runs: 7 of them score 1, and half of them less than 0.03. Together they bring it to nearly 1. So a low score may have two causes, and it does not help much to take away one.
 
 # %% [markdown]

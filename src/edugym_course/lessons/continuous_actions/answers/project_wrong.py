@@ -474,7 +474,7 @@
 # + return lambda s: mu
 
 # %% one draw for the whole episode
-# says: my_program has the right μ, but one action of an episode tells the next: on the same side of μ or on the other. Draw the noise of each step anew
+# says: my_program has the right μ, but too often two actions in a row lie on the same side of μ, or on different ones. Draw the noise of each step anew
 # in: lists of an episode
 # - S, A, R, over = [], [], [], False
 # + S, A, R, over, z0 = [], [], [], False, rng.standard_normal()
