@@ -49,6 +49,13 @@ PATIENCE = 5
 TWIN_STEPS, TWIN_QUESTIONS, TWINS_SOLVED = 4_000, 300, 0.92
 MASK = "Is h_j never below 0, and g_j 0 where h_j is 0?"
 NOT_CHOOSY = f"It does not solve another riddle, in which {CHOOSY.asks}"
+BEYOND = (
+    "Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where"
+    " `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of"
+    " each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not"
+    " from the image in which the action was taken?)"
+)
+TOO_RANDOM = "Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?"
 FROZEN = (
     "Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2"
     f" and b2? {MASK}"
@@ -97,11 +104,11 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> None:
             f" questions after {RIDDLE_STEPS} steps; by chance it would be 33%. {why}"
         )
     if found.trained < GREEDY:
+        why = BEYOND if looks_beyond_ends(program, riddle, seed) else TOO_RANDOM
         raise WrongAnswer(
             f"in a riddle of six images, the policy of {NAME} takes the right action in {found.played:.0%} of the"
             f" questions after {RIDDLE_STEPS} steps, but while it learned the program took it in {found.trained:.0%}"
-            " of the last ones: with ε = 0.1 it should take the best action nine times of ten. Is ε larger, have ε and"
-            " 1 − ε changed places, or are all actions drawn at random?"
+            f" of the last ones: with ε = 0.1 it should take the best action nine times of ten. {why}"
         )
 
 
@@ -124,12 +131,7 @@ def never_explores(program: Any, riddle: Riddle, seed: int) -> bool:
 
 def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if looks_beyond_ends(program, riddle, seed):
-        return (
-            "Its actions change with the image that it is shown after a terminated end, so it looks up what comes then:"
-            " where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over"
-            " the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1"
-            " learn from it, and not from the image in which the action was taken?)"
-        )
+        return BEYOND
     if found.is_one and riddle is RIDDLES[0]:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"

@@ -74,7 +74,7 @@
 
 # %% never tries
 # slow
-# says: it seldom tries an action at random: is ε that of the text, up to the last step?
+# says: So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if rng.random() < 0.01 else best()
@@ -166,7 +166,7 @@
 
 # %% never the last arm at random
 # slow
-# says: is the random action one of *all* n actions, 0 to n - 1? rng.integers(n) draws one of these
+# says: times: is the random action one of *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n - 1)) if rng.random() < 0.1 else best()
