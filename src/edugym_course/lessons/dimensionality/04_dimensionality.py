@@ -986,12 +986,16 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch
 #   needs `torch.manual_seed(seed)` besides.)
 #
-# The check first gives your program five riddles, each in three runs of 2 000 steps. A riddle is a task with six images
-# that asks for one part of the method. Then the program learns Catch in three runs of 10 000 steps, on a board of 5 by
-# 5 pixels that is darkened by a new factor at every step. The policy of the middle run has to catch 70 % of the balls.
-# In the last riddles, in three runs of 2 000 or 4 000 steps each, two pixels together tell the right action, all later
-# values are negative, only one action pays in the better image, and one image is black. The check sees what your program does, and no line of it. So when it names a
-# mistake, this is the likely cause. It cannot find a mistake that does no harm in these tasks.
+# The check has three parts. In each task your program learns three times, from the beginning:
+#
+# 1. Five *riddles*, with 2 000 steps each. A riddle is a task with six images that asks for one part of the method.
+# 2. Catch, with 10 000 steps, on a board of 5 by 5 pixels that is darkened by a new factor at every step. The policy of
+#    the middle run has to catch 70 % of the balls.
+# 3. Four harder riddles. In one of them two pixels together tell the right action (this one has 4 000 steps). In the
+#    others all later values are negative, only one action pays in the better image, or one image is black.
+#
+# The check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. It
+# cannot find a mistake that does no harm in these tasks.
 
 # %% tags=["project"]
 my_program = ...  # your program

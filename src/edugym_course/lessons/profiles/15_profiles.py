@@ -96,7 +96,8 @@ print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
 # \end{cases}
 # $$
 #
-# A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. By default $m = 1$ and $U = 100$ (`known_after` and `highest_return`).
+# A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. In the code
+# $m$ is `known_after`, and 1 by default; $U$ is `highest_return`, and 100.
 # In this way it acts while it learns. It is scored by a second table with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
 
 # %%
@@ -156,8 +157,9 @@ sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.9
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Study hardly moved, whatever the learning rate and $\varepsilon$ were: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration, and to 0.10 with
-# a learning rate of 1 (with other random numbers to 0.1 to 0.5). With both, no exploration and a learning rate of 1, it scored 0.65: two settings that are bad alone need not be so together. And one setting left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2: only the very end of its slider does it.
+# - *The learning rate and* $\varepsilon$ hardly moved Study, whatever they were: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration, and to 0.10 with
+# a learning rate of 1 (with other random numbers to 0.1 to 0.5). With both at once it scored 0.65: two settings that are bad alone need not be so together.
+# - *One setting* left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2: only the very end of its slider does it.
 # </details>
 
 # %% [markdown]
@@ -174,11 +176,19 @@ figures.ladders(tries)
 
 # %% [markdown]
 # With ten tries it climbs higher on the rungs in the middle, and its score over the ladder is higher. On the first rung, where no hit misses, both score 1: without the
-# noise one try is enough. (On the noisiest rung ten tries score less: the steps are too few to try everything ten times. With 300 000 of them ten tries score 0.63, and one 0.49, in 150 runs.) So the reason passes two tests. (They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.)
+# noise one try is enough. So the reason passes two tests. They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.
 #
-# In Tamagotchi R-max scores about 0 on every rung, even where messages have no noise. There, too, one try shows one of many outcomes, since the agent sees
-# hit points and a message, and not the state. And $U$ is not high there: the best play gets 6 707. Where messages have no noise ten tries alone bring the score from 0.02 to 0.2 in 20 runs. $U = 8000$ alone brings it
-# to 0.12 in 100 runs: 7 of them score 1, and half of them less than 0.03. Together they bring it to nearly 1. So a low score may have two causes, and it does not help much to take away one.
+# (Why do ten tries score less on the noisiest rung? The steps are too few to try everything ten times. With 300 000 of them ten tries score 0.63, and one 0.49, in 150 runs.)
+#
+# **Two causes at once.** In Tamagotchi R-max scores about 0 on every rung, even where messages have no noise. There, too, one try shows one of many outcomes, since the agent sees
+# hit points and a message, and not the state. And $U = 100$ is not high there: the best play gets 6 707. This is the score where messages have no noise:
+#
+# | | $U = 100$ | $U = 8000$ |
+# |---|---|---|
+# | $m = 1$ | 0.02 | 0.12 (100 runs: 7 of them score 1, and half of them less than 0.03) |
+# | $m = 10$ | 0.2 (20 runs) | nearly 1 |
+#
+# It does not help much to take away only one of the causes.
 
 # %% [markdown]
 # ## Predict, then check
