@@ -146,7 +146,7 @@ in_golf.measured("lower" if less.high < 0 else "the same" if less.low < 0 else "
 # ## Your turn
 #
 # Two ladders of Q-learning, with three runs on each rung. Which settings move one ladder and leave the other as it is?
-# (Try the ends of the sliders, too.)
+# (Try the ends of the sliders, too. Where the three runs differ much, a band may be taller than the frame.)
 
 # %%
 figures.one_setting()
