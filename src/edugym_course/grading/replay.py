@@ -56,11 +56,14 @@ ASKED = 200
 RARELY, SELDOM, BY_CHANCE, ENOUGH = 0.25, 0.75, 5.0, 30
 """The shares of its chances below which an action is hardly tried, and tried too seldom if that is so many standard
 deviations below them; and how many chances are enough to tell."""
+OTHERWISE = 0.05
+"""In which share of the observations a policy may take another action than the best one. No right program does so in
+any, but one that computes with fewer digits may."""
 FURTHER, LONGER = 500_000, 2
 """How far the seeds of the second look are from those of the first; how many times longer each of its runs is."""
 SWAPPED = "ε and 1 − ε have changed places: an action is drawn at random with probability ε"
 FALLS, GROWS = (
-    f"Their share {how} during a run: ε should be the same from the first step to the last"
+    f"Their share {how} during a run: ε should be the same from the first step to the last, and rng made once"
     for how in ("falls", "grows")
 )
 TOO_SELDOM = "So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?"
@@ -105,7 +108,7 @@ def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -
         waiting = None
         if learner.skips(real):
             getattr(agent, "forget_episode", bool)()  # its list of steps, if it has one
-        elif "next_action" in names and not real.terminated:
+        elif "next_action" in names and not (real.terminated or real.truncated):
             waiting = step
         else:
             learn_from(agent, names, step, step.action)
@@ -321,7 +324,7 @@ class Rule:
                 " *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so"
             )
 
-    def require_best_actions(self, runs: Sequence[Run], shape: tuple[int, int], most: float = UNEXPLAINED) -> None:
+    def require_best_actions(self, runs: Sequence[Run], shape: tuple[int, int], most: float = OTHERWISE) -> None:
         """Refuse policies that draw their actions, or whose actions are not those that look best after all steps.
 
         Args:
@@ -351,7 +354,7 @@ class Rule:
             raise WrongAnswer(
                 f"in {other} of {total} {plural} {POLICY} takes another action than the one"
                 f" that the steps of the program make look best: does this policy look up the {look_up} that it is"
-                " given, and take the *best* action?"
+                " given, and take the *best* action, by values learned from all steps?"
             )
 
     def _cause(self, right: Surprises, tries: float | None) -> str:

@@ -20,6 +20,7 @@ from edugym_course.lessons.depth import (
     pictures,
     project,
     rates,
+    slips,
     targets,
     traces,
 )
@@ -220,7 +221,7 @@ def test_the_picture_of_the_buffer(n: int, t: int) -> None:
 
 def test_n_step_sarsa_from_its_definition() -> None:
     """Without a mistake it learns what the agent learns, in short and long episodes, of which some are cut off."""
-    both, rng = (project.FromDefinition((5, 2), cut="value"), project.agent((5, 2))), np.random.default_rng(0)
+    both, rng = (slips.slips((5, 2), cut="value"), project.agent((5, 2))), np.random.default_rng(0)
     for length in (1, 2, 3, 4, 9):
         pairs = rng.integers((5, 2), size=(length + 1, 2)).tolist()
         for k, ((s, a), (then, chosen)) in enumerate(pairwise(pairs), start=1):
@@ -244,7 +245,7 @@ def test_n_step_sarsa_from_its_definition() -> None:
 )
 def test_mistakes_in_the_first_target(mistake: dict[str, Any], target: float) -> None:
     """Of three steps from state 0 to 3, with action 1 in each; α = 0.5."""
-    agent = project.FromDefinition((4, 2), **mistake)
+    agent = slips.slips((4, 2), **mistake)
     agent.Q[1:] = [2, 3], [4, 5], [9, 8]
     for state in range(3):
         agent.learn(state, 1, state + 1.0, state + 1, 1, False, False)

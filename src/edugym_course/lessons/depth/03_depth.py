@@ -1038,8 +1038,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its
 # loop, some 40 lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the
-# episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and when the episode has ended (by
-# `terminated` or by `truncated`), all pairs have the rewards that there are. (After an episode that was only truncated, a learned value may count, too.)
+# episode. After step $t$ the pair of step $\tau = t - n + 1$ has its $n$ rewards, and once $A_{t+1}$ is drawn, its whole
+# target. When the episode has ended (by `terminated` or by `truncated`), all pairs that are left learn from the rewards
+# that there are, the oldest first. (Where it was only truncated, the last state has a value as well: after $k$ rewards
+# you may add $\gamma^k$ times it.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -1050,7 +1052,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $n = 3$, $\alpha = 0.5$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check runs your program in small worlds of its own and in Study with eight days and numbered states. It sees the
+# The check runs your program in small worlds of its own and in Study with eight days and numbered states
+# (`TabularObservation(gym.make("edugym/Study-v0", total_days=8))`; the class is in `edugym`). It sees the
 # steps that your program takes, and no line of it. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]

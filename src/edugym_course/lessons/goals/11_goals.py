@@ -461,10 +461,11 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # Q(S, G, A) \leftarrow Q(S, G, A) + \alpha \left[ R + \gamma \max_a Q(S', G, a) - Q(S, G, A) \right]
 # $$
 #
-# When an episode is over, whether it reached its goal or not, it learns all steps of it again, for the goal $G'$ that the
-# last step achieved. **The last step comes first**, so that the first one hears of the goal in the same sweep. A step that
+# Where `terminated` is True, the target is $R$ alone. When an episode is over, whether it reached its goal or not, it
+# learns all steps of it again, for the goal $G'$ that the last step achieved. **The last step comes first**, so that the first one hears of the goal in the same sweep. A step that
 # achieves $G'$ has the reward 0 and nothing after it; every other one has $-1$. In the end the program returns its *policy*:
-# a function that takes such a dictionary, and returns the action with the highest value.
+# a function that takes such a dictionary, and returns the action with the highest value; it is asked about pairs that were
+# never met, too.
 #
 # - Take $\alpha = 0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of $-10$. This is $-1 / (1 - \gamma)$, what it is
 #   worth never to reach the goal. At first all values are equal, so break ties at random.

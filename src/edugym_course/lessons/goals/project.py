@@ -46,6 +46,7 @@ class Hindsight:
         swaps: whether state and goal have changed places there.
         state_has, next_state_has: which goal stands beside the state, and beside the next one: "new" or "old".
         looks_on: whether the maximum is that of the next state, and not that of the state itself.
+        own_looks_on, own_discount: the same and γ where a step is learned for the goal of the episode, if they differ.
         sweeps: how often the steps are learned again.
         own: whether each step is learned at once for the goal of the episode.
         knows_goal: whether values hang on the goal.
@@ -80,6 +81,8 @@ class Hindsight:
         first_value: float = WORST,
         learning_rate: float = LEARNING_RATE,
         discount: float = DISCOUNT,
+        own_looks_on: bool | None = None,
+        own_discount: float | None = None,
     ) -> None:
         """Know nothing."""
         self._Q: defaultdict[tuple[Pattern, Pattern], Row] = defaultdict(lambda: [first_value] * shape[1])
@@ -92,6 +95,8 @@ class Hindsight:
         self._state_has, self._next_state_has = state_has, next_state_has
         self._looks_on, self._sweeps = looks_on, sweeps
         self._learning_rate, self._discount = learning_rate, discount
+        self._own_looks_on = looks_on if own_looks_on is None else own_looks_on
+        self._own_discount = discount if own_discount is None else own_discount
 
     def row(self, state: Pattern, goal: Pattern) -> Row:
         """The values of a state, for a goal."""
@@ -116,7 +121,9 @@ class Hindsight:
             pattern(part) for part in (state["achieved_goal"], next_state["achieved_goal"], state["desired_goal"])
         )
         if self._own:
-            self._update(self.row(s, goal), action, reward, self.row(then, goal), terminated)
+            row = self.row(s, goal)
+            after = self.row(then, goal) if self._own_looks_on else row
+            self._move(row, action, reward if terminated else reward + self._own_discount * max(after))
         self._steps.append((s, action, reward, then))
         if self._when == "always" and not (terminated or truncated):
             self._learn_again(goal)
@@ -157,7 +164,9 @@ class Hindsight:
             self._update(row(s, goals[self._state_has]), action, reward, after, ends)
 
     def _update(self, row: Row, action: int, reward: float, after: Row, ends: bool) -> None:
-        target = reward if ends else reward + self._discount * max(after if self._looks_on else row)
+        self._move(row, action, reward if ends else reward + self._discount * max(after if self._looks_on else row))
+
+    def _move(self, row: Row, action: int, target: float) -> None:
         row[action] += self._learning_rate * (target - row[action])
 
     def forget_episode(self) -> None:
@@ -247,6 +256,17 @@ RULE = Rule(
         "the maximum is that of the state itself: γ max_a Q(S', G, a) asks what comes next": mistake(looks_on=False),
         "the steps are learned again twice over; once is enough": mistake(sweeps=2),
         "the steps are learned in hindsight only; learn each at once for its own goal too": mistake(own=False),
+        "γ is missing where the steps are learned again: it is R + γ max_a Q(S', G, a) there too": mistake(
+            discount=1.0, own_discount=DISCOUNT
+        ),
+        "γ is missing where a step is learned at once, for its own goal: it is R + γ max_a Q(S', G, a) there too": (
+            mistake(own_discount=1.0)
+        ),
+        "where a step is learned at once, for its own goal, the maximum is that of the state itself; ask what comes"
+        " next": mistake(own_looks_on=False),
+        "where the steps are learned again, the maximum is that of the state itself; ask what comes next": mistake(
+            looks_on=False, own_looks_on=True
+        ),
         "the goal has no part in the values: a row of the table is a pair of a pattern and a goal": mistake(
             knows_goal=False
         ),

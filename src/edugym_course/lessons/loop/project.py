@@ -55,6 +55,10 @@ class _Slips:
     Attributes:
         Q: the table, of shape (n_states, n_actions).
         adds_up: whether the old value is not subtracted from the target.
+        subtracts: whether the value moves away from the target.
+        place: whether the number of the best action stands in the place of its value.
+        grows: whether all of the target is added to a half of the old value.
+        only_best: whether nothing is learned from an action that does not look best.
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
         least: below which no value of a next state is.
@@ -69,6 +73,10 @@ class _Slips:
 
     Q: Reals
     adds_up: bool = False
+    subtracts: bool = False
+    place: bool = False
+    grows: bool = False
+    only_best: bool = False
     counts: bool = False
     same_action: bool = False
     least: float = -math.inf
@@ -103,18 +111,22 @@ class _Slips:
         if self.next_action and not (terminated or truncated):
             self._waiting = state, action, reward, next_state
         else:
-            future = row[action] if self.same_action else max(row.max(), self.least)
+            future = row[action] if self.same_action else row.argmax() if self.place else max(row.max(), self.least)
             moved = int(self.Q[state].argmax()) if self.of_the_best else action
             earned = DISCOUNT * reward if self.discounts_all and not terminated else reward
             target = earned + (0.0 if terminated else DISCOUNT * float(future))
             self._move(next_state if self.moves_on else state, moved, target)
 
     def _move(self, state: int, action: int, target: float) -> None:
+        if self.only_best and self.Q[state, action] < self.Q[state].max():
+            return
         self._updates[state, action] += 1
         rate = 1 / self._updates[state, action] if self.counts else LEARNING_RATE
+        rate = -rate if self.subtracts else 1.0 if self.grows else rate
         old = float(self.Q[state, action])
         moved = slice(None) if self.whole_row else action
-        self.Q[state, moved] = (0.0 if self.forgets else old) + rate * (target - (0.0 if self.adds_up else old))
+        less = 0.0 if self.adds_up else LEARNING_RATE * old if self.grows else old
+        self.Q[state, moved] = (0.0 if self.forgets else old) + rate * (target - less)
 
 
 def slips(shape: tuple[int, int], **how: Any) -> _Slips:
@@ -143,6 +155,21 @@ RULE = Rule(
             partial(agent, learning_rate=1.0)
         ),
         "− Q(S, A) is missing in the brackets, so the values grow and grow": Learner(partial(slips, adds_up=True)),
+        "a minus sign stands where a plus should, so that the values move away from their targets: the update is"
+        " Q(S, A) + α [target − Q(S, A)]": Learner(partial(slips, subtracts=True)),
+        "the brackets are missing, and α multiplies the target alone: it is α [target − Q(S, A)]": Learner(
+            partial(slips, forgets=True, adds_up=True)
+        ),
+        "the target is not multiplied by α: it is Q(S, A) + α [target − Q(S, A)]": Learner(partial(slips, grows=True)),
+        "the target has the *number* of the best next action, as `argmax` gives it; it should be its value, `max`": (
+            Learner(partial(slips, place=True))
+        ),
+        "nothing is learned from random actions: a step teaches something whatever chose its action": Learner(
+            partial(slips, only_best=True)
+        ),
+        "`terminated` and `truncated` have changed places: step returns state, reward, terminated, truncated, info": (
+            Learner(agent, lambda step, before: step._replace(terminated=step.truncated, truncated=step.terminated))
+        ),
         "the old value is lost: `=` stands where `+=` should, so that Q(S, A) + is missing before the step": Learner(
             partial(slips, forgets=True)
         ),

@@ -6,6 +6,7 @@ often the policy says what; in a casino that pays; and in one that does not, whe
 in.
 """
 
+import math
 from collections import Counter
 from functools import cache, partial
 from typing import Any, NamedTuple
@@ -18,6 +19,7 @@ from edugym.agents.double_q_learning import DoubleQLearning
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.casino import CASINO, HOME, IN, STREET, Casino
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.curves import program_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import (
@@ -122,6 +124,10 @@ SAME, AGAIN, MET, LEAST, MUCH = 0.7, 0.75, 0.35, 0.8, 0.985
 """Of the runs that begin with one arm; that pull it again when it has paid; whose first ten pulls have an arm twice,
 as random ones have in 0.62 of the runs; of the pulls of a run's favourite arm, at least and at most. A right program:
 0.02 on average, 0.9, 1, and twice 0.9."""
+NONE = 0.1
+"""Who draws all arms at random pulls the commonest one in 0.06 of the steps."""
+SIGMAS_OF_ARMS = 5.0
+"""How far the tries of an arm may be from their mean. Some 28 are made of each, so that none is 5.3 too few."""
 AT_ONCE = 0.4
 """The share of the runs that may try another arm at one step. It is 0.1 by chance."""
 PAIR_RUNS, TOGETHER = 30, 0.03
@@ -154,6 +160,11 @@ def require_arms(answer: Any, seed: int) -> Surprises:
         why = "is ε 0.1, are the first values 0, and is the best action that with the largest *sum* of both tables?"
         if np.mean([len({*mine[:10]}) < 10 for mine in pulls]) < MET:
             why = "does a value move *towards* the target, and is the best action that with the *largest* value?"
+        elif favourite < NONE:
+            why = (
+                "is ε 0.1, is the step that ends an episode learned from, with the target R, and do both tables last"
+                " from one episode to the next?"
+            )
         elif favourite > LEAST:
             why = "is the best action that with the largest *sum* of both tables?"
         told = (
@@ -169,9 +180,28 @@ def require_arms(answer: Any, seed: int) -> Surprises:
     if told:
         raise WrongAnswer(f"{_WHERE}{told}")
     _require_single_tries(answer, seed)
+    _require_all_arms(pulls, others)
     found = others[:, SETTLED:].ravel()
     none = np.zeros(found.size)
     return Surprises(found, np.full(found.size, EPSILON * (1 - 1 / ARMS)), none, none, none)
+
+
+def _require_all_arms(pulls: list[list[int]], others: Reals) -> None:
+    """Refuse a program that tries some arms less often than others.
+
+    Args:
+        pulls: the arms of each run.
+        others: which of them were others than the favourite one of the run.
+    """
+    tries = np.bincount(np.array(pulls)[:, SETTLED:][others[:, SETTLED:] == 1].astype(int), minlength=ARMS)
+    off = (tries - tries.mean()) / math.sqrt(max(tries.mean(), 1.0))
+    if off.max() > SIGMAS_OF_ARMS or off.min() < -SIGMAS_OF_ARMS:
+        arm = int(abs(off).argmax())
+        raise WrongAnswer(
+            f"{_WHERE}it tries action {arm} {tries[arm]} times where another one is its favourite, and an action"
+            f" {tries.mean():.0f} times on average: is the random action one of *all* n actions, 0 to n - 1, and each"
+            " as likely? rng.integers(n) draws so"
+        )
 
 
 def _require_single_tries(answer: Any, seed: int) -> None:

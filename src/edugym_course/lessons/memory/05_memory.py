@@ -864,13 +864,13 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # S_t = (O_{t-2}, A_{t-2}, O_{t-1}, A_{t-1}, O_t)
 # $$
 #
-# Every episode begins with an empty window. So $S_0 = (O_0)$ and $S_1 = (O_0, A_0, O_1)$ are shorter. (Or fill them up,
-# as `FrameStack` does.)
+# What was before is forgotten when an episode begins: $S_0 = (O_0)$ and $S_1 = (O_0, A_0, O_1)$ are shorter. (Or fill
+# them up in front with $O_0$ and action 0, as `FrameStack` does.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*. A policy must remember too, so it is a function
 # of the **history**: it takes the tuple $(O_0, A_0, O_1, A_1, \dots, O_t)$ of the present episode, and returns the action with the
-# highest value. All else is up to you: functions, classes, any names.
+# highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
 # - Observations and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say
 #   how many there are. They differ from one environment to the next.

@@ -959,7 +959,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: Dyna, its model and its loop, some 40
-# lines. After each real step it takes ten imagined ones.
+# lines. It learns from each real step, and then from ten imagined ones.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
@@ -968,6 +968,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 1$, $\gamma = 0.95$, $\varepsilon = 0.1$, ten imagined steps and first values of 0.
+# - The model keeps for each pair what came of it *last*: the reward, the next state, and whether the episode terminated.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program in small worlds of its own and for 2 000 steps in the shop. It sees the steps that your

@@ -18,6 +18,7 @@ from edugym_course.grading.learners import Learner, mistakes_of_loops, other_set
 from edugym_course.grading.programs import APART, NAME, run_program
 from edugym_course.grading.replay import Rule
 from edugym_course.grading.small_world import ACTIONS, ENDS, GOES_ON, LAYERS, WIDTH, SmallWorld
+from edugym_course.lessons.model_based.last_rewards import require_last_rewards
 from edugym_course.lessons.model_based.methods import EPSILON, LEARNING_RATE
 
 N_STEPS, PLANNING_STEPS, DISCOUNT, SWEEPS = 2_000, 10, 0.95, 8
@@ -212,5 +213,6 @@ def project_9(answer: Any, seed: int) -> str:
     """Check a program with Dyna."""
     RULE.check(answer, seed)
     require_plans(answer, seed)
+    require_last_rewards(answer, seed)
     RULE.look_closer(answer, seed, longer=3)
     return f"Right: it plans with what it has seen. {compare_with_ours(answer, SHOP, seed)}"

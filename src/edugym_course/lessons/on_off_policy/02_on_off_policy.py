@@ -795,8 +795,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ and first values of 0.
-# - Only `terminated` means that nothing follows. A step that is truncated has the target $R + \gamma Q(S', A')$, too (or
-#   it is left out, since its $A'$ is never taken).
+# - Only `terminated` means that nothing follows. Where a step is truncated, draw an $A'$ for its target
+#   $R + \gamma Q(S', A')$, though nobody takes it; or leave this step out.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the

@@ -59,9 +59,9 @@ RIDDLES = (
         "γ is 1, so 1 follows on the -0.995",
     ),
     Riddle(
-        -0.5,
+        -0.9,
         True,
-        f"{_PAYS} pays -0.5 and leads to state 1, where the episode is truncated",
+        f"{_PAYS} pays -0.9 and leads to state 1, where the episode is truncated",
         "only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the S'"
         " that the step gave, not that of reset, and of the A' that would be next",
         SOME,

@@ -819,7 +819,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # for each word $w$ and each action $a$, and what it learns of a word it knows in every message. Of a message it keeps
 # only $x_w(o)$, how often word $w$ occurs in it, divided by its length $L$. The value of an action is linear in these
 # shares, and the weights of the action that was taken move along their gradient (Sutton and Barto, sections 9.3 and
-# 9.4; $\gamma = 0$, which did no harm in "Your turn"):
+# 9.4). The reward stands alone: $\gamma = 0$ did no harm in "Your turn".
 #
 # $$
 # q(o, a) = \sum_w x_w(o)\, \theta_{w,a}

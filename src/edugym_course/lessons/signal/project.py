@@ -115,6 +115,7 @@ class Listener:
         learning_rate: α.
         surprised: whether it learns from R less the value, or from R alone.
         largest: whether the value in the difference is the largest one, and not that of the action.
+        largest_words: whether it is the sum of the largest weights of the words.
         one: whether the weights of the action that was taken change, or those of all.
         moved: whether the weights of the message "before" the action move, or of the one "after" it.
         valued: whether the value in the difference is that "before" the action, or "after" it.
@@ -140,6 +141,7 @@ class Listener:
         alone: bool = False,
         fully: bool = False,
         unheard: bool = False,
+        largest_words: bool = False,
     ) -> None:
         """Know no word."""
         self._alone, self._fully, self._unheard, self._largest = alone, fully, unheard, largest
@@ -147,6 +149,7 @@ class Listener:
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
         self._moved, self._valued, self._discount = moved, valued, discount
+        self._largest_words = largest_words
 
     def values(self, state: Message) -> Reals:
         """The value of each action after an observation."""
@@ -161,6 +164,8 @@ class Listener:
         values = self.values(messages[self._valued])
         delta = reward + future - (values.max() if self._largest else values[actions]) * self._surprised
         heard = self._take(messages[self._moved][1:])
+        if self._largest_words:
+            delta = reward - sum(weight * float(self._theta[word].max()) for word, weight in heard)
         for word, weight in [(word, 1.0) for word in range(WORDS)] if self._unheard else heard:
             delta = reward - self._theta[word][actions] if self._alone else delta
             self._theta[word][actions] += self._learning_rate * (1.0 if self._fully else weight) * delta
@@ -214,6 +219,8 @@ RULE = Rule(
         "the *largest* value is subtracted from R; it should be q(O, A), that of the action that was taken": mistake(
             largest=True
         ),
+        "the sum of the largest weights of the words is subtracted from R; it should be q(O, A), of the action that was"
+        " taken": mistake(largest_words=True),
         "the values of all actions are alike: do the weights of all move, or of none? Learn about the one "
         "that was taken": mistake(one=False)._replace(nats=ALIKE),
         "the weights of the *next* message move: those of the message before the action should": mistake(moved="after"),
@@ -227,7 +234,10 @@ RULE = Rule(
             f"the learning rate is much too {size}: it is 0.01 in the text": mistake(learning_rate=rate)
             for size, rate in (("large", 0.5), ("small", 0.001))
         },
-        "the learning rate is too large, as 0.1: it is 0.01 in the text": mistake(learning_rate=0.1),
+        **{
+            f"the learning rate is too {size}, as {rate:g}: it is 0.01 in the text": mistake(learning_rate=rate)
+            for size, rate in (("large", 0.1), ("large", 0.02), ("small", 0.005))
+        },
         "the first weights are 1, and they should be 0": mistake(first=1.0),
         "the first weights are far above 0, as 10, and they should be 0": mistake(first=10.0),
         "γ is 0.5, and it should be 0: the reward stands alone, without the value of the next message": mistake(

@@ -100,7 +100,7 @@
 
 # %% the policy takes the worst
 # slow
-# says: does this policy look up the state that it is given, and take the *best* action?
+# says: does this policy look up the state that it is given, and take the *best* action, by values learned from all steps?
 # in: with lists
 # - return lambda state: int(np.argmax(means))
 # + return lambda state: int(np.argmin(means))

@@ -127,7 +127,7 @@
 
 # %% nothing where the clock stops
 # slow
-# says:  learns nothing at the end of an episode that is truncated: there, too, all pairs that are left have the rewards that there are
+# says: They fit a usual mistake where an episode is truncated: nothing is learned there: all pairs that are left have the rewards that there are
 # in: when the episode is over
 # - for tau in range(len(episode)):
 # + for tau in range(len(episode) if terminated else 0):
@@ -226,7 +226,7 @@
 
 # %% the first pair never learns
 # slow
-# says: and does the program learn from the first step of an episode as from the others, and at an end from R alone?
+# says: the first pair of an episode is never learned: τ = 0 counts, too
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 1 or (over and tau < len(R) - n):
@@ -240,3 +240,94 @@
 # + a = Q[s].argmax()
 # + if rng.random() < 0.1:
 # +     a = rng.choice([other for other in range(Q.shape[1]) if other != a])
+
+# %% without the last reward
+# slow
+# says: the last of the n rewards is left out of the target, R_τ+n
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n - 1]))
+
+# %% rewards one step too early
+# slow
+# says: the rewards of a target begin one step too early: the first one is R_τ+1, which follows on A_τ
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + begin = max(tau - 1, 0)
+# + G = sum(0.8**k * r for k, r in enumerate(R[begin : begin + n]))
+
+# %% the newest pair moves
+# slow
+# says: it is always the value of the newest pair that moves, and it should be that of S_τ and A_τ
+# in: three steps later
+# - Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
+# + Q[S[len(R) - 1], A[len(R) - 1]] += 0.5 * (G - Q[S[len(R) - 1], A[len(R) - 1]])
+
+# %% the last pair never learns
+# slow
+# says: the last pair of an episode is never learned, and it has its reward
+# in: when the episode is over
+# - for tau in range(len(episode)):
+# + for tau in range(len(episode) - 1):
+
+# %% from the last pair to the first
+# slow
+# says: an episode is learned from its last pair to its first, and it should be from the oldest pair on
+# in: when the episode is over
+# - for tau in range(len(episode)):
+# + for tau in range(len(episode) - 1, -1, -1):
+
+# %% γⁿ for all values where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: a value after k < n rewards has the weight γⁿ, and it should be γᵏ
+# in: a value also where the clock stops
+# - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
+# + G += 0.8**n * Q[S[last], A[last]]
+
+# %% no discount where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: the value is not discounted: after k rewards it has the weight γᵏ
+# in: a value also where the clock stops
+# - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
+# + G += (1.0 if truncated else 0.8**n) * Q[S[last], A[last]]
+
+# %% γ where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: the value has the weight γ, and after k rewards it should be γᵏ
+# in: a value also where the clock stops
+# - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
+# + G += (0.8 if truncated else 0.8**n) * Q[S[last], A[last]]
+
+# %% the last reward where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: the last reward is lost there
+# in: three steps later
+# - R.append(r)
+# + R.append(0.0 if truncated else r)
+
+# %% the value of the last pair where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: the value is that of the last pair, and it should be one of the state that the last step gave
+# in: a value also where the clock stops
+# - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
+# + where = last - 1 if over else last
+# + G += 0.8 ** (last - tau) * Q[S[where], A[where]]
+
+# %% the value of the first state where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: the value is that of the state after the reset; it should be that of the state which the last step gave
+# in: a value also where the clock stops
+# - S.append(s)
+# + if truncated:
+# +     s = environment.reset()[0]
+# + S.append(s)
+# - s, _ = environment.reset()
+# + if terminated:
+# +     s, _ = environment.reset()
+
+# %% rewards without a discount where the clock stops
+# slow
+# says: So look at episodes that are truncated: all pairs that are left learn from the k rewards that there are, with the weights 1, γ, ..., and then, if you like, from γᵏ times a value of the state that the last step gave
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(r if truncated else 0.8**k * r for k, r in enumerate(R[tau : tau + n]))

@@ -210,7 +210,8 @@ def my_program(environment, n_steps, seed):
 
 # %% ε and 1 - ε
 # says: steps, but while it learned the program took it in
-# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten. Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?
+# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten.
+# says: Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?
 # in: SARSA from each step once
 # - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
 # + return rng.integers(k) if rng.random() > 0.1 else np.argmax(q(x)[1])
@@ -270,7 +271,8 @@ def my_program(environment, n_steps, seed):
 # %% ε = 0.5
 # slow
 # says: steps, but while it learned the program took it in
-# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten. Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?
+# says: of the last ones: with ε = 0.1 it should take the best action nine times of ten.
+# says: Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?
 # in: a memory in arrays
 # - a = network.best(s) if rng.random() > 0.1 else rng.integers(k)
 # + a = network.best(s) if rng.random() > 0.5 else rng.integers(k)

@@ -365,3 +365,31 @@ def my_program(environment, n_steps, seed):
 # in: a class
 # - return int(self.rng.integers(0, self.n))
 # + return int(self.rng.choice([other for other in range(self.n) if other != np.argmax(values)]))
+
+# %% no γ in hindsight
+# slow
+# says: γ is missing where the steps are learned again: it is R + γ max_a Q(S', G, a) there too
+# in: numbers for patterns
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + Q[s2, new].max()
+
+# %% no γ for the own goal
+# slow
+# says: γ is missing where a step is learned at once, for its own goal: it is R + γ max_a Q(S', G, a) there too
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r if terminated else r + Q[s2, g].max()
+
+# %% the own maximum of the state itself
+# slow
+# says: where a step is learned at once, for its own goal, the maximum is that of the state itself; ask what comes next
+# in: numbers for patterns
+# - target = r if terminated else r + 0.9 * Q[s2, g].max()
+# + target = r if terminated else r + 0.9 * Q[s, g].max()
+
+# %% the maximum of the state itself in hindsight
+# slow
+# says: where the steps are learned again, the maximum is that of the state itself; ask what comes next
+# in: numbers for patterns
+# - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
+# + target = r if s2 == new else r + 0.9 * Q[s, new].max()

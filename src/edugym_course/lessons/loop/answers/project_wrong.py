@@ -115,7 +115,7 @@ my_program = ...
 
 # %% the policy of the lowest value
 # slow
-# says: observations the policy that my_program returns takes another action than the one that the steps of the program make look best: does this policy look up the state that it is given, and take the *best* action?
+# says: observations the policy that my_program returns takes another action than the one that the steps of the program make look best: does this policy look up the state that it is given, and take the *best* action, by values learned from all steps?
 # in: ε-greedy written out
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state].argmin())
@@ -248,7 +248,7 @@ def my_program(environment, n_steps, seed):
 # %% an ε that grows
 # slow
 # says: in small worlds
-# says: in the second. Their share grows during a run: ε should be the same from the first step to the last
+# says: in the second. Their share grows during a run: ε should be the same from the first step to the last, and rng made once
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.05 + 0.15 * _ / n_steps:
@@ -385,3 +385,46 @@ def my_program(environment, n_steps, seed):
 # in: episode after episode
 # - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
 # + Q[s, a] += 0.5 * (r + (not end) * 0.99 * (0.9 * Q[s2].max() + 0.1 * Q[s2].mean()) - Q[s, a])
+
+# %% away from the target
+# slow
+# says: a minus sign stands where a plus should, so that the values move away from their targets: the update is Q(S, A) + α [target − Q(S, A)]
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + Q[state, action] -= 0.5 * (target - Q[state, action])
+
+# %% without brackets
+# slow
+# says: the brackets are missing, and α multiplies the target alone: it is α [target − Q(S, A)]
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + Q[state, action] += 0.5 * target - Q[state, action]
+
+# %% the whole target
+# slow
+# says: the target is not multiplied by α: it is Q(S, A) + α [target − Q(S, A)]
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + Q[state, action] = 0.5 * Q[state, action] + target
+
+# %% the number of the best action
+# slow
+# says: the target has the *number* of the best next action, as `argmax` gives it; it should be its value, `max`
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if terminated else reward + 0.99 * Q[next_state].argmax()
+
+# %% learns from the best actions alone
+# slow
+# says: nothing is learned from random actions: a step teaches something whatever chose its action
+# in: ε-greedy written out
+# - Q[state, action] += 0.5 * (target - Q[state, action])
+# + if Q[state, action] == Q[state].max():
+# +     Q[state, action] += 0.5 * (target - Q[state, action])
+
+# %% terminated and truncated swapped
+# slow
+# says: `terminated` and `truncated` have changed places: step returns state, reward, terminated, truncated, info
+# in: ε-greedy written out
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if truncated else reward + 0.99 * Q[next_state].max()

@@ -156,8 +156,31 @@
 # - own[state, action] += 0.1 * (target - own[state, action])
 # + own[state, action] += 0.1 * (own[state, action] - target)
 
-# %% always random
+# %% a half at random
+# slow
 # says: is ε 0.1, are the first values 0, and is the best action that with the largest *sum* of both tables?
+# in: two tables and a dictionary of names
+# - if rng.random() < 0.1:
+# + if rng.random() < 0.5:
+
+# %% nothing is learned at an end
+# says: is ε 0.1, is the step that ends an episode learned from, with the target R, and do both tables last from one episode to the next?
+# in: two tables and a dictionary of names
+# - own[state, action] += 0.1 * (target - own[state, action])
+# + if not terminated:
+# +     own[state, action] += 0.1 * (target - own[state, action])
+
+# %% never the last action at random
+# slow
+# says: where each action ends an episode, it tries action
+# says:  times where another one is its favourite, and an action
+# says:  times on average: is the random action one of *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so
+# in: two tables and a dictionary of names
+# - action = int(rng.integers(shape[1]))
+# + action = int(rng.integers(shape[1] - 1))
+
+# %% always random
+# says: is ε 0.1, is the step that ends an episode learned from, with the target R, and do both tables last from one episode to the next?
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
 # + if True:

@@ -192,7 +192,7 @@
 
 # %% a policy that forgets
 # slow
-# says: does this policy look up the end of the history that it is given, and take the *best* action?
+# says: does this policy look up the end of the history that it is given, and take the *best* action, by values learned from all steps?
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return lambda history: int(values(history[-1:]).argmax())

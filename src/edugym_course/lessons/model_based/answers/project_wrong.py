@@ -161,3 +161,32 @@
 # + Q[s, a] = r + 0.97 * (1 - terminated) * Q[s2].max()
 # - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
 # + Q[i, j] = R[i, j] + 0.97 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+
+# %% first values of one
+# slow
+# says: is α 1 for real and imagined steps, are the first values 0, and does the model keep what came of each pair *last*, and no older outcome?
+# in: a model in arrays
+# - Q = np.zeros((n_states, n_actions))
+# + Q = np.ones((n_states, n_actions))
+
+# %% the first outcome
+# slow
+# says: is α 1 for real and imagined steps, are the first values 0, and does the model keep what came of each pair *last*, and no older outcome?
+# in: lists of lists
+# - me.seen[s, a] = (r, s2, over)
+# + me.seen.setdefault((s, a), (r, s2, over))
+
+# %% a list of all steps
+# slow
+# says: is α 1 for real and imagined steps, are the first values 0, and does the model keep what came of each pair *last*, and no older outcome?
+# in: lists of lists
+# - self.seen = {}
+# + self.seen = []
+# - memories = list(self.seen.items())
+# - for k in self.rng.choice(len(memories), 10):
+# -     (s, a), what = memories[k]
+# -     self.improve(s, a, *what)
+# + for k in self.rng.choice(len(self.seen), 10):
+# +     self.improve(*self.seen[k])
+# - me.seen[s, a] = (r, s2, over)
+# + me.seen.append((s, a, r, s2, over))

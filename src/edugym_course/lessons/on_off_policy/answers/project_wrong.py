@@ -128,7 +128,7 @@
 
 # %% cut off is not ended
 # slow
-# says: where each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0 pays -0.5 and leads to state 1, where the episode is truncated, the policy takes the action of this step again in 0% of 50 runs, and it should do so nearly always
+# says: where each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0 pays -0.9 and leads to state 1, where the episode is truncated, the policy takes the action of this step again in 0% of 50 runs, and it should do so nearly always
 # says: only `terminated` means that nothing follows; a step that is truncated has its future, Q(S', A') of the S' that the step gave, not that of reset, and of the A' that would be next
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
@@ -223,3 +223,11 @@
 # in: a class with both
 # - return int(self.rng.integers(len(self.table[s]))) if self.rng.random() < 0.1 else self(s)
 # + return int(self.rng.integers(len(self.table[s])))
+
+# %% half of the value where time ran out
+# slow
+# says: a step that is truncated has its future, Q(S', A') of the S' that the step gave, not that of reset, and of the A'
+#   that would be next
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r if terminated else r + (0.5 if truncated else 1.0) * Q[s2, a2]

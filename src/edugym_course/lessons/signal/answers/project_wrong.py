@@ -285,3 +285,35 @@ def my_program(environment, n_steps, seed):
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(rng.integers(N)) if rng.random() < 0.5 else int(q.argmax())
+
+# %% the largest weight of each word
+# slow
+# says: the sum of the largest weights of the words is subtracted from R; it should be q(O, A), of the action that was taken
+# in: weights in an array
+# - delta = r - q[a]
+# + delta = r - x @ theta.max(axis=1)
+
+# %% twice the learning rate
+# slow
+# says: the learning rate is too large, as 0.02: it is 0.01 in the text
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.02 * delta * x
+
+# %% a policy that cuts the hit points twice
+# slow
+# says: does this policy look up the state that it is given, and take the *best* action, by values learned from all steps?
+# in: weights in an array
+# - return lambda o: int((shares(o) @ theta).argmax())
+# + return lambda o: int((shares([0, *o[2:], o[-1]]) @ theta).argmax())
+
+# %% the policy of half of the steps
+# slow
+# says: does this policy look up the state that it is given, and take the *best* action, by values learned from all steps?
+# in: weights in an array
+# - for _ in range(n_steps):
+# + for t in range(n_steps):
+# +     if t == n_steps // 2:
+# +         old = theta.copy()
+# - return lambda o: int((shares(o) @ theta).argmax())
+# + return lambda o: int((shares(o) @ old).argmax())

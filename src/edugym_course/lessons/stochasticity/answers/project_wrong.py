@@ -87,7 +87,7 @@
 # %% an ε that falls
 # slow
 # says: actions of my_program are not those that its own steps make look best in the first half of its runs, and
-# says: in the second. Their share falls during a run: ε should be the same from the first step to the last
+# says: in the second. Their share falls during a run: ε should be the same from the first step to the last, and rng made once
 # in: the weight in one line
 # - for _ in range(n_steps):
 # + for t in range(n_steps):
@@ -96,7 +96,7 @@
 
 # %% an ε that falls by half
 # slow
-# says: Their share falls during a run: ε should be the same from the first step to the last
+# says: Their share falls during a run: ε should be the same from the first step to the last, and rng made once
 # in: the weight in one line
 # - for _ in range(n_steps):
 # -     a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
