@@ -278,7 +278,9 @@ class Rule:
                 if right.is_usual(self.slack):
                     return
         swapped = Surprises.of(replay(runs, self.right._replace(swaps=True), shape, self.epsilon))
-        if swapped.explains_better_than(likely) and swapped.is_usual(slack=0.0):
+        by_chance = -swapped.found.size * math.log(shape[1])
+        is_swapped = swapped.explains_better_than(likely) and float(swapped.logs.sum()) > by_chance + NATS
+        if is_swapped and swapped.is_usual(slack=0.0):
             cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
         elif is_better and likely.explains_those_of(right, mistake.leaves) and self._resembles(likely, mistake):
             cause = f"They fit a usual mistake: {sentence}"

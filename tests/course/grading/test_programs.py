@@ -11,7 +11,7 @@ import pytest
 from gymnasium import spaces
 
 from edugym import QLearning
-from edugym_course.grading import WrongAnswer
+from edugym_course.grading import WrongAnswer, curves
 from edugym_course.grading.curves import Race, Result, compare_with_ours, lowest, our_results, program_of, symptom
 from edugym_course.grading.programs import Recorder, Run, Step, require_reproducible, returns_of, run_program
 from edugym_course.grading.small_world import SmallWorld
@@ -381,6 +381,13 @@ def test_a_race() -> None:
     better = max(our_results(RACE), key=lambda result: result.late)
     assert isinstance(better, Result)
     assert better.late > lowest([result.late for result in our_results(RACE)])
+
+
+def test_a_little_less_than_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is accepted and lies below ours is told to be near enough; what lies among ours needs no such word."""
+    assert "near enough" not in compare_with_ours(RACE.ours, RACE, 3)
+    monkeypatch.setattr(curves, "lowest", lambda ours: -math.inf)
+    assert compare_with_ours(plays, RACE, 0).count("; that is near enough)") == 2
 
 
 def test_how_low_a_run_may_be() -> None:

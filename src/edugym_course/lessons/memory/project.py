@@ -71,6 +71,7 @@ class Windowed:
         window: makes the window of a history.
         left: makes what an episode begins with of the history of the last one.
         grows: whether what was seen and done is kept in it.
+        stale: whether the value of the next window moves, and not that of the old one.
         moves: whether the value in the target is that of the next window, or of the old one.
         learning_rate: α.
         discount: γ.
@@ -84,6 +85,7 @@ class Windowed:
         window: Cut = last,
         left: Cut = emptied,
         grows: bool = True,
+        stale: bool = False,
         moves: bool = True,
         learning_rate: float = LEARNING_RATE,
         discount: float = DISCOUNT,
@@ -93,7 +95,7 @@ class Windowed:
         """Know nothing."""
         self._Q: defaultdict[History, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._past: History = ()
-        self._window, self._left, self._grows, self._moves = window, left, grows, moves
+        self._window, self._left, self._grows, self._moves, self._stale = window, left, grows, moves, stale
         self._learning_rate, self._discount, self._epsilon = learning_rate, discount, epsilon
 
     def row(self, history: History) -> Reals:
@@ -111,7 +113,7 @@ class Windowed:
         after = self.row(then)
         value = (1 - self._epsilon) * after.max() + self._epsilon * after.mean()
         target = reward if terminated else reward + self._discount * value
-        self.move(now, action, target)
+        self.move(then if self._stale else now, action, target)
         if self._grows:
             self._past = (*now, action)[-2 * KEPT :]
         if truncated or terminated:
@@ -191,6 +193,8 @@ RULE = Rule(
             left=lambda history: (*history, 0)
         ),
         "the first values are about 1, and not 0": mistake(first=1.0),
+        "the value of the *next* window moves: keep the old one, in which the action was taken, until the update is"
+        " done": mistake(stale=True),
         "the target has the value of the old window, without what was just done and seen": mistake(moves=False),
         "γ max_a Q(S', a) is missing in the target": mistake(discount=0.0),
         "Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA": Learner(

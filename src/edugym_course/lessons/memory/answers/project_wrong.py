@@ -277,3 +277,10 @@ def my_program(environment, n_steps, seed):
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return Q
+
+# %% the window moves too early
+# slow
+# says: the value of the *next* window moves: keep the old one, in which the action was taken, until the update is done
+# in: tuples in a dictionary
+# - w2 = (w + (a, o))[-5:]
+# + w2 = w = (w + (a, o))[-5:]
