@@ -24,6 +24,7 @@ class Learner(NamedTuple):
         alter: what it takes a step for, after what it took the step before for (None at the first).
         skips: from which steps it does not learn.
         swaps: whether it takes a random action with probability 1 − ε.
+        stale: whether it learns about the state that follows in place of the one in which the action was taken.
         restarts: whether it takes the first state of the next episode for the one that a truncated step led to.
         nats: of a mistake, how much more probable it must make the actions than the right equation, as a logarithm;
             more for one that a right program resembles.
@@ -35,6 +36,7 @@ class Learner(NamedTuple):
     alter: Callable[[Step, Step | None], Step] = lambda step, before: step
     skips: Callable[[Step], bool] = lambda step: False
     swaps: bool = False
+    stale: bool = False
     restarts: bool = False
     nats: float = NATS
     leaves: float = UNEXPLAINED
@@ -93,6 +95,12 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
         "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, stays),
         LOW: Learner(make, _costs),
     }
+
+
+def too_early(make: Maker) -> dict[str, Learner]:
+    """Return the mistake of a loop that goes on to the next state before it learns, by its sentence."""
+    sentence = "`state = next_state` comes before the update, which then moves a value of S' in place of one of S"
+    return {sentence: Learner(make, stale=True)}
 
 
 def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Sequence[float]]) -> dict[str, Learner]:

@@ -103,6 +103,7 @@ def _learning(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -
         restarted = real._replace(next_state=after.state) if learner.restarts and after and real.truncated else real
         step = before = learner.alter(restarted, before)
         yield agent, step
+        step = step._replace(state=step.next_state) if learner.stale else step
         if waiting is not None:
             learn_from(agent, names, waiting, step.action)
         waiting = None

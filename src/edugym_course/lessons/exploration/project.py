@@ -23,6 +23,8 @@ WALLS = ((HEIGHT, 2), (HEIGHT, 2), (HEIGHT, 3), (HEIGHT, 2))
 """The height and the number of grips of each wall."""
 LOW = 3
 """Places below this one are the foot of a wall."""
+CLIMBS = 20
+"""How often a policy must climb without a fall: one that tries something in 1 of 100 steps falls in one of them."""
 OFTEN = 20
 """How often a wrong grip is tried again before it is told."""
 BY_CHANCE = 0.8
@@ -53,12 +55,13 @@ def project_1(answer: Any, seed: int) -> str:
             raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {_why(run, n_grips)}")
         without_a_fall = wall(height, n_grips, number, max_steps=height)
         actions_of(run.policy, [0], n_grips)
-        if returns_of(run.policy, without_a_fall, 1, number).sum() < 1:
+        climbs = returns_of(run.policy, without_a_fall, CLIMBS, number)
+        if climbs.min() < 1:
             raise WrongAnswer(
                 f"{name}, the program reached the top {len(firsts)} times while it learned, but the policy that it"
-                f" returns does not in {height} steps: does it remember the way, and go it"
-                " without trying anything? Did it learn fast enough (with α = 1 one try is enough), and from the state"
-                " that reset gives in each episode?"
+                f" returns does so in {(climbs >= 1).sum()} of {CLIMBS} climbs of {height} steps: does it remember the"
+                " way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), and"
+                " from the state that reset gives in each episode?"
             )
         found.append(firsts[0])
     told = ", ".join(map(str, found))

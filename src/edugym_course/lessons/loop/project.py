@@ -20,6 +20,7 @@ from edugym_course.grading.learners import (
     mistakes_of_loops,
     other_settings,
     other_tables,
+    too_early,
 )
 from edugym_course.grading.replay import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
@@ -63,7 +64,6 @@ class _Slips:
         same_action: whether the next state has the value of the action just taken, not the highest.
         least: below which no value of a next state is.
         discounts_all: whether the reward is discounted, too, where the episode goes on.
-        moves_on: whether it is a value of the next state that moves.
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
         of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
@@ -81,7 +81,6 @@ class _Slips:
     same_action: bool = False
     least: float = -math.inf
     discounts_all: bool = False
-    moves_on: bool = False
     forgets: bool = False
     whole_row: bool = False
     of_the_best: bool = False
@@ -115,7 +114,7 @@ class _Slips:
             moved = int(self.Q[state].argmax()) if self.of_the_best else action
             earned = DISCOUNT * reward if self.discounts_all and not terminated else reward
             target = earned + (0.0 if terminated else DISCOUNT * float(future))
-            self._move(next_state if self.moves_on else state, moved, target)
+            self._move(state, moved, target)
 
     def _move(self, state: int, action: int, target: float) -> None:
         if self.only_best and self.Q[state, action] < self.Q[state].max():
@@ -137,6 +136,7 @@ def slips(shape: tuple[int, int], **how: Any) -> _Slips:
 RULE = Rule(
     Learner(agent),
     mistakes_of_loops(agent)
+    | too_early(agent)
     | {
         "γ max_a Q(S', a), the value of the next state, is missing in the target": Learner(
             partial(agent, discount=0.0)
@@ -176,9 +176,6 @@ RULE = Rule(
         "in its table all actions of a state are worth the same, or it does not look there: does the update change the"
         " value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?": (
             Learner(partial(slips, whole_row=True))
-        ),
-        "`state = next_state` comes before the update, which then moves a value of S' in place of one of S": Learner(
-            partial(slips, moves_on=True)
         ),
         "nothing is learned from the last step of an episode: where `terminated` is True, the target is R": Learner(
             agent, skips=lambda step: step.terminated

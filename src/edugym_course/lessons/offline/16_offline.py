@@ -487,7 +487,7 @@ check(exercise_3, pessimistic_sweep, seed=1, quiet=True)
 # - A state is a number from 0 to `n_states - 1`. The numbers are dealt out anew each time, so they tell neither the time nor the depth of sleep.
 # - There is no environment. You may not try anything out.
 #
-# The check works out exactly what your policy is worth, for five log-books, and takes the middle one: it must reach what nine in ten of our runs reach, less 0.5. Then it gives your
+# The check works out exactly what your policy is worth, for five log-books, and takes the middle one: it may be at most 0.5 below what nine in ten of our runs reach. Then it gives your
 # program a few log-books of other tasks, in which the data leave only one sensible choice. They, too, have 80 nights of ten steps, and no
 # return below −90.
 # <details><summary>A plan</summary>Make many sweeps of exercise 3, until nothing changes: first values of 0, a penalty of 2, and −90 for what

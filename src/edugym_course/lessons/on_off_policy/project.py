@@ -9,7 +9,7 @@ from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables, too_early
 from edugym_course.grading.replay import Rule
 from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISCOUNT, EPSILON
 from edugym_course.lessons.on_off_policy.riddles import require_riddles
@@ -27,6 +27,7 @@ def agent(
 RULE = Rule(
     Learner(agent),
     mistakes_of_loops(agent, on_policy=True)
+    | too_early(agent)
     | {
         "the target has max_a Q(S', a), the value of the *best* next action: that is Q-learning": Learner(
             partial(agent, kind=QLearning)

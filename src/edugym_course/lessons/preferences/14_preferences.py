@@ -448,7 +448,8 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # **What it must do.** `my_program(environment, compare, n_comparisons, seed)` returns a policy, a function from an observation to
 # an action, always the same one for an observation.
 #
-# - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth). Its rewards are always 0. It is
+# - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth), and
+#   `environment.observation_space.nvec` says how many there are of both. Its rewards are always 0. It is
 #   longer than the one above, and its costs are others: only the teacher knows them.
 # - `compare(first, second)` asks the teacher: True if she prefers the first night. A night is a list of `(observation, action,
 #   next_observation)`, one for each step from `reset` to the end. She may be asked `n_comparisons` times (the check allows 300).

@@ -34,6 +34,8 @@ from edugym_course.lessons.search.replay import TREE, Taken, means, mistake_in, 
 RUNS = 7
 MOST_ALIKE = 0.2
 """The share of the simulations that may end with the same three actions; by chance it is about 0.06."""
+FEWEST_DRAWN = 0.1
+"""The smallest share of an action in these; by chance it is about 0.33."""
 MOST_SLIPS = 1
 """How many of the runs of a riddle may go wrong: the search draws random numbers."""
 BEFORE_COUNTS = 2
@@ -55,7 +57,7 @@ BONUSES: Mapping[str, Callable[[float, float], float]] = {
     "only the logarithm is under the root; N(node, a) belongs there, too": lambda of_node, n: (
         5 * sqrt(log(of_node)) / n
     ),
-    "the root is missing": lambda of_node, n: 5 * log(of_node) / n,
+    "the square root is missing": lambda of_node, n: 5 * log(of_node) / n,
 }
 """By mistake, what it adds to a value, given N(node) and N(node, a)."""
 NEAR = 2
@@ -267,8 +269,15 @@ def require_repeatable(program: Any, seed: int) -> None:
 
 
 def require_other_roll_outs(program: Any, seed: int) -> None:
-    """Refuse a program whose simulations draw the same random numbers again and again."""
+    """Refuse a program whose simulations draw the same random numbers again and again, or not all actions."""
     ends = [tuple(actions[-3:]) for actions in zip(*[iter(search(program, ALIKE, seed).asked)] * DEPTH, strict=True)]
+    drawn = [action for end in ends for action in end]
+    fewest = min(range(N_ACTIONS), key=drawn.count)
+    if drawn.count(fewest) < len(drawn) * FEWEST_DRAWN:
+        raise WrongAnswer(
+            f"{NAME} draws one of {N_ACTIONS} actions in {drawn.count(fewest)} of the {len(drawn)} last steps of its"
+            " simulations: is the random action of a roll-out one of *all* n actions, 0 to n - 1?"
+        )
     if max(map(ends.count, {*ends})) > len(ends) * MOST_ALIKE:
         raise WrongAnswer(
             f"{NAME} ends many simulations with the same {len(ends[0])} actions: make rng once, before the loop of"

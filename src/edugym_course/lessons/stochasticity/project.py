@@ -15,7 +15,7 @@ from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
 from edugym.agents.tables import epsilon_greedy_action, greedy_action, one_step_target
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
+from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables, too_early
 from edugym_course.grading.programs import run_program
 from edugym_course.grading.replay import Rule
 
@@ -111,7 +111,11 @@ def neutral(shape: tuple[int, int]) -> QLearning:
 RULE = Rule(
     Learner(agent),
     mistakes_of_loops(agent)
+    | too_early(agent)
     | {
+        "nothing is learned from a step that is truncated: it is a step like the others": Learner(
+            agent, skips=lambda step: step.truncated
+        ),
         "all surprises weigh the same: that is Q-learning": Learner(neutral),
         "good surprises weigh more than bad ones: β is below 0": Learner(partial(agent, risk=-RISK)),
         "the steps are half as large as they should be: 2σ(βδ), not σ(βδ), is 1 where δ = 0, and α is 0.4": Learner(

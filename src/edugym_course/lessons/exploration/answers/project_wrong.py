@@ -40,7 +40,7 @@ def my_program(environment, n_steps, seed):
 
 # %% the policy forgets the way
 # says: , the program reached the top
-# says:  times while it learned, but the policy that it returns does not in
+# says:  times while it learned, but the policy that it returns does so in 0 of 20 climbs of
 # says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), and from the state that reset gives in each episode?
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
@@ -53,13 +53,20 @@ def my_program(environment, n_steps, seed):
 # + a = known[s] if s in known else int(rng.integers(2))
 
 # %% the policy seldom tries
-# says: but the policy that it returns does not in 30 steps
+# says: but the policy that it returns does so in
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: known[s] if rng.random() > 0.1 else int(rng.integers(n_actions))
 
+# %% the policy hardly ever tries
+# says: but the policy that it returns does so in
+# says:  of 20 climbs of
+# in: a random grip where none is known
+# - return lambda s: known.get(s, 0)
+# + return lambda s: known[s] if rng.random() > 0.01 else int(rng.integers(n_actions))
+
 # %% the policy tries
-# says: but the policy that it returns does not
+# says: but the policy that it returns does so in
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: known[s] if rng.random() > 0.5 else int(rng.integers(n_actions))

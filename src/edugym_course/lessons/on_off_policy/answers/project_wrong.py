@@ -231,3 +231,10 @@
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r if terminated else r + (0.5 if truncated else 1.0) * Q[s2, a2]
+
+# %% the state moves on too early
+# slow
+# says: `state = next_state` comes before the update, which then moves a value of S' in place of one of S
+# in: the next action is kept
+# - Q[s, a] += 0.5 * (target - Q[s, a])
+# + Q[s2, a] += 0.5 * (target - Q[s2, a])

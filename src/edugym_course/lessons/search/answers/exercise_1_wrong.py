@@ -29,7 +29,7 @@
 # + return q + c * sqrt(log(n_node)) / n_action if n_action > 0 else inf
 
 # %% no root
-# says: the root is missing
+# says: the square root is missing
 # in: with a root
 # - return q + c * sqrt(log(n_node) / n_action) if n_action > 0 else inf
 # + return q + c * log(n_node) / n_action if n_action > 0 else inf

@@ -68,7 +68,7 @@
 # + bonus = 5 * np.sqrt(np.log(N[node].sum())) / N[node]
 
 # %% no root
-# says: the root is missing
+# says: the square root is missing
 # in: a loop and a path
 # - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
 # + bonus = 5 * np.log(N[node].sum()) / N[node]
@@ -387,3 +387,10 @@ my_program = 3
 # in: a loop and a path
 # - while len(path) < 10 and not ended:
 # + while not ended:
+
+# %% a roll-out that leaves out the last action
+# slow
+# says:  last steps of its simulations: is the random action of a roll-out one of *all* n actions, 0 to n - 1?
+# in: a loop and a path
+# - reward, here, ended = model(here, int(rng.integers(n_actions)))
+# + reward, here, ended = model(here, int(rng.integers(n_actions - 1)))

@@ -85,7 +85,7 @@ BOUND_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "only the logarithm is under the root; N(node, a) belongs there, too": {"inside": "root of the log alone"},
     "only N(node, a) is under the root; the logarithm belongs there, too": {"inside": "root of the count alone"},
     "that is the bonus of AlphaZero, √N(node) / (1 + N(node, a)); here it has a logarithm": {"inside": "AlphaZero"},
-    "the root is missing": {"times": "no root"},
+    "the square root is missing": {"times": "no root"},
     "c is missing": {"times": "none"},
     "that is the logarithm of a root; it is the root of a logarithm": {"inside": "log of the root"},
     "c is multiplied with Q(node, a); it belongs to the root": {"times": "at Q"},

@@ -185,3 +185,20 @@
 # +     environment.reset()
 # + else:
 # +     s = s2
+
+# %% the state moves on too early
+# slow
+# says: `state = next_state` comes before the update, which then moves a value of S' in place of one of S
+# in: tanh and lists
+# - error = r - values[s][a] + (0.0 if over else 0.9 * max(values[s2]))
+# - values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
+# + error = r - values[s2][a] + (0.0 if over else 0.9 * max(values[s2]))
+# + values[s2][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
+
+# %% nothing from a truncated step
+# slow
+# says: nothing is learned from a step that is truncated: it is a step like the others
+# in: tanh and lists
+# - values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
+# + if not cut:
+# +     values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
