@@ -25,7 +25,11 @@ CUT_MISTAKES = {
     "nothing is learned there: all pairs that are left have the rewards that there are": Learner(
         partial(slips, cut="nothing")
     ),
+    "nothing is learned from such an episode: all its pairs have the rewards that there are": Learner(
+        partial(slips, cut="all")
+    ),
     "the last reward is lost there": Learner(partial(slips, cut="last")),
+    "the rewards are not discounted there: they have the weights 1, γ and γ²": Learner(partial(slips, cut_total=sum)),
     "a value after k < n rewards has the weight γⁿ, and it should be γᵏ": Learner(
         partial(slips, cut="value", cut_weight=lambda k: DISCOUNT**N)
     ),
@@ -97,7 +101,9 @@ def require_cuts(program: Any, seed: int) -> None:
         "So look at episodes that are truncated: all pairs that are left learn from the k rewards that there are, with"
         " the weights 1, γ, ..., and then, if you like, from γᵏ times a value of the state that the last step gave"
     )
-    if is_slip := Surprises.of(rows).explains_better_than(right):
+    slip = Surprises.of(rows)
+    is_slip = slip.explains_better_than(right)
+    if is_slip and slip.too_many < CUT_SIGMAS * slip.deviation:
         cause = f"They fit a usual mistake where an episode is truncated: {sentences[number]}"
     if is_slip or right.too_many > CUT_SIGMAS * right.deviation:
         raise refusal("small worlds whose episodes may be truncated", EPSILON, right, cause)

@@ -38,8 +38,10 @@ class FromDefinition:
         again: whether at the end of an episode all its pairs are learned, also those that were before.
         backwards: whether an episode is learned when it is over, from its last pair to its first.
         cut: what is learned where an episode is truncated: "rewards" alone, the largest "value" too, that of the pair
-            "before", all rewards but the "last", or "nothing".
+            "before", all rewards but the "last", or "nothing"; or nothing of "all" the episode, as in a program that
+            learns when an episode is over.
         cut_weight: the weight of that value after so many rewards.
+        cut_total: the weighted sum of the rewards there.
     """
 
     Q: Reals
@@ -57,6 +59,7 @@ class FromDefinition:
     backwards: bool = False
     cut: str = "rewards"
     cut_weight: Callable[[int], float] = lambda k: DISCOUNT**k
+    cut_total: Callable[[Sequence[float]], float] = discounted
     _pairs: list[tuple[int, int]] = field(init=False, default_factory=list)
     _rewards: list[float] = field(init=False, default_factory=list)
 
@@ -92,7 +95,8 @@ class FromDefinition:
                 after = self.cut_weight(len(self._pairs) - tau) * value_at_end
             first = max(tau - self.shift, 0)
             rewards = self._rewards[first : first + N]
-            target = discounted(rewards, first=tau) if self.from_start else self.total(rewards)
+            total = self.cut_total if truncated else self.total
+            target = discounted(rewards, first=tau) if self.from_start else total(rewards)
             moved = self._pairs[-1 if self.newest else tau]
             self.Q[moved] += LEARNING_RATE * (target + after - self.Q[moved])
         if over:
@@ -103,6 +107,8 @@ class FromDefinition:
         steps = len(self._pairs)
         if self.backwards:
             return range(steps - 1, -1, -1) if over else range(0)
+        if self.cut == "all":
+            return range(steps if over and not truncated else 0)
         if truncated and self.cut == "nothing":
             return range(0)
         first = 0 if over and self.again else max(steps - N, 0)

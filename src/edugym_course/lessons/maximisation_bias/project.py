@@ -19,7 +19,7 @@ from edugym.agents.double_q_learning import DoubleQLearning
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.casino import CASINO, HOME, IN, STREET, Casino
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Integers
 from edugym_course.grading.curves import program_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import (
@@ -135,11 +135,11 @@ PAIR_RUNS, TOGETHER = 30, 0.03
 right program: 0.01, and 0.08 for one that is random for a whole episode."""
 
 
-def require_arms(answer: Any, seed: int) -> Surprises:
+def require_arms(answer: Any, seed: int) -> tuple[Surprises, Integers]:
     """Refuse a program that does not act by the sum of both tables, with ties drawn and a little chance.
 
     Returns:
-        In which pulls it took another arm than its favourite one.
+        In which pulls it took another arm than its favourite one, and how often it took each arm then.
 
     Raises:
         WrongAnswer: it does not.
@@ -180,20 +180,21 @@ def require_arms(answer: Any, seed: int) -> Surprises:
     if told:
         raise WrongAnswer(f"{_WHERE}{told}")
     _require_single_tries(answer, seed)
-    _require_all_arms(pulls, others)
     found = others[:, SETTLED:].ravel()
     none = np.zeros(found.size)
-    return Surprises(found, np.full(found.size, EPSILON * (1 - 1 / ARMS)), none, none, none)
+    tries = Surprises(found, np.full(found.size, EPSILON * (1 - 1 / ARMS)), none, none, none)
+    return tries, np.bincount(np.array(pulls)[:, SETTLED:].ravel()[found == 1], minlength=ARMS)
 
 
-def _require_all_arms(pulls: list[list[int]], others: Reals) -> None:
+def _require_all_arms(tries: Integers) -> None:
     """Refuse a program that tries some arms less often than others.
 
     Args:
-        pulls: the arms of each run.
-        others: which of them were others than the favourite one of the run.
+        tries: the second that `require_arms` returns.
+
+    Raises:
+        WrongAnswer: it does.
     """
-    tries = np.bincount(np.array(pulls)[:, SETTLED:][others[:, SETTLED:] == 1].astype(int), minlength=ARMS)
     off = (tries - tries.mean()) / math.sqrt(max(tries.mean(), 1.0))
     if off.max() > SIGMAS_OF_ARMS or off.min() < -SIGMAS_OF_ARMS:
         arm = int(abs(off).argmax())
@@ -236,7 +237,7 @@ def require_steady(tries: Surprises) -> None:
     """Refuse a program whose ε does not stay what it is, or is another one than it should be.
 
     Args:
-        tries: what `require_arms` returns.
+        tries: the first that `require_arms` returns.
 
     Raises:
         WrongAnswer: it is.
@@ -331,9 +332,10 @@ def project_17(answer: Any, seed: int) -> str:
     """Check a program with double Q-learning."""
     for number in range(FAIR_RUNS * seed, FAIR_RUNS * (seed + 1)):
         require_reproducible(answer, partial(Shuffled, FAIR, number), PAYING_STEPS, number)
-    tries = require_arms(answer, seed)
+    tries, of_arms = require_arms(answer, seed)
     require_riddles(answer, seed)
     require_steady(tries)
+    _require_all_arms(of_arms)
     _require_any_arm(answer, seed)
     found = [
         visit(answer, GOOD, PAYING_STEPS, number) for number in range(PAYING_RUNS * seed, PAYING_RUNS * (seed + 1))

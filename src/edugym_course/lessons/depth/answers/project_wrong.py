@@ -127,7 +127,7 @@
 
 # %% nothing where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: nothing is learned there: all pairs that are left have the rewards that there are
+# says: They fit a usual mistake where an episode is truncated: nothing is learned from such an episode: all its pairs have the rewards that there are
 # in: when the episode is over
 # - for tau in range(len(episode)):
 # + for tau in range(len(episode) if terminated else 0):
@@ -327,7 +327,21 @@
 
 # %% rewards without a discount where the clock stops
 # slow
-# says: So look at episodes that are truncated: all pairs that are left learn from the k rewards that there are, with the weights 1, γ, ..., and then, if you like, from γᵏ times a value of the state that the last step gave
+# says: They fit a usual mistake where an episode is truncated: the rewards are not discounted there: they have the weights 1, γ and γ²
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # + G = sum(r if truncated else 0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+
+# %% a smaller α where the clock stops
+# slow
+# says: So look at episodes that are truncated: all pairs that are left learn from the k rewards that there are, with the weights 1, γ, ..., and then, if you like, from γᵏ times a value of the state that the last step gave
+# in: a value also where the clock stops
+# - Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
+# + Q[S[tau], A[tau]] += (0.2 if truncated else 0.5) * (G - Q[S[tau], A[tau]])
+
+# %% nothing more where the clock stops
+# slow
+# says: They fit a usual mistake where an episode is truncated: nothing is learned there: all pairs that are left have the rewards that there are
+# in: three steps later
+# - if tau < 0 or (over and tau < len(R) - n):
+# + if tau < 0 or truncated or (over and tau < len(R) - n):
