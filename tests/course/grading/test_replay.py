@@ -62,12 +62,13 @@ def program_with(learner: Learner, epsilon: float, once_an_episode: bool = False
             real = Step(state, action, reward, next_state, terminated, truncated)
             before = learner.alter(real, before)
             waiting = None
+            learned = before._replace(state=before.next_state) if learner.stale else before
             if learner.skips(real):
                 getattr(agent, "forget_episode", bool)()
-            elif "next_action" in names and not terminated:
-                waiting = before
+            elif "next_action" in names and not (terminated or truncated):
+                waiting = learned
             else:
-                learn_from(agent, names, before, action)
+                learn_from(agent, names, learned, action)
             is_new = terminated or (truncated and not learner.restarts)
             if once_an_episode and (terminated or truncated):
                 is_random = rng.random() < epsilon
