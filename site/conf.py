@@ -7,6 +7,7 @@ import groups
 import mathematics
 import previews
 import projected_pages
+import room
 from repository import ROOT, documented
 
 project = "EduGym"
@@ -50,4 +51,5 @@ def setup(app: Any) -> None:
     app.add_html_math_renderer("mathml", (mathematics.visit_inline, None), (mathematics.visit_block, None))
     app.connect("html-page-context", previews.add)
     app.connect("html-page-context", projected_pages.add_style)
+    app.connect("html-page-context", room.add)
     app.connect("html-page-context", groups.add, priority=900)  # after the theme has written the tree

@@ -147,15 +147,22 @@ def test_a_page_asks_no_other_host_and_fits_the_screen(browser: Any, address: st
 
 
 @needs_browser
-@pytest.mark.parametrize("folder", ["lessons", "project"])
-def test_a_page_that_arrives_slowly_does_not_jump(browser: Any, address: str, folder: str) -> None:
+@pytest.mark.parametrize(
+    ("before", "page"),
+    [
+        ("lessons/00_loop", "lessons/01_exploration"),
+        ("project/00_loop", "project/01_exploration"),
+        ("environments/catch", "environments/boulder"),
+    ],
+)
+def test_a_page_that_arrives_slowly_does_not_jump(browser: Any, address: str, before: str, page: str) -> None:
     """Styles are known from another page, so its first lines are drawn long before its last ones arrive."""
-    opened(browser, address, f"{folder}/00_loop")
+    opened(browser, address, before)
     slow = {"offline": False, "latency": 150, "downloadThroughput": 20_000, "uploadThroughput": 20_000}
     browser.execute_cdp_cmd("Network.enable", {})
     browser.execute_cdp_cmd("Network.emulateNetworkConditions", slow)
     try:
-        opened(browser, address, f"{folder}/01_exploration")
+        opened(browser, address, page, WIDTHS[1])
         assert browser.execute_script("return window.shift") < 0.1
     finally:
         browser.execute_cdp_cmd("Network.disable", {})
