@@ -271,17 +271,17 @@ def require_repeatable(program: Any, seed: int) -> None:
 def require_other_roll_outs(program: Any, seed: int) -> None:
     """Refuse a program whose simulations draw the same random numbers again and again, or not all actions."""
     ends = [tuple(actions[-3:]) for actions in zip(*[iter(search(program, ALIKE, seed).asked)] * DEPTH, strict=True)]
+    if max(map(ends.count, {*ends})) > len(ends) * MOST_ALIKE:
+        raise WrongAnswer(
+            f"{NAME} ends many simulations with the same {len(ends[0])} actions: make rng once, before the loop of"
+            " simulations, or each of them draws the same random numbers"
+        )
     drawn = [action for end in ends for action in end]
     fewest = min(range(N_ACTIONS), key=drawn.count)
     if drawn.count(fewest) < len(drawn) * FEWEST_DRAWN:
         raise WrongAnswer(
             f"{NAME} draws one of {N_ACTIONS} actions in {drawn.count(fewest)} of the {len(drawn)} last steps of its"
             " simulations: is the random action of a roll-out one of *all* n actions, 0 to n - 1?"
-        )
-    if max(map(ends.count, {*ends})) > len(ends) * MOST_ALIKE:
-        raise WrongAnswer(
-            f"{NAME} ends many simulations with the same {len(ends[0])} actions: make rng once, before the loop of"
-            " simulations, or each of them draws the same random numbers"
         )
 
 
