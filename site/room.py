@@ -24,7 +24,6 @@ def add(app: Any, page: str, template: str, context: dict[str, Any], doctree: An
     """Say in the page of an environment how large its pictures will be."""
     if not page.startswith("environments/") or "body" not in context:
         return
-
     sources = {name: source for source, name in app.builder.images.items()}
 
     def with_room(found: re.Match[str]) -> str:

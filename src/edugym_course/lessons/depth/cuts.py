@@ -18,7 +18,7 @@ from edugym_course.lessons.depth.targets import EPSILON
 
 N_STEPS = 3_000
 BEGINS, COST = 0.3, -6.0
-"""How many episodes begin in the last state, and what every action brings there."""
+"""The share of the episodes that begin in the last state, and what every action brings there."""
 CUT = (Learner(slips), Learner(partial(slips, cut="value")))
 """What may be learned where an episode is truncated: the rewards alone, or a value too. Both are in use."""
 CUT_MISTAKES = {

@@ -24,7 +24,7 @@ WALLS = ((HEIGHT, 2), (HEIGHT, 2), (HEIGHT, 3), (HEIGHT, 2))
 LOW = 3
 """Places below this one are the foot of a wall."""
 CLIMBS = 20
-"""How often a policy must climb without a fall: one that tries something in 1 of 100 steps falls in one of them."""
+"""How often a policy must climb without a fall: one that tries something in 1 of 100 steps most likely falls."""
 OFTEN = 20
 """How often a wrong grip is tried again before it is told."""
 BY_CHANCE = 0.8

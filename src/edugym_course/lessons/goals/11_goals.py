@@ -462,8 +462,8 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # $$
 #
 # Where `terminated` is True, the target is $R$ alone. When an episode is over, whether it reached its goal or not, it
-# learns all steps of it again, for the goal $G'$ that the last step achieved. **The last step comes first**, so that the first one hears of the goal in the same sweep. A step that
-# achieves $G'$ has the reward 0 and nothing after it; every other one has $-1$. In the end the program returns its *policy*:
+# learns all steps of it again, for the goal $G'$ that the last step achieved. **The last step comes first**, so that the
+# first one hears of the goal in the same sweep. A step that achieves $G'$ has the reward 0 and nothing after it; every other one has $-1$. In the end the program returns its *policy*:
 # a function that takes such a dictionary, and returns the action with the highest value; it is asked about pairs that were
 # never met, too.
 #

@@ -127,7 +127,7 @@ as random ones have in 0.62 of the runs; of the pulls of a run's favourite arm, 
 NONE = 0.1
 """Who draws all arms at random pulls the commonest one in 0.06 of the steps."""
 SIGMAS_OF_ARMS = 5.0
-"""How far the tries of an arm may be from their mean. Some 28 are made of each, so that none is 5.3 too few."""
+"""How far the tries of an arm may be from their mean. Each has some 28, so one that is never tried is 5.3 below it."""
 AT_ONCE = 0.4
 """The share of the runs that may try another arm at one step. It is 0.1 by chance."""
 PAIR_RUNS, TOGETHER = 30, 0.03

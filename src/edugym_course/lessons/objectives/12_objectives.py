@@ -457,7 +457,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # away from the shore, so each cell is one step nearer; there the check only looks whether the dive takes too long.
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? The check sees only the steps that your program takes and
-# the dive of its policy, and no line of it. So a mistake that it names is the likely cause, and not the sure one.
+# the dive of its policy, and no line of it. So it may name a mistake that is likely, but not yours.
 
 # %% tags=["project"]
 my_program = ...  # your program
