@@ -19,8 +19,12 @@ from edugym_course.grading.programs import (
 )
 
 HEIGHT, N_STEPS, TRIAL = 30, 3_000, 200
-WALLS = ((HEIGHT, 2), (HEIGHT, 2), (HEIGHT, 3), (HEIGHT, 2))
-"""The height and the number of grips of each wall."""
+LONG, SHORT = 10 * HEIGHT, 35
+"""After how many steps an episode is truncated. Where that is often, who goes on from the old state learns wrong
+grips; the five right programs tried need 2025 steps at most (40 walls, three grips)."""
+WALLS = ((2, LONG), (2, SHORT), (3, LONG), (2, SHORT))
+"""The number of grips of each wall, and its step limit."""
+CUT = "where it is later they do. Does it go on from the state that reset() gives, after a truncated episode too? If so, "
 LOW = 3
 """Places below this one are the foot of a wall."""
 CLIMBS = 20
@@ -31,11 +35,11 @@ BY_CHANCE = 0.8
 """From which share of the wrong grips of a random climber on it looks like one."""
 
 
-def wall(height: int, n_grips: int, layout_seed: int, max_steps: int = 10 * HEIGHT) -> Environment:
+def wall(n_grips: int, layout_seed: int, max_steps: int) -> Environment:
     """Make a wall. Its grips must not be the random numbers of a program that has the same seed."""
     return gymnasium.make(
         "edugym/Boulder-v0",
-        height=height,
+        height=HEIGHT,
         n_grips=n_grips,
         layout_seed=APART + layout_seed,
         max_steps=max_steps,
@@ -45,21 +49,24 @@ def wall(height: int, n_grips: int, layout_seed: int, max_steps: int = 10 * HEIG
 def project_1(answer: Any, seed: int) -> str:
     """Check a program that explores: its policy must reach the top of every wall."""
     # One that tries grip after grip, or breaks ties by argmax, needs no random numbers.
-    require_reproducible(answer, partial(wall, HEIGHT, 2, 1000 * seed), TRIAL, seed, draws=False)
+    require_reproducible(answer, partial(wall, 2, 1000 * seed, LONG), TRIAL, seed, draws=False)
     found: list[int] = []
-    for number, (height, n_grips) in enumerate(WALLS, start=1000 * seed):
-        run = run_program(answer, wall(height, n_grips, number), N_STEPS, number)
-        name = f"on a wall of height {height} with {n_grips} grips"
+    for number, (n_grips, max_steps) in enumerate(WALLS, start=1000 * seed):
+        run = run_program(answer, wall(n_grips, number, max_steps), N_STEPS, number)
+        name = f"on a wall of height {HEIGHT} with {n_grips} grips"
+        if max_steps == SHORT:
+            name += f", where an episode is truncated after {SHORT} steps"
         firsts = [t for t, step in enumerate(run.steps, start=1) if step.terminated]
         if not firsts:
-            raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {_why(run, n_grips)}")
-        without_a_fall = wall(height, n_grips, number, max_steps=height)
+            if_short = CUT if max_steps == SHORT else ""
+            raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {if_short}{_why(run, n_grips)}")
+        without_a_fall = wall(n_grips, number, max_steps=HEIGHT)
         actions_of(run.policy, [0], n_grips)
         climbs = returns_of(run.policy, without_a_fall, CLIMBS, number)
         if climbs.min() < 1:
             raise WrongAnswer(
                 f"{name}, the program reached the top {len(firsts)} times while it learned, but the policy that it"
-                f" returns does so in {(climbs >= 1).sum()} of {CLIMBS} climbs of {height} steps: does it remember the"
+                f" returns does so in {(climbs >= 1).sum()} of {CLIMBS} climbs of {HEIGHT} steps: does it remember the"
                 " way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), and"
                 " from the state that reset gives in each episode?"
             )

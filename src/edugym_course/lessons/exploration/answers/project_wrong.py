@@ -119,3 +119,12 @@ def my_program(environment, n_steps, seed):
 # - return lambda s: grip[s]
 # + calls = iter(range(10**9))
 # + return lambda s: grip[next(calls) % (len(grip) - 1)]
+
+# %% goes on from the old state
+# says: , where an episode is truncated after 35 steps
+# says: where it is later they do. Does it go on from the state that reset() gives, after a truncated episode too? If so,
+# in: one grip after another, without chance
+# - s = environment.reset()[0] if over or cut else s2
+# + s = s2
+# + if over or cut:
+# +     environment.reset()
