@@ -60,7 +60,7 @@ play("Diver")
 # ### Which policies are good compromises?
 # Nobody can tell you how many steps a treasure is worth. But some things are beyond dispute. A policy that brings 20 in five steps is
 # worse than one that brings 30 in four. We say that $\mathbf{v}$ *dominates* $\mathbf{v}'$ if it is better in one objective and at least as good in all
-# others. Here a policy uses no chance: it always makes the same dive. What no other policy dominates is *Pareto-optimal*, and the vectors of all these policies are the *Pareto front*.
+# others. Here a policy uses no chance: it always makes the same dive (mixtures come later). What no other policy dominates is *Pareto-optimal*, and the vectors of all these policies are the *Pareto front*.
 #
 # Value iteration can compute it, if each state has a set of vectors and not one value: $\mathbf{V}(s)$ are the Pareto-optimal vectors among
 # $\mathbf{r}(s, a, s') + \mathbf{v}$, for all actions $a$ and all $\mathbf{v}$ in $\mathbf{V}(s')$.
@@ -87,7 +87,7 @@ for k, (value, time) in enumerate(front):
 figures.front(1.0, weights=(1.0, 4.0))
 
 # %% [markdown]
-# This is concavity 1, and for $w = 4$ the line touches treasure 8. The grey line joins the points that some weights prefer; a dashed line steeper than it touches another point. Look at the hollow ones: they
+# This is concavity 1, and for $w = 4$ the line touches treasure 8. The grey line joins the points that some weights prefer. With a price above 5 the dashed line is steeper than the grey one, and touches treasure 0. Look at the hollow points: they
 # lie in a *dent*, below the line from treasure 0 to treasure 8. However you turn the dashed line, will one of them ever be the last point
 # that it touches?
 #
@@ -164,9 +164,11 @@ figures.front(1.0, distance=(1.0, 12.0))
 
 # %% [markdown]
 # The weights are 1 for the value and 12 for time, and the lower edge of the box touches treasure 2. (The dashed lines are as far from $\mathbf{z}$ as this treasure.) A box reaches into a dent, where a line cannot. The agent is Q-learning with a
-# vector for each action. Its best action is the closest. (In the code `best_returns` is $\mathbf{z}$, as far as the dives so far have
-# shown it, and `margin`, 0 here, can put it farther out. `total` is what this dive has brought so far, and `closeness` is $-d$ of each action.
-# `vector_of_best` takes the vector of the closest action.)
+# vector for each action. Its best action is the closest. In the code:
+#
+# - `best_returns` is $\mathbf{z}$, as far as the dives so far have shown it; `margin`, 0 here, can put it farther out;
+# - `total` is what this dive has brought so far;
+# - `closeness` is $-d$ of each action, and `vector_of_best` takes the vector of the closest one.
 
 # %%
 source(ChebyshevQLearning, "look_at", "learn")
@@ -174,7 +176,7 @@ source(ChebyshevQLearning, "look_at", "learn")
 # %% [markdown]
 # ## See inside: two ways to take a distance
 #
-# Here are 18 weights of time, from 0.15 to 60. The thin dashed line will be the treasure that is closest; where you do not see it, it lies under another one. "The rest of the dive" is the agent of the paper: it compares
+# Here are 18 weights of time, from 0.15 to 60. In the figure the thin dashed line is the closest treasure; where you do not see it, it lies under another line. "The rest of the dive" is the agent of the paper: it compares
 # $\mathbf{z}$ with its vectors $\mathbf{Q}(s, a)$. "The whole dive" adds to $\mathbf{Q}(s, a)$ what the dive has brought up to $s$ (in the code, `so_far`).
 #
 # **Predict.** Which of the two picks up the closest treasure for *all* 18 weights?
@@ -206,12 +208,12 @@ who.measured(who.options[0 if rest and whole else 1 if whole else 2 if rest else
 #
 # Why? $\mathbf{Q}(s, a)$ are the returns from $s$ *on*, but $\mathbf{z}$ is what a whole dive could bring. After four steps $\mathbf{Q}$ knows nothing of these four, and
 # two more steps look as cheap as the first two. So the agent goes on where its own weights, at the start, would have
-# stopped. That it most often dives too deep fits this. It also explains the dives that stop too early, for weights of time from 12 to 22 (1.1 to 1.3 on the axis): by its own
-# values, going on would lead to a treasure that is too deep, and so it rather stops earlier. (At concavity 0 and 1 the same came out; with the steps so
+# stopped. That it most often dives too deep fits this. For weights of time from 12 to 22 (1.1 to 1.3 on the axis) it stops too early, for the same reason: it knows that it would not stop
+# at the closest treasure, if it went on, but at a deeper one, which is farther away than the one at hand. (At concavity 0 and 1 the same came out; with the steps so
 # far added, the effect was gone each time.)
 #
 # A weighted sum does not have this trouble: what was paid before is the same number for all actions, and drops out of the comparison.
-# That is why a Bellman equation needs no past where rewards are added up. A distance is no sum of rewards, so it must know the past.
+# That is why a Bellman equation needs no past where rewards are added up. A distance is no sum of rewards, so it must know the past. (Here the cell tells how many steps were taken. Where it does not, the return so far must be a part of the state.)
 #
 # ### All at once: sets of vectors
 # Or do not weigh at all. *Pareto Q-learning* (Van Moffaert and Nowé, 2014) learns what the exact front was computed from: a set of vectors
@@ -239,9 +241,12 @@ figures.sets({steps: methods.pareto(0.5, n_steps=steps).front(0) for steps in (2
 # $$
 #
 # If a dive took longer than $L$ steps, a step becomes dearer; if it was shorter, cheaper. $\lambda$ is a *Lagrange multiplier*, and this rule is *dual ascent*.
-# Beside it runs Q-learning, for the price of the moment. (It explores by first values that are too high, and then not at all. In the
-# code `multipliers` holds the weights: 1 for the value, and $\lambda$ for time. `multiplier_rate` is $\eta$. `limits` holds minus the limit $L$,
-# and `total` the return of the dive, for time minus its steps: so `missing` is $n - L$. `values` are the weighted sums of the actions.)
+# Beside it runs Q-learning, for the price of the moment. It explores by first values that are too high, 100 for the value and 0 for time, and in no other way. In the
+# code:
+#
+# - `multipliers` holds the weights, 1 for the value and $\lambda$ for time; `multiplier_rate` is $\eta$;
+# - `limits` holds $-L$, and `total` the return of the dive, for time $-n$; so `missing` is $(-L) - (-n) = n - L$;
+# - `values` are the weighted sums of the actions.
 
 # %%
 source(LagrangianQLearning, "end_episode", "look_at")
@@ -266,8 +271,8 @@ no_dent.measured("none" if share < 0.05 else "about a third" if share < 0.42 els
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** None: 0.0 %. The price comes to rest at 6.17: treasure 3 is the best for prices from 5.84 to 6.41. (In 3 of 120 runs it does
-# not: these change for ever between treasures 2 and 4.)
+# **Measured.** None: 0.0 %. The price comes to rest at 6.17: treasure 3 is the best for prices from 5.84 to 6.41. (In 6 of 400 runs it does
+# not: these change for ever between treasures 2 and 4. A guess at the reason: what follows an action was learned for the actions that were best at the $\lambda$ of that time.)
 # </details>
 #
 # Now concavity 1. The best dive within seven steps is still treasure 3. But it lies in the dent.
@@ -304,12 +309,12 @@ dent.measured("all" if share > 0.9 else "more than a third" if share > 1 / 3 els
 #
 # Is that a failure of dual ascent? No: it comes to the exact optimum of *its* problem. The cell computes it exactly: if only the average must keep the
 # limit, the best is to take treasure 0 five times of eight and treasure 8 three times. That brings 40 on average, and treasure 3 only
-# 35.31: on average this mixture dominates treasure 3, which no single dive does. It is a failure of the question. That the dive before took one step does not help a diver to survive 17. A limit on the average
+# 35.31: on average this mixture dominates treasure 3, which no single dive does. The question was wrong: it asked for an average, and that the last dive took one step does not help a diver to survive 17. A limit on the average
 # is right for costs that add up over many episodes, such as a bill; for air it is wrong. If each dive must keep the limit, find treasure 3 by a set of
 # vectors, by a distance, or by what you will write below.
 #
 # ### What learning costs
-# Back to concavity 0, where in the end every dive is short enough. The price begins at 0, and many of the first dives are long. What if it begins at 30,
+# Back to concavity 0, where in most runs every dive is short enough in the end. The price begins at 0, and many of the first dives are long. What if it begins at 30,
 # at which no treasure is worth its steps?
 #
 # **Predict.** How does this change the number of dives that take too long, in the whole training?
@@ -334,10 +339,10 @@ costs.measured(costs.options[0 if change < 0.2 else 1 if change < 0.75 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30.
+# **Measured.** It stays about the same: some 70 with a first price of 0, and some 65 with 30. (The 6 of 400 runs from price 0 that never come to rest have some 3 500 of them; from 30 all 400 come to rest.)
 # </details>
 #
-# Why do so many dives take too long, whatever the first price? There may be two causes. The first values are too high, so they lead the agent everywhere once. And a price
+# Why do so many dives take too long, whatever the first price? There may be two causes. The first values are too high, so they lead the agent everywhere once; and since they are 0 for time, no price can keep it from a place that it has not seen. And a price
 # of 0 rises by small steps. To tell them apart, let the agent begin with the values of an earlier training, so that only the price is new.
 
 # %%
@@ -350,11 +355,21 @@ for label, settings in {
     print(f"known values, {label}: {methods.too_long(run.training_returns).sum():.0f} dives take too long")
 
 # %% [markdown]
-# Either cause alone makes dives too long. With known values and a first price of 30 there is neither, and no dive takes too long. With known values and a first price of 0
-# there is mainly the price that rises slowly: some 100 dives do, and no more than some 10 if $\eta$ is five times as large. (In the last column `right` leads back to the same cell, so a first value of 100 there feeds itself, and does not fall while a step costs nothing.
-# The first dive with known values and a price of 0 stands there for some 90 steps, until it is cut off: with the larger $\eta$ this alone raises the price by 4.65.) And with a first price of 30 and new values there are only
-# the high first values: those were the 65. (With new values and a first price of 0, a larger $\eta$ hardly helps. The same came out at concavity 0.25, and with
-# a limit of 5.)
+# Either cause alone makes dives too long; where there is neither, none takes too long:
+#
+# | dives that take too long | first price 30 | first price 0 | first price 0, $\eta$ five times as large |
+# |---|---|---|---|
+# | known values | 0 | 100 | 10 |
+# | new values | 65 | 70 | 65 |
+#
+# With known values only the slow price is left, and a larger $\eta$ helps. With new values and a first price of 30 only the first values are left. If they are -9 for time in place of 0, so that a new
+# place costs something, some 12 dives take too long in place of the 65. (The table came out alike at concavity 0.25, and with a limit of 5.)
+#
+# <details><summary>Why 10 and not 20, with η five times as large?</summary>
+#
+# In the last column `right` leads back to the same cell, so a first value of 100 there feeds itself, and does not fall while a step costs nothing.
+# The first dive with known values and a price of 0 stands there for some 90 steps, until it is cut off. With the larger $\eta$ this alone raises the price by 4.65.
+# </details>
 #
 # So a constraint that was learned was broken while it was learned. Who may not break it even once needs to know something beforehand: a model, or
 # a teacher.
@@ -452,9 +467,9 @@ check(exercise_3, new_price, seed=1, quiet=True)
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no
-# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. From the same
-# start every way to a cell takes the same number of steps (but in the last column, where `right` only costs a step; it is too far anyway), so it also says how many steps the dive took so far. In a seventh sea the diver begins one cell
-# away from the shore, so each cell is one step nearer; there the check only looks whether the dive takes too long.
+# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (You need not add the steps so far to it: every way from
+# the start to a cell within the limit takes the same number of steps.) But do count them from `reset` on, and do not compute them from the cell: in a seventh sea the diver begins one cell
+# away from the shore. There the check only looks whether the dive takes too long.
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? The check sees only the steps that your program takes and
 # the dive of its policy, and no line of it. So it may name a mistake that is likely, but not yours.
@@ -503,12 +518,12 @@ check(project_12, my_program)
 # - Pareto Q-learning found all nine in one run, without weights.
 # - A learned price kept its limit on average. Where the best dive lay in a dent, more than a third of the dives broke it in the end, and this was the exact
 #   optimum of what was asked.
-# - While the price was learned some 70 dives took too long. A high first price delayed them, and saved hardly any.
+# - While the price was learned some 70 dives took too long. A high first price delayed them, and in most runs it saved hardly any.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With several objectives a policy is Pareto-optimal if no other is better in one and at least
 # as good in all others (no other without chance, in this lesson). A weighted sum picks the point that a line touches last, so it finds the points of the convex hull and never one in a dent,
-# however fine you choose the weights. Distances and sets find them; but a distance must know what was earned before. A Lagrange multiplier is a
+# however fine you choose the weights. Distances and sets find them; but a distance must know what the dive has brought so far. A Lagrange multiplier is a
 # weight that is learned. It keeps a limit on average, by changing between policies if it must, and breaks it while it learns.
 #
 # ### Limits
