@@ -74,6 +74,11 @@ MANY = 1.5
 LATE = 5.0
 """How many standard deviations too late they may come. By chance it is 0.9 on average: two actions that looked alike to
 a program, and do not to our agent, are rare at the beginning. Of 99 runs of right programs, 2.5 was the most."""
+MANY_OF_CHANCE = 0.4
+"""From which share of those of chance alone the state itself may be another one."""
+ELSEWHERE = (
+    "Is each action chosen in the state that step() or reset() gave last? A loop inside the loop may have used its name."
+)
 FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
     " that reset() gives; and does the program learn from the first step of an episode as from the others, and at an"
@@ -384,5 +389,6 @@ class Rule:
         if_others = self.epsilon * np.count_nonzero(right.chances)
         is_other = abs(found - if_others) < SIGMAS * right.deviation
         others = f", or the random action is drawn among the others: {OTHERS}" if is_other else ""
-        unknown = f"If all else is right, ε is about {found / by_chance:.2f}{others}. If ε is right, compare"
+        wild = f" {ELSEWHERE}" if found > MANY_OF_CHANCE * by_chance else ""
+        unknown = f"If all else is right, ε is about {found / by_chance:.2f}{others}.{wild} If ε is right, compare"
         return f"{'ε is right, so compare' if is_known else unknown} {compare}"

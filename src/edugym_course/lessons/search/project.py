@@ -259,12 +259,13 @@ def require_highest_value(program: Any, seed: int) -> None:
 
 
 def require_repeatable(program: Any, seed: int) -> None:
-    """Refuse a program that simulates something else with the same seed."""
+    """Refuse a program that simulates something else with the same seed: of an old tree the riddles know nothing."""
     first, again = (search(program, ROUND, seed).asked for _ in range(2))
     if first != again:
         raise WrongAnswer(
             f"{NAME} does not repeat itself: two searches with seed {seed} simulate different actions. Draw every"
-            " random number from rng = np.random.default_rng(seed)"
+            " random number from rng = np.random.default_rng(seed), and make the tree inside the function, so that"
+            " nothing is left of the search before"
         )
 
 
@@ -288,6 +289,7 @@ def require_other_roll_outs(program: Any, seed: int) -> None:
 def project_18(answer: Any, seed: int) -> str:
     """Check a program that searches: in every riddle it must find the right action, in nearly all runs."""
     require_function(NAME, answer, "model, n_actions, state, n_simulations and seed")
+    require_repeatable(answer, seed)
     begun = set()
     for number_of_riddle, riddle in enumerate(RIDDLES):
         if number_of_riddle == BEFORE_COUNTS:
@@ -308,6 +310,5 @@ def project_18(answer: Any, seed: int) -> str:
     search(answer, ENDLESS, seed)
     require_tree(answer, seed)
     require_highest_value(answer, seed)
-    require_repeatable(answer, seed)
     require_other_roll_outs(answer, seed)
     return f"Right: it solves all {len(RIDDLES)} riddles, and asks of the model what a search may ask."

@@ -190,3 +190,13 @@
 # +     self.improve(*self.seen[k])
 # - me.seen[s, a] = (r, s2, over)
 # + me.seen.append((s, a, r, s2, over))
+
+# %% planning goes on with the state
+# slow
+# says: Is each action chosen in the state that step() or reset() gave last? A loop inside the loop may have used its name.
+# in: a model in arrays
+# - i, j = tried[rng.integers(len(tried))]
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + i, j = tried[rng.integers(len(tried))]
+# + s2 = S2[i, j]
+# + Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[s2].max()

@@ -394,3 +394,11 @@ my_program = 3
 # in: a loop and a path
 # - reward, here, ended = model(here, int(rng.integers(n_actions)))
 # + reward, here, ended = model(here, int(rng.integers(n_actions - 1)))
+
+# %% the tree of the search before
+# slow
+# says: my_program does not repeat itself: two searches with seed
+# says: simulate different actions. Draw every random number from rng = np.random.default_rng(seed), and make the tree inside the function, so that nothing is left of the search before
+# in: a loop and a path
+# - N, Q = {}, {}
+# + N, Q = vars(my_program).setdefault("kept", ({}, {}))
