@@ -160,7 +160,7 @@ def test_slips_of_players() -> None:
     for wrong in ([1, 1], None, {"player_0": 1}, {0: 1, 1: 1}):
         with pytest.raises(ValueError, match=r"actions .*player_0, player_1"):
             env.step(wrong)
-    with pytest.raises(ValueError, match="action 3 is not in the action space"):
+    with pytest.raises(ValueError, match="action 3 is not in the action space of player_"):
         env.step({"player_0": 0, "player_1": 3})
     assert env.steps == 0
     with pytest.raises(ValueError, match=named("render_mode", None, "rgb_array", "ansi", "human")):

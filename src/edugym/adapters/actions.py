@@ -8,7 +8,7 @@ from gymnasium import spaces
 from edugym.checks.parameters import in_short
 
 
-def checked_action(space: spaces.Space[Any], action: Any) -> Any:
+def checked_action(space: spaces.Space[Any], action: Any, of_whom: str = "") -> Any:
     """An element of an action space, from what stands for one.
 
     Whole numbers may be Python's or NumPy's, arrays may be lists or of other types. Numbers beyond the bounds of a Box
@@ -17,6 +17,7 @@ def checked_action(space: spaces.Space[Any], action: Any) -> Any:
     Args:
         space: the action space, of one environment or of several copies.
         action: what the user gave.
+        of_whom: " of " and the name of a player, for the message, if there are several.
 
     Returns:
         An `int` for a Discrete space; an array of its own for a Box or a MultiDiscrete; else the action.
@@ -39,7 +40,7 @@ def checked_action(space: spaces.Space[Any], action: Any) -> Any:
             fits = False
         if fits:
             return int(action) if isinstance(space, spaces.Discrete) else action
-    raise ValueError(f"action {in_short(action)} is not in the action space {space}")
+    raise ValueError(f"action {in_short(action)} is not in the action space{of_whom} {space}")
 
 
 def _array(action: Any, kinds: str) -> Any:

@@ -141,7 +141,7 @@ class GameEnv:
                 f"actions must be a dictionary with one action for each of {', '.join(PLAYERS)}, but is"
                 f" {in_short(actions)}"
             )
-        first, second = (checked_action(self.action_spaces[name], actions[name]) for name in PLAYERS)
+        first, second = (checked_action(self.action_spaces[name], actions[name], f" of {name},") for name in PLAYERS)
         return first, second
 
     def scene(self) -> "Scene":

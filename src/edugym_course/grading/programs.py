@@ -226,22 +226,7 @@ def run_program(
         raise WrongAnswer(recorder.slip)
     if not recorder.steps:
         raise WrongAnswer(f"{NAME} takes no step in the environment that it is given: does it make one of its own?")
-    if len(recorder.steps) < ENOUGH * n_steps:
-        raise WrongAnswer(
-            f"{NAME} takes {len(recorder.steps)} of its {n_steps} steps: go on, episode after episode, until all are"
-            " taken"
-        )
-    is_over = recorder.steps[-1].terminated or recorder.steps[-1].truncated
-    if len(recorder.steps) == n_steps - 1 and not is_over:
-        raise WrongAnswer(
-            f"{NAME} takes {n_steps - 1} of its {n_steps} steps: one is missing; does the loop begin at 1, or end at"
-            " n_steps - 1?"
-        )
-    if len(recorder.steps) == n_steps + 1 and not is_over:
-        raise WrongAnswer(
-            f"{NAME} takes {n_steps + 1} steps, and {n_steps} were asked for: one too many; is there a `<=` in place of"
-            " `<`, or does the loop end at n_steps + 1?"
-        )
+    require_steps(len(recorder.steps), n_steps, recorder.steps[-1].terminated or recorder.steps[-1].truncated)
     if not recorder.is_seeded:
         raise WrongAnswer(f"{NAME} {UNSEEDED} state, info = environment.reset(seed=seed)")
     if recorder.samples_unseeded:
@@ -251,6 +236,33 @@ def run_program(
         )
     require_policy(call, policy, noun, is_real=isinstance(environment.action_space, spaces.Box))
     return Run(recorder.steps, policy)
+
+
+def require_steps(taken: int, n_steps: int, is_over: bool) -> None:
+    """Refuse a program that takes too few steps, or one too many.
+
+    Args:
+        taken: how many it takes.
+        n_steps: how many were asked for.
+        is_over: whether an episode ends with the last one: some programs end with an episode.
+
+    Raises:
+        WrongAnswer: it does.
+    """
+    if taken < ENOUGH * n_steps:
+        raise WrongAnswer(
+            f"{NAME} takes {taken} of its {n_steps} steps: go on, episode after episode, until all are taken"
+        )
+    if taken == n_steps - 1 and not is_over:
+        raise WrongAnswer(
+            f"{NAME} takes {taken} of its {n_steps} steps: one is missing; does the loop begin at 1, or end at"
+            " n_steps - 1?"
+        )
+    if taken == n_steps + 1 and not is_over:
+        raise WrongAnswer(
+            f"{NAME} takes {taken} steps, and {n_steps} were asked for: one too many; is there a `<=` in place of"
+            " `<`, or does the loop end at n_steps + 1?"
+        )
 
 
 def begins(steps: Sequence[Step]) -> list[bool]:

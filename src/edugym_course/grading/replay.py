@@ -77,7 +77,8 @@ a program, and do not to our agent, are rare at the beginning. Of 99 runs of rig
 MANY_OF_CHANCE = 0.4
 """From which share of those of chance alone the state itself may be another one."""
 ELSEWHERE = (
-    "Is each action chosen in the state that step() or reset() gave last? A loop inside the loop may have used its name."
+    "Is each action chosen in the state that step() or reset() gave last? A loop inside the loop may have used its"
+    " name."
 )
 FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"

@@ -24,7 +24,7 @@ LONG, SHORT = 10 * HEIGHT, 35
 grips; the five right programs tried need 2025 steps at most (40 walls, three grips)."""
 WALLS = ((2, LONG), (2, SHORT), (3, LONG), (2, SHORT))
 """The number of grips of each wall, and its step limit."""
-CUT = "where it is later they do. Does it go on from the state that reset() gives, after a truncated episode too? If so, "
+CUT = "where it is later they do. Does it go on from the state that reset() gives, after each episode? If so,"
 LOW = 3
 """Places below this one are the foot of a wall."""
 CLIMBS = 20
@@ -58,7 +58,7 @@ def project_1(answer: Any, seed: int) -> str:
             name += f", where an episode is truncated after {SHORT} steps"
         firsts = [t for t, step in enumerate(run.steps, start=1) if step.terminated]
         if not firsts:
-            if_short = CUT if max_steps == SHORT else ""
+            if_short = f"{CUT} " if max_steps == SHORT else ""
             raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {if_short}{_why(run, n_grips)}")
         without_a_fall = wall(n_grips, number, max_steps=HEIGHT)
         actions_of(run.policy, [0], n_grips)

@@ -517,21 +517,21 @@ check(exercise_3, learn, seed=1, quiet=True)
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and `games.solve_zero_sum` only: minimax Q-learning, and the loop in which it plays both
-# sides. Some 30 lines.
+# Now write it all yourself, from an empty cell, with NumPy and `games.solve_zero_sum` only: minimax Q-learning, and a loop in which it plays both
+# sides: `games.solve_zero_sum(Q[state])` gives the value of the matrix game, the policy of the rows, and that of the columns. Some 30 lines.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a zero-sum game, episode after episode, and learns from each of
 # them. In the end it returns the policy of player 0: a function that takes a state and returns the probabilities of its actions. All else is up to you.
 #
 # - The environment is a parallel environment as in [PettingZoo](https://pettingzoo.farama.org). Everything comes in dictionaries, by the names
 #   `"player_0"` and `"player_1"`: `seen, _ = environment.reset(seed=seed)`, and `seen, rewards, terminated, truncated, _ = environment.step({"player_0": a, "player_1": o})`.
-#   When an episode is over, `environment.agents` is empty.
-# - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions.
+#   When an episode is over, terminated or truncated, `environment.agents` is empty. Only `terminated["player_0"]` means that nothing follows.
+# - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions it has; `"player_1"` may have fewer.
 #   Both players see the same state.
-# - Take $\gamma = 0.9$, a learning rate of about 0.2, and one random action in five.
+# - Take $\gamma = 0.9$, a learning rate of about 0.2, and one random action in five for each player.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
-# The check lets your program learn six small games, and computes exactly what the best opponent wins from your policy in each state. It may be 0.2 more than what a safe policy allows. It does not look
+# The check lets your program learn seven small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. It may be 0.2 more than what a safe policy allows; payoffs go up to 20. It does not look
 # at your code. So when it names a mistake, this is the likely cause.
 
 # %% tags=["project"]

@@ -5,12 +5,10 @@ the best opponent wins from this policy, computed exactly, in riddles: small gam
 part of the method is missing.
 """
 
-from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
-from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
 from edugym.adapters.parallel_env import PLAYERS, GameEnv
@@ -18,12 +16,13 @@ from edugym.checks.parameters import in_short
 from edugym.exact.game_model import GameModel, game_model
 from edugym.exact.shapley import minimax_value_iteration
 from edugym.exact.value_iteration import value_iteration
-from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import APART, ENOUGH, NAME, POLICY, UNSEEDED
+from edugym_course.grading.programs import APART, NAME, POLICY, UNSEEDED, require_steps
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.several_agents.methods import DARING, DISCOUNT
+from edugym_course.lessons.several_agents.houses import AFTER_THE_END, CHANCE, N_ACTIONS, RIDDLES, ROOMS, House, Riddle
+from edugym_course.lessons.several_agents.methods import DISCOUNT
 
 N_STEPS, TRIAL, LONGER = 6_000, 60, 4
 """Training steps in a riddle, in a first trial, and how many times as long a slow program may take."""
@@ -33,172 +32,6 @@ SLOW = 0.6
 """Who still loses much, but less than this share of it after longer training, learns too slowly."""
 SURE = 0.99
 """An action with this probability or more leaves nothing to chance."""
-N_ACTIONS, HALL, OVER = 3, 0, 100
-"""The actions of each player; the first place; and from where on the states are those after the end."""
-SAFE = ((9.0, 6.0, 12.0), (0.0, -3.0, 3.0), (-6.0, -9.0, -3.0))
-"""What player 0 gets in a room in which its first action is best whatever the other does."""
-ROCK = np.array(DARING)
-WILD = (0.1, 1.5, 0.5, 0.1, 0.5)
-"""How much hangs on the actions in each room, from the one that is worth least on.
-
-So neither the best that may happen there nor what one action by itself guarantees says what it is worth, and who goes
-by them takes wrong ways.
-"""
-FOLLY = ((0.2, 12.0), (12.0, 3.0), (12.0, 1.0), (0.2, 12.0), (1.0, 1.0))
-"""What player 0 loses in each room by an action that it should never take, and wins if the other takes such a one.
-
-So neither what happens to players who toss a coin nor what happens with random moves says what a room is worth.
-"""
-
-
-class House(NamedTuple):
-    """A zero-sum game with a hall, in which the pair of actions decides the next room, and rooms, each of which pays.
-
-    After a room the game is over. What is seen then is the number of some place.
-
-    Attributes:
-        hall: shape (n_actions, n_actions): the room that each pair of actions leads to, from 1 on.
-        rooms: shape (n_rooms, n_actions, n_actions): what player 0 gets.
-        seen_at_end: which place is seen after the end, by the number of the pair of actions.
-        max_steps: the step limit.
-        pays: what player 0 gets in the hall for each pair of actions.
-    """
-
-    hall: Any
-    rooms: Reals
-    seen_at_end: tuple[int, ...]
-    max_steps: int = 50
-    pays: Reals = np.zeros((N_ACTIONS, N_ACTIONS))
-
-    def initial(self, rng: Random) -> int:
-        """Any place."""
-        return int(rng.random() * (1 + self.rooms.shape[0]))
-
-    def transition(self, state: int, actions: tuple[int, int], rng: Random) -> int:
-        """From the hall into a room, and from a room to the end."""
-        pair = N_ACTIONS * actions[0] + actions[1]
-        return int(self.hall[actions[0], actions[1]]) if state == HALL else OVER + pair
-
-    def rewards(self, state: int, actions: tuple[int, int], next_state: int, rng: Random) -> tuple[float, float]:
-        """What a room pays, and the hall."""
-        paid = float(self.pays[actions] if state == HALL else self.rooms[state - 1, actions[0], actions[1]])
-        return paid, -paid
-
-    def terminal(self, state: int) -> bool:
-        """After a room."""
-        return state >= OVER
-
-    def observation(self, state: int, player: int, rng: Random) -> int:
-        """The place, or what is seen after the end."""
-        return self.seen_at_end[state - OVER] if state >= OVER else state
-
-    def observation_space(self, player: int) -> spaces.Discrete:
-        """The places."""
-        return spaces.Discrete(1 + self.rooms.shape[0])
-
-    def action_space(self, player: int) -> spaces.Discrete:
-        """The three actions."""
-        return spaces.Discrete(N_ACTIONS)
-
-
-class Riddle(NamedTuple):
-    """A kind of house, and what must be learned to play it safely.
-
-    Attributes:
-        make: makes the house; actions and rooms are numbered anew with each seed.
-        asks: what a program that fails here has missed.
-    """
-
-    make: Callable[[Random], House]
-    asks: str
-
-
-def _turned(table: Any, rng: Random) -> Reals:
-    """Return a table with its rows and columns in another order."""
-    return np.array(table, float)[np.ix_(rng.permutation(N_ACTIONS), rng.permutation(N_ACTIONS))]
-
-
-def _rooms(rng: Random) -> House:
-    """Two rooms, one of which needs a random policy; it does not matter what is done in the hall."""
-    safe = _turned(SAFE, rng)
-    while safe.sum(axis=0).argmax() != safe.sum(axis=1).argsort()[1]:  # who takes columns for rows plays the middle one
-        safe = _turned(SAFE, rng)
-    rooms = np.stack([_turned(ROCK, rng), safe])
-    return House(np.ones((N_ACTIONS, N_ACTIONS), int), rooms, (HALL,) * N_ACTIONS**2)
-
-
-def _pennies(stake: float, folly: tuple[float, float]) -> Reals:
-    """Return matching pennies, which is worth 0, with an action more for each player, by which it only loses."""
-    own, others = folly
-    return np.array([[stake, -stake, others], [-stake, stake, others], [-own, -own, 0.0]])
-
-
-def _way(rng: Random, seen_at_end: Sequence[int] = (HALL,) * N_ACTIONS**2, max_steps: int = 50) -> House:
-    """Five rooms that are worth -3, -1, 0, 1 and 3, and a hall in which the way must be chosen at random."""
-    worth = rng.permutation(np.unique(ROCK))
-    hall = _turned(ROCK, rng)
-    pennies = dict(zip(np.unique(ROCK), map(_pennies, WILD, FOLLY), strict=True))
-    rooms = np.stack([_turned(pennies[one], rng) + one for one in worth])
-    places = np.array([[1 + int(np.flatnonzero(worth == one)[0]) for one in row] for row in hall])
-    return House(places, rooms, tuple(seen_at_end), max_steps)
-
-
-def _alike(rng: Random) -> House:
-    """The same, but after the end some room is seen."""
-    return _way(rng, rng.permutation([1, 2, 3, 4, 5, 1, 2, 3, 4]).tolist())
-
-
-def _cut(rng: Random) -> House:
-    """The same, but each episode is cut off after a step."""
-    return _way(rng, max_steps=1)
-
-
-def _soon(rng: Random, at_once: float = 18.5) -> House:
-    """A hall in which player 0 chooses between a room that is worth 20, so much at once, and nothing.
-
-    Player 1 has one good action there, and loses 5 by the two others: so it takes the same one nearly always.
-    """
-    order, good = rng.permutation(N_ACTIONS), int(rng.integers(N_ACTIONS))
-    hall, pays = np.ones((N_ACTIONS, N_ACTIONS), int), np.full((N_ACTIONS, N_ACTIONS), 5.0)
-    hall[order[0]] = 2
-    pays[:, good] = 0.0
-    pays[order[1]] += at_once
-    rooms = np.stack([_turned(ROCK, rng) / 2 + one for one in (0.0, 20.0)])
-    return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=pays)
-
-
-ROOMS = Riddle(
-    _rooms,
-    "its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] learned from every pair"
-    " of actions, and is the policy returned without the random moves?",
-)
-RIDDLES = (
-    ROOMS,
-    Riddle(
-        _way,
-        "it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is"
-        " the value of the matrix game of S'. (Is `terminated` read by the name of a player?)",
-    ),
-    Riddle(
-        _soon,
-        "there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five"
-        " is random, so that all are tried)",
-    ),
-    Riddle(
-        partial(_soon, at_once=17.5),
-        "there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less",
-    ),
-    Riddle(
-        _alike,
-        "after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated`"
-        " the target is R alone",
-    ),
-    Riddle(
-        _cut,
-        "its episodes are truncated, not terminated: the clock was stopped, and the next state still has its value, so"
-        " only `terminated` makes R alone the target",
-    ),
-)
 
 
 class Watched:
@@ -272,11 +105,7 @@ def run(program: Any, game: House, n_steps: int, seed: int) -> tuple[list[tuple[
                 f"{NAME} takes a step where no episode is under way: call reset() at first, and whenever"
                 " `environment.agents` is empty"
             ) from None
-    if len(watched.actions) < ENOUGH * n_steps:
-        raise WrongAnswer(
-            f"{NAME} takes {len(watched.actions)} of its {n_steps} steps: go on, episode after episode, until all are"
-            " taken"
-        )
+    require_steps(len(watched.actions), n_steps, is_over=not watched.agents)
     if policy is None or not callable(policy):
         raise WrongAnswer(
             f"{call} should return the policy of player_0, a function from a state to the probabilities of its actions,"
@@ -340,6 +169,8 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
                 "It is random play: does the policy that is returned come from what was learned, and is the last step"
                 " of an episode learned from, too?"
             )
+        if np.abs(policy - policy[0]).max() == 0:
+            return "It is the same in each state: does it look up the state that it is given?"
         worth = game.rooms[1].sum(axis=1)
         if policy[2, worth.argmin()] > SURE:
             return (
@@ -358,13 +189,19 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
                 " the policy is that of the matrix game, as solve_zero_sum finds it. (It has none either"
                 " where hardly any pair of actions was tried: are some moves random?)"
             )
+    if riddle is CHANCE:
+        return f"Look at this state: {riddle.asks}"
+    apart = game._replace(is_apart=True)
+    if riddle is not ROOMS and weak_points(game_model(game), run(program, apart, N_STEPS, seed)[1]).max() < NEAR:
+        return f"Look at the end of an episode: {AFTER_THE_END}"
     longer = run(program, game, LONGER * N_STEPS, seed)[1]
     before, after = (weak_points(game_model(game), one).max() for one in (policy, longer))
     if after < max(NEAR, SLOW * before):
         return (
-            f"After {LONGER * N_STEPS} steps only {after:.2f} can be won, so it learns too slowly: is the learning"
+            f"After {LONGER * N_STEPS} steps only {after:.2f} can be won. Either it learns too slowly (is the learning"
             " rate, or the share of random actions, too small, is not every *pair* of actions learned, does player_1"
-            " learn from its own reward, or does something count that comes after `terminated`?"
+            " learn from its own reward, and play a policy of its own?), or something disturbs what it learns (is S'"
+            " what step() gave last, and is the target R alone with `terminated`?)"
         )
     return f"Look at this state: {riddle.asks}"
 
@@ -375,7 +212,7 @@ def _require_reproducible(program: Any, seed: int) -> None:
     Raises:
         WrongAnswer: so it is, or it breaks the contract.
     """
-    game = RIDDLES[1].make(np.random.default_rng(seed))
+    game = RIDDLES[-1].make(np.random.default_rng(seed))
     first, again = (run(program, game, TRIAL, seed)[0] for _ in range(2))
     if first != again:
         raise WrongAnswer(
@@ -388,4 +225,5 @@ def project_13(answer: Any, seed: int) -> str:
     """Check a program that trains two players and returns the policy of the first."""
     _require_reproducible(answer, seed)
     most = max(check_riddle(answer, riddle, seed) for riddle in RIDDLES)
-    return f"Right: in six small games the best opponent wins at most {most:.2f} more from it than from a safe policy."
+    n = len(RIDDLES)
+    return f"Right: in {n} small games the best opponent wins at most {most:.2f} more from it than from a safe policy."

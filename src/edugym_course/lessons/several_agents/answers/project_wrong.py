@@ -33,7 +33,7 @@
 # %% half at random
 # slow
 # says: Look at this state:
-# says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] learned from every pair of actions, and is the policy returned without the random moves?
+# says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] moved by α (T - Q) after every pair of actions, and is the policy returned without the random moves?
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda state: 0.6 * solved[state].first + 0.4 / shape[1]
@@ -54,7 +54,7 @@
 
 # %% no discount
 # slow
-# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five is random, so that all are tried)
+# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five is random, so that all are tried; and Q moves by α (T - Q))
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += value(int(seen[me]))
@@ -67,7 +67,7 @@
 
 # %% beyond the end
 # slow
-# says: after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated` the target is R alone
+# says: Look at the end of an episode: after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated` the target is R alone
 # in: all pairs at random
 # - if not terminated[me]:
 # -     target += 0.9 * value(int(seen[me]))
@@ -75,7 +75,7 @@
 
 # %% cut off is over
 # slow
-# says: its episodes are truncated, not terminated: the clock was stopped, and the next state still has its value, so only `terminated` makes R alone the target
+# says: its episodes are truncated, not terminated: the clock was stopped, and the next state still has its value, so only `terminated` makes R alone the target; and S' is what step() gave, not what reset() gives after it
 # in: all pairs at random
 # - if not terminated[me]:
 # + if not terminated[me] and not truncated[me]:
@@ -83,7 +83,7 @@
 # %% too slow
 # slow
 # says: After
-# says: can be won, so it learns too slowly: is the learning rate, or the share of random actions, too small, is not every *pair* of actions learned, does player_1 learn from its own reward, or does something count that comes after `terminated`?
+# says: can be won. Either it learns too slowly (is the learning rate, or the share of random actions, too small, is not every *pair* of actions learned, does player_1 learn from its own reward, and play a policy of its own?), or something disturbs what it learns (is S' what step() gave last, and is the target R alone with `terminated`?)
 # in: all pairs at random
 # - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
 # + Q[state, a, o] += 0.2 * (target - Q[state, a, o]) * (rng.random() < 0.07)
@@ -156,7 +156,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.8
 # slow
-# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less
+# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less; and Q moves by α (T - Q)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.8 * value(int(seen[me]))
@@ -172,7 +172,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.95
 # slow
-# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five is random, so that all are tried)
+# says: there 18.5 at once is more than 20 a step later: what follows is multiplied by γ = 0.9 (and one action of five is random, so that all are tried; and Q moves by α (T - Q))
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.95 * value(int(seen[me]))
@@ -180,7 +180,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.85
 # slow
-# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less
+# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less; and Q moves by α (T - Q)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.85 * value(int(seen[me]))
@@ -222,3 +222,43 @@ my_program = games.MinimaxQ
 # in: all pairs at random
 # - seen, _ = environment.reset(seed=seed)
 # + seen, _ = environment.reset()
+
+
+# %% no learning rate
+# slow
+# says: there chance says whether an action is paid, so one reward tells little: Q moves by α (T - Q), with α about 0.2. (And does each player have as many actions as `action_space` says?)
+# in: all pairs at random
+# - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
+# + Q[state, a, o] = target
+
+
+# %% the actions of player 0 for both
+# slow
+# says: action 2 is not in the action space of player_1, Discrete(2)
+# in: all pairs at random
+# - shape = environment.observation_space(me).n, environment.action_space(me).n, environment.action_space(you).n
+# + shape = environment.observation_space(me).n, environment.action_space(me).n, environment.action_space(me).n
+
+
+# %% one policy for all states
+# slow
+# says: It is the same in each state: does it look up the state that it is given?
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda _: solved[state].first
+
+
+# %% one step too few
+# slow
+# says: is missing; does the loop begin at 1, or end at n_steps - 1?
+# in: all pairs at random
+# - for _ in range(n_steps):
+# + for _ in range(1, n_steps):
+
+
+# %% Q is set to the step
+# slow
+# says: Q moves by α (T - Q), with α about 0.2.
+# in: all pairs at random
+# - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
+# + Q[state, a, o] = 0.2 * (target - Q[state, a, o])
