@@ -26,7 +26,7 @@ from edugym_course.grading.programs import (
     run_program,
 )
 from edugym_course.grading.replay import ASKED, TRIAL
-from edugym_course.lessons.dimensionality.riddles import BAD, CHOOSY, DARK, GOOD, LOW, RIDDLES, Album, Riddle
+from edugym_course.lessons.dimensionality.riddles import BAD, CHOOSY, DARK, GOOD, LOW, N_ACTIONS, RIDDLES, Album, Riddle
 from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS, Twins
 
 N_STEPS, RIDDLE_STEPS, RUNS, EPISODES = 10_000, 2_000, 3, 50
@@ -40,6 +40,8 @@ CONSTANT = 0.95
 """A program does not explore if the commonest action in each image has this share; with ε = 0.1 it was 0.89 at most."""
 GREEDY = 0.75
 """A program that knows the right actions takes this share of them with ε = 0.38; with ε = 0.1 it takes 93 %."""
+OFTEN = 250
+"""Who sees an image so often and never takes some action there does not try all; with ε = 0.1 it takes each 8 times."""
 FEW = 0.4
 """Who catches fewer has hardly learned anything."""
 MUCH = 0.1
@@ -104,7 +106,7 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> None:
             f" questions after {RIDDLE_STEPS} steps; by chance it would be 33%. {why}"
         )
     if found.trained < GREEDY:
-        why = BEYOND if looks_beyond_ends(program, riddle, seed) else TOO_RANDOM
+        why = "" if nobody_asks_why() else _cause_while_training(program, riddle, seed)
         raise WrongAnswer(
             f"in a riddle of six images, the policy of {NAME} takes the right action in {found.played:.0%} of the"
             f" questions after {RIDDLE_STEPS} steps, but while it learned the program took it in {found.trained:.0%}"
@@ -117,6 +119,35 @@ def looks_beyond_ends(program: Any, riddle: Riddle, seed: int) -> bool:
     albums = [Album(riddle, RUNS * seed, last) for last in (GOOD, BAD)]
     first, other = (run_program(program, album, RIDDLE_STEPS, RUNS * seed).steps for album in albums)
     return [step.action for step in first] != [step.action for step in other]
+
+
+def _cause_while_training(program: Any, riddle: Riddle, seed: int) -> str:
+    """Return why the policy may be right, and many actions of the training are not."""
+    if looks_beyond_ends(program, riddle, seed):
+        return BEYOND
+    if (longer := solution(program, riddle, PATIENCE * RIDDLE_STEPS, seed).trained) > GREEDY:
+        return (
+            f"After {PATIENCE * RIDDLE_STEPS} steps it does so in {longer:.0%}, so ε is right, and it learns too"
+            " slowly: is there an update at every step, with a learning rate and first weights like those of the text?"
+            " And does an error move the weights of the action that was *taken*?"
+        )
+    return TOO_RANDOM
+
+
+def never_tried(program: Any, seed: int) -> str:
+    """Return a sentence on the action that a program never takes in an image that comes often, "" if there is none."""
+    steps = run_program(program, Album(RIDDLES[0], RUNS * seed), RIDDLE_STEPS, RUNS * seed).steps
+    taken: dict[bytes, list[int]] = {}
+    for step in steps:
+        taken.setdefault(step.state.tobytes(), []).append(step.action)
+    for actions in taken.values():
+        counts = np.bincount(actions, minlength=N_ACTIONS)
+        if len(actions) >= OFTEN and not counts.all():
+            return (
+                f"One of the images comes {len(actions)} times, and there it never takes the action {counts.argmin()}:"
+                " is the random action one of *all* n actions, 0 to n - 1, as rng.integers(n) draws it, and is ε 0.1?"
+            )
+    return ""
 
 
 def never_explores(program: Any, riddle: Riddle, seed: int) -> bool:
@@ -132,20 +163,25 @@ def never_explores(program: Any, riddle: Riddle, seed: int) -> bool:
 def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if looks_beyond_ends(program, riddle, seed):
         return BEYOND
+    if found.trained > SOLVED:
+        return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"
     if found.is_one and riddle is RIDDLES[0]:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"
             " before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are"
             " all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?"
         )
-    if found.trained > SOLVED:
-        return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"
     if riddle is RIDDLES[0] and found.played < OPPOSITE:
-        return "It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?"
+        return (
+            "It takes the worst actions: is the sign of the gradient wrong, is there an `argmin`, or is another action"
+            " or reward stored than that of the step?"
+        )
     if never_explores(program, riddle, seed):
         return (
             "In the end it takes the same action nearly each time that it sees an image: does it explore, with ε = 0.1?"
         )
+    if untried := never_tried(program, seed):
+        return untried
     longer = solution(program, riddle, PATIENCE * RIDDLE_STEPS, seed).played
     if riddle is not RIDDLES[0] and (
         solution(program, CHOOSY, RIDDLE_STEPS, seed).played < OPPOSITE

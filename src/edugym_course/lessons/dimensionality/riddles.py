@@ -9,7 +9,7 @@ from gymnasium import spaces
 from edugym_course.grading.programs import APART
 from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS
 
-QUESTIONS, GOOD, BAD = 4, 4, 5
+QUESTIONS, GOOD, BAD, N_ACTIONS = 4, 4, 5, 3
 
 
 class Move(NamedTuple):
@@ -118,11 +118,11 @@ class Album(gymnasium.Env[Any, Any]):
         """Draw the images; each action is right for some question."""
         rng = np.random.default_rng(APART + seed)
         self.observation_space = spaces.Box(0.0, 1.0, (ROWS, COLUMNS), np.float32)
-        self.action_space = spaces.Discrete(3)
+        self.action_space = spaces.Discrete(N_ACTIONS)
         self.answers: list[tuple[int, bool]] = []
         self._images = rng.random((QUESTIONS + 2, ROWS, COLUMNS), np.float32)
-        self._right = rng.permutation([0, 1, 2, int(rng.integers(3))])
-        self._best = int(rng.integers(3))
+        self._right = rng.permutation([0, 1, 2, int(rng.integers(N_ACTIONS))])
+        self._best = int(rng.integers(N_ACTIONS))
         if riddle.dark:
             self._images[0] = 0.0
             self._right = np.roll(self._right, -np.flatnonzero(self._right)[0])  # the first of equal values is wrong

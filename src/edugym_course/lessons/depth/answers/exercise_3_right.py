@@ -1,5 +1,5 @@
 # %% reversed
-# says: Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:
+# says: Right: the reward passes through greedy actions, and is cut at the others. See it race:
 def hand_back(self, length):
     G = 0.0
     for k in reversed(range(length)):

@@ -157,7 +157,7 @@ def exercise_3(answer: Any, seed: int, cost: Cost = 0.0) -> str:
     rule = {**settings, "cost": cost}
     if not all(map(all_same, outcomes(all_cases, rule), found)):
         raise WrongAnswer(explained(all_cases, found, rule))
-    return "Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:"
+    return "Right: the reward passes through greedy actions, and is cut at the others. See it race:"
 
 
 def _small_agent(answer: Any, settings: Mapping[str, float]) -> Any:

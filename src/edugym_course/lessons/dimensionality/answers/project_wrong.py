@@ -9,14 +9,14 @@
 
 # %% the worst
 # slow
-# says: It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?
+# says: It takes the worst actions: is the sign of the gradient wrong, is there an `argmin`, or is another action or reward stored than that of the step?
 # in: a memory in arrays
 # - return int(self.layers(image.reshape(1, -1))[2].argmax())
 # + return int(self.layers(image.reshape(1, -1))[2].argmin())
 
 # %% reward with a minus
 # slow
-# says: It takes the worst actions: is the sign of the gradient wrong, or is there an `argmin`?
+# says: It takes the worst actions: is the sign of the gradient wrong, is there an `argmin`, or is another action or reward stored than that of the step?
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = -r - Q[a] if terminated else -r + 0.9 * q(x2)[1][a2] - Q[a]
@@ -297,3 +297,22 @@ def my_program(environment, n_steps, seed):
 # in: SARSA from each step once
 # - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
 # + return np.argmax(q(x)[1])
+
+# %% the last action is never drawn
+# slow
+# says: One of the images comes
+# says: times, and there it never takes the action
+# says: : is the random action one of *all* n actions, 0 to n - 1, as rng.integers(n) draws it, and is ε 0.1?
+# in: SARSA from each step once
+# - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
+# + return rng.integers(k - 1) if rng.random() < 0.1 else np.argmax(q(x)[1])
+
+# %% a small learning rate
+# slow
+# says: steps it does so in
+# says: , so ε is right, and it learns too slowly: is there an update at every step, with a learning rate and first weights like those of the text? And does an error move the weights of the action that was *taken*?
+# in: a memory in arrays
+# - self.W[1] -= 0.2 * h.T @ d / len(x)
+# - self.W[0] -= 0.2 * x.T @ back / len(x)
+# + self.W[1] -= 0.013 * h.T @ d / len(x)
+# + self.W[0] -= 0.013 * x.T @ back / len(x)
