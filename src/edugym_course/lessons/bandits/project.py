@@ -20,6 +20,7 @@ from edugym_course.grading.learners import LOW, Learner, mistakes_of_loops, othe
 from edugym_course.grading.programs import SELDOM, Run, Step, learn_from, run_program, shape_of
 from edugym_course.grading.replay import Rule, replay
 from edugym_course.grading.surprises import NEAR, SIGMAS, Surprises, require_any_of_two
+from edugym_course.grading.ties import require_new_draws
 from edugym_course.lessons.bandits.methods import EPSILON, LEARNING_RATE
 from edugym_course.lessons.bandits.worlds import CERTAIN_ARMS, FADES, PULLS, Certain, Machines
 
@@ -219,6 +220,7 @@ def project_0b(answer: Any, seed: int) -> str:
     short = range(SHORT_RUNS * seed, SHORT_RUNS * (seed + 1))
     runs = [run_program(answer, Machines(number), 10, number) for number in short]
     _require_random_ties([tie for run in runs for tie in _ties(run)])
+    require_new_draws(answer, seed)
     RULE.require_best_actions(runs, shape_of(Machines(0)), SELDOM)
     for found, sign in ((EPSILON * share, -1), (EPSILON, 1)):  # the random arm may be one of all, or of the others
         if sign * (others - found * pulls) > SIGMAS * math.sqrt(found * (1 - found) * pulls):

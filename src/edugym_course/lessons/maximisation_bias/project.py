@@ -29,8 +29,10 @@ from edugym_course.grading.programs import (
     run_program,
 )
 from edugym_course.grading.surprises import SIGMAS, Surprises, require_any_of_two
+from edugym_course.grading.ties import require_new_draws
 from edugym_course.lessons.maximisation_bias.methods import DISCOUNT, EPSILON, LEARNING_RATE, MIDDLE
 from edugym_course.lessons.maximisation_bias.riddles import require_riddles
+from edugym_course.lessons.maximisation_bias.tries import require_coin_apart
 
 RUNS, PAYING_RUNS = 60, 10
 N_STEPS, PAYING_STEPS = 200, 1_000
@@ -337,6 +339,8 @@ def project_17(answer: Any, seed: int) -> str:
     require_steady(tries)
     _require_all_arms(of_arms)
     _require_any_arm(answer, seed)
+    require_new_draws(answer, seed)
+    require_coin_apart(answer, seed)
     found = [
         visit(answer, GOOD, PAYING_STEPS, number) for number in range(PAYING_RUNS * seed, PAYING_RUNS * (seed + 1))
     ]

@@ -18,7 +18,7 @@ from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import POLICY, run_program
 from edugym_course.grading.student_code import student_code
 
-RUNS = 200
+RUNS, MORE_RUNS = 200, 400
 SIGMAS = 4.25
 """How many standard errors the share may be from what it is for double Q-learning."""
 
@@ -49,6 +49,7 @@ class Riddle(NamedTuple):
         with_mean: the reward from which on who takes the *mean* over ties in the target takes the action again in half
             of the runs, and in none with `reward`.
         n_actions: how many there are. With two, a random one is the best one in half of the runs.
+        runs: how many runs there are.
     """
 
     share: float
@@ -65,6 +66,7 @@ class Riddle(NamedTuple):
     n_paid: int = 1
     with_mean: float | None = None
     n_actions: int = 2
+    runs: int = RUNS
 
     @property
     def n_steps(self) -> int:
@@ -196,11 +198,24 @@ RIDDLES = (
         1 - 2 / 2**OFTEN * (1 - 0.5 / MANY),
         f"of {MANY} actions the same one pays 1 in {OFTEN} episodes of one step, and then an action in state 1 pays"
         " -0.05 and leads to state 0, where the episode goes on",
-        f"{_OTHER}. This is the *best* one, not one drawn at random nor the one that is taken next",
+        f"{_OTHER}. This is the *best* one, not one drawn at random nor the one that is taken next."
+        " (Or is the coin not a fair one?)",
         begins=1,
         reward=-0.05,
         n_paid=OFTEN,
         n_actions=MANY,
+    ),
+    Riddle(
+        sum(math.comb(OFTEN, k) for k in range(OFTEN // 2, OFTEN + 1)) / 2**OFTEN,
+        f"the same action pays 1 in {OFTEN} episodes of one step, and then an action in state 1 pays -0.3 and leads to"
+        " state 0, where the episode goes on: that is a gain if the table that does not learn has learned half of the"
+        f" {OFTEN}",
+        "is the coin a fair one, 0 or 1 with the same probability?",
+        "is the coin a fair one, thrown anew in each step, and not one table after the other?",
+        begins=1,
+        reward=-0.3,
+        n_paid=OFTEN,
+        runs=MORE_RUNS,
     ),
 )
 
@@ -270,7 +285,7 @@ def _takes_the_mean(answer: Any, riddle: Riddle, seed: int) -> bool:
 def _again(answer: Any, riddle: Riddle, seed: int) -> list[bool]:
     """Return for each run that counts whether the policy takes the action of the last step of a riddle again."""
     again = list[bool]()
-    for number in range(RUNS * seed, RUNS * (seed + 1)):
+    for number in range(riddle.runs * seed, riddle.runs * (seed + 1)):
         run = run_program(answer, Twice(riddle), riddle.n_steps, number)
         steps = run.steps[riddle.idle : riddle.n_steps]
         same = steps[: riddle.n_paid] if riddle.begins else steps

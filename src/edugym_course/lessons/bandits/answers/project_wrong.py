@@ -395,3 +395,13 @@
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if taken < 0.9 * n_steps and rng.random() < 0.1 else best()
+
+# %% one order for all ties
+# slow
+# says: , it takes the action of the step before again in
+# says: of the steps, and it should in about 20%: draw one of the best at random, anew in each step, also where some other action is worse
+# in: sums of rewards
+# - total, N = np.zeros(n), np.zeros(n)
+# + total, N, order = np.zeros(n), np.zeros(n), rng.permutation(n)
+# - arm = rng.choice(np.flatnonzero(Q == Q.max()))
+# + arm = order[np.argmax(Q[order])]

@@ -79,7 +79,7 @@
 # %% double SARSA by the table that learns
 # slow
 # says: of 20 actions the same one pays 1 in 8 episodes of one step
-# says: This is the *best* one, not one drawn at random nor the one that is taken next
+# says: This is the *best* one, not one drawn at random nor the one that is taken next. (Or is the coin not a fair one?)
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += other[after, own[after].argmax() if rng.random() > 0.1 else rng.integers(shape[1])]
@@ -383,3 +383,32 @@
 # + action = best(both(state))
 # + if rng.random() < 0.1:
 # +     action = int(rng.choice([other for other in range(n_actions) if other != action]))
+
+# %% one order for all ties
+# slow
+# says: where half of 10 actions lose 1 and the others pay nothing, it takes the action of the step before again in
+# says: of the steps, and it should in about 20%: draw one of the best at random, anew in each step, also where some other action is worse
+# in: two tables and a dictionary of names
+# - Q1, Q2 = np.zeros(shape), np.zeros(shape)
+# + Q1, Q2, order = np.zeros(shape), np.zeros(shape), rng.permutation(shape[1])
+# - action = int(rng.choice(np.flatnonzero(total == total.max())))
+# + action = int(order[np.argmax(total[order])])
+
+# %% random actions are learned by one table
+# slow
+# says: of two actions the one that is taken first pays a little, so the other one is only tried at random; it pays -1 and then 0.96, which is a gain if one table has learned both. In
+# says: runs it has, and it should in about 50%: throw the coin anew in each step, with another random number than the one that is compared with ε
+# in: two tables and a dictionary of names
+# - if rng.random() < 0.1:
+# + draw = rng.random()
+# + if draw < 0.1:
+# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + own, other = (Q1, Q2) if draw < 0.5 else (Q2, Q1)
+
+# %% a coin that falls on one side in a third
+# slow
+# says: the same action pays 1 in 8 episodes of one step, and then an action in state 1 pays -0.3 and leads to state 0, where the episode goes on: that is a gain if the table that does not learn has learned half of the 8
+# says: is the coin a fair one, 0 or 1 with the same probability?
+# in: two tables and a dictionary of names
+# - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
+# + own, other = (Q1, Q2) if rng.random() < 0.38 else (Q2, Q1)
