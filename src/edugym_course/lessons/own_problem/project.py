@@ -1,7 +1,7 @@
 """The project of lesson 10: a Gymnasium environment of one's own, from a blank file."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -48,12 +48,17 @@ def project_10(answer: Any, seed: int) -> str:
     if not _same(new, other):
         raise WrongAnswer(
             f"two environments with seed {seed} and the same actions differ: begin reset with super().reset(seed=seed),"
-            " and draw all random numbers from self.np_random"
+            " draw all random numbers from the self.np_random that it makes, and keep nothing in the class itself"
         )
     if not _same(again, new):
         raise WrongAnswer(
             f"after {EPISODES} episodes reset(seed={seed}) begins another episode than in a new environment: reset must"
             " set everything anew that an episode changes, and all random numbers should come from self.np_random"
+        )
+    if not _plays_alone(environment, _made(answer), script, seed, new):
+        raise WrongAnswer(
+            "an episode changes when another environment of the same class plays beside it: all that changes belongs to"
+            " the object. Set it in reset, as self.state = [...], and change no list or number of the class"
         )
     if all(_same(_scripted(environment, [action] * MOST_STEPS, seed), new) for action in range(n_actions)):
         raise WrongAnswer("whatever the actions are, the same is observed and paid: what should the agent decide?")
@@ -62,13 +67,9 @@ def project_10(answer: Any, seed: int) -> str:
     no_luck = all(_same(_scripted(_made(answer), script, seed + k), new) for k in (1, 2))
     lengths, totals = [len(one) for one in played], [_total(one) for one in played]
     return (
-        f"Right: Gymnasium's checker passes it. Random play takes {np.mean(lengths) - 1:.1f} steps and gets"
+        f"Right{', if there is no chance in it (every seed gives the same episodes)' if no_luck else ''}: Gymnasium's"
+        f" checker passes it. Random play takes {np.mean(lengths) - 1:.1f} steps and gets"
         f" {np.mean(totals):.4g}{' in every episode: is there something to learn?' if len({*totals}) == 1 else '.'}"
-        + (
-            " Every seed gives the same episodes: if there is chance in it, draw it from self.np_random."
-            if no_luck
-            else ""
-        )
     )
 
 
@@ -102,6 +103,23 @@ def _made(answer: Any) -> Environment:
         )
     environment: Environment = made
     return environment
+
+
+def _plays_alone(environment: Environment, other: Environment, script: list[int], seed: int, alone: Episode) -> bool:
+    """Whether the episodes of `_scripted` stay the same if another environment begins anew before each action."""
+
+    def choose(actions: Iterator[int]) -> int:
+        other.reset(seed=seed + 1)
+        other.step(0)
+        return next(actions)
+
+    played: Episode = []
+    try:
+        for index in range(SCRIPTED):
+            played += _episode(environment, partial(choose, iter(script)), None if index else seed)
+    except WrongAnswer:  # alone it plays without one
+        return False
+    return _same(played, alone)
 
 
 def _scripted(environment: Environment, script: list[int], seed: int) -> Episode:
@@ -149,7 +167,8 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
         if terminated or truncated:
             return episode
     raise WrongAnswer(
-        f"an episode of {NAME} has not ended after {MOST_STEPS} steps: when is `terminated` or `truncated` True?"
+        f"an episode of {NAME} has not ended after {MOST_STEPS} steps, of random actions or of one action again and"
+        " again: when is `terminated` or `truncated` True?"
     )
 
 
@@ -165,6 +184,8 @@ def _observed(environment: Environment, observation: Any, call: str) -> Any:
             hint = f": it has the shape {np.shape(observation)}, and an element of the space has {space.shape or ()}"
         elif isinstance(space, spaces.Box | spaces.MultiDiscrete) and getattr(observation, "dtype", 0) != space.dtype:
             hint = f": make an array of its kind of numbers, np.array(..., dtype=np.{space.dtype})"
+        else:
+            hint = ": is the space too small, should the episode have ended before, or should reset set this anew?"
         raise WrongAnswer(
             f"{call} gives the observation {in_short(observation)}, which is not in the observation space {space}{hint}"
         )

@@ -77,8 +77,7 @@ MyEnvironment = (ByHand, DAY)
 
 
 # %% without chance
-# says: Right: Gymnasium's checker passes it. Random play takes 5.0 steps and gets 0.67. Every seed gives
-#   the same episodes: if there is chance in it, draw it from self.np_random.
+# says: Right, if there is no chance in it (every seed gives the same episodes): Gymnasium's checker passes it. Random play takes 5.0 steps and gets 0.67.
 import gymnasium as gym
 
 

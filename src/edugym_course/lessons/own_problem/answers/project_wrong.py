@@ -40,6 +40,7 @@
 # %% too far
 # says: gives the observation
 # says: , which is not in the observation space
+# says: : is the space too small, should the episode have ended before, or should reset set this anew?
 # in: a walk in the wind
 # - self.observation_space = spaces.Discrete(9)
 # + self.observation_space = spaces.Discrete(8)
@@ -53,7 +54,7 @@
 # + return [self.place], {}
 
 # %% no end
-# says: an episode of MyEnvironment has not ended after 10000 steps: when is `terminated` or `truncated` True?
+# says: an episode of MyEnvironment has not ended after 10000 steps, of random actions or of one action again and again: when is `terminated` or `truncated` True?
 # in: a walk in the wind
 # - self.place += -1 if (action == 0) != wind else 1
 # + self.place = 3 + action
@@ -63,7 +64,7 @@
 # + return self.place, -1.0, over, False, {}
 
 # %% chance of its own
-# says: two environments with seed 0 and the same actions differ: begin reset with super().reset(seed=seed), and draw all random numbers from self.np_random
+# says: two environments with seed 0 and the same actions differ: begin reset with super().reset(seed=seed), draw all random numbers from the self.np_random that it makes, and keep nothing in the class itself
 # in: a walk in the wind
 # - wind = self.np_random.random() < 0.2
 # + wind = np.random.default_rng().random() < 0.2
@@ -272,3 +273,12 @@ class MyEnvironment(gymnasium.Env):
 # - MyEnvironment = (ByHand, Stock())
 # + ByHand.observation_space = spaces.Discrete(275)
 # + MyEnvironment = (ByHand, Stock())
+
+# %% all environments have one state
+# says: an episode changes when another environment of the same class plays beside it: all that changes belongs to the object. Set it in reset, as self.state = [...], and change no list or number of the class
+# in: a walk in the wind
+# - self.place = int(self.np_random.integers(3, 6))
+# - self.steps = 0
+# + type(self).place, type(self).steps = int(self.np_random.integers(3, 6)), 0
+# - self.place += -1 if (action == 0) != wind else 1
+# + type(self).place += -1 if (action == 0) != wind else 1
