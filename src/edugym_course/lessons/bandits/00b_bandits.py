@@ -454,7 +454,7 @@ check(exercise_3, gradient_update, seed=1, quiet=True)
 # is a single state, the number 0. Arms are whole numbers, from 0 to `environment.action_space.n - 1`.
 #
 # - $\varepsilon = 0.1$, and the first values are 0. A random arm may be any of them, the best one too.
-# - Among equally good arms draw one at random: in the beginning all are equal.
+# - Among equally good arms draw one at random, anew in each step: in the beginning all are equal.
 # - Every reward counts equally in the mean of its arm. What was learned stays when an episode ends. (An episode is a series of pulls.)
 # - Random numbers come from `rng = np.random.default_rng(seed)`.
 # - An episode begins with `state, info = environment.reset()`, the very first one with `reset(seed=seed)`. A pull is `state, reward, terminated, truncated, info = environment.step(arm)`; the episode is over if `terminated`

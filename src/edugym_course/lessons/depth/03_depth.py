@@ -572,7 +572,7 @@ for episodes in (4_000, 40_000):
 
 # %% [markdown]
 # With $\alpha = 0.1$ and ten times the training, more runs of Monte Carlo pass, but these are hardly closer to the
-# optimum, as the formula says: the values keep scattering. With $\alpha = 0.01$ it pays: with 5 000 episodes Monte Carlo comes much closer to the optimum. But so does $n = 1$ with the small rate, though it passes in fewer runs. (With the rate 0.1 longer training does not bring $n = 1$ closer, either: that the number rises is chance in so few runs.)
+# optimum, as the formula says: the values keep scattering. With $\alpha = 0.01$ the longer training pays: Monte Carlo comes much closer to the optimum. But with this rate $n = 1$ stays closer still, in fewer runs. (With the rate 0.1 longer training does not bring $n = 1$ closer, either: that the number rises is chance in so few runs.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: all depths at once
@@ -1002,8 +1002,8 @@ for panel in race.rows[0]:
 # at once. In the end its mean is above those of all four depths, in both panels. With five actions it is *precise*:
 # where it passes, it ends 0.1 to 0.2 below the optimum, and the others 0.3 to 0.7. A guess: exploring actions do not blur its
 # targets. With ten actions it also *passes* in far more runs than the deep methods, and in no fewer than $n = 1$.
-# This comes from the cuts at greedy actions that just disappointed, where it hands back what untried actions are worth, as one-step targets do.
-# If you ask whether the action was the best one *when it was taken*, only exploring actions are cut, and it passes in 15 to 20 % of the runs, not in 70 % (three draws of 60).
+# This comes from the cuts at greedy actions that just disappointed: if you ask whether the action was the best one *when it was taken*, only exploring actions are cut,
+# and it passes in 15 to 20 % of the runs, not in 70 % (three draws of 60). A guess: at the other cuts it hands back what untried actions are worth, as one-step targets do.
 #
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
 # (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.

@@ -786,7 +786,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # without a fall. All else is up to you: functions, classes, any names.
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
-#   many there are. The walls have two grips or three, and are all different.
+#   many there are. The walls have two grips or three, and are all different. On some of them an episode
+#   is truncated soon, after 35 steps.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So when

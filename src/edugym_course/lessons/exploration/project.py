@@ -24,7 +24,7 @@ LONG, SHORT = 10 * HEIGHT, 35
 grips; the five right programs tried need 2025 steps at most (40 walls, three grips)."""
 WALLS = ((2, LONG), (2, SHORT), (3, LONG), (2, SHORT))
 """The number of grips of each wall, and its step limit."""
-CUT = "where it is later they do. Does it go on from the state that reset() gives, after each episode? If so,"
+CUT = "with longer episodes they do. Does it go on from the state that reset() gives, after each episode? If so,"
 LOW = 3
 """Places below this one are the foot of a wall."""
 CLIMBS = 20

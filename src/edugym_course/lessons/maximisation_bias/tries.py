@@ -55,7 +55,7 @@ def require_coin_apart(answer: Any, seed: int) -> None:
         tries = np.flatnonzero(np.array(taken[:-1]) != taken[0])[:2]
         if len(tries) == 2:
             same.append(taken[tries[1] + 1] != taken[0])
-    if abs(np.mean(same) - 0.5) > SIGMAS * math.sqrt(0.25 / len(same)):
+    if same and abs(np.mean(same) - 0.5) > SIGMAS * math.sqrt(0.25 / len(same)):
         raise WrongAnswer(
             "of two actions the one that is taken first pays a little, so the other one is only tried at random; it"
             f" pays {FIRST:g} and then {SECOND:g}, which is a gain if one table has learned both. In"

@@ -109,8 +109,9 @@ def _plays_alone(environment: Environment, other: Environment, script: list[int]
     """Whether the episodes of `_scripted` stay the same if another environment begins anew before each action."""
 
     def choose(actions: Iterator[int]) -> int:
-        other.reset(seed=seed + 1)
-        other.step(0)
+        with student_code("step(0)"):
+            other.reset(seed=seed + 1)
+            other.step(0)
         return next(actions)
 
     played: Episode = []
@@ -184,6 +185,8 @@ def _observed(environment: Environment, observation: Any, call: str) -> Any:
             hint = f": it has the shape {np.shape(observation)}, and an element of the space has {space.shape or ()}"
         elif isinstance(space, spaces.Box | spaces.MultiDiscrete) and getattr(observation, "dtype", 0) != space.dtype:
             hint = f": make an array of its kind of numbers, np.array(..., dtype=np.{space.dtype})"
+        elif isinstance(space, spaces.Discrete) and not isinstance(observation, int | np.integer):
+            hint = ": it should be one whole number, an int"
         else:
             hint = ": is the space too small, should the episode have ended before, or should reset set this anew?"
         raise WrongAnswer(

@@ -37,11 +37,11 @@ class House(NamedTuple):
     After a room the game is over. What is seen then is the number of some place.
 
     Attributes:
-        hall: shape (n_actions, n_actions): the room that each pair of actions leads to, from 1 on.
-        rooms: shape (n_rooms, n_actions, n_actions): what player 0 gets.
+        hall: shape (n_actions, n_other_actions): the room that each pair of actions leads to, from 1 on.
+        rooms: shape (n_rooms, n_actions, n_other_actions): what player 0 gets.
         seen_at_end: which place is seen after the end, by the number of the pair of actions.
         max_steps: the step limit.
-        pays: what player 0 gets in the hall for each pair of actions.
+        pays: shape (n_actions, n_other_actions): what player 0 gets in the hall.
         luck: the probability that a room pays.
         is_apart: whether the number that is seen after the end is that of no place.
     """

@@ -122,7 +122,7 @@ def my_program(environment, n_steps, seed):
 
 # %% goes on from the old state
 # says: , where an episode is truncated after 35 steps
-# says: where it is later they do. Does it go on from the state that reset() gives, after each episode? If so,
+# says: with longer episodes they do. Does it go on from the state that reset() gives, after each episode? If so,
 # in: one grip after another, without chance
 # - s = environment.reset()[0] if over or cut else s2
 # + s = s2

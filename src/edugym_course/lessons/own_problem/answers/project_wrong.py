@@ -282,3 +282,9 @@ class MyEnvironment(gymnasium.Env):
 # + type(self).place, type(self).steps = int(self.np_random.integers(3, 6)), 0
 # - self.place += -1 if (action == 0) != wind else 1
 # + type(self).place += -1 if (action == 0) != wind else 1
+
+# %% a float for a number
+# says: : it should be one whole number, an int
+# in: a walk in the wind
+# - return self.place, {}
+# + return float(self.place), {}
