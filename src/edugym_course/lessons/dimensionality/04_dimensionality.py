@@ -994,7 +994,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # The check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. It
 # cannot find a mistake that does no harm *in these tasks*. Some mistakes in the gradient are such, for many wrong gradients still point downhill: compare yours with
-# $(L(\theta + \epsilon) - L(\theta - \epsilon)) / 2 \epsilon$ for a few single weights, where $L$ is $\frac{1}{2} \delta^2$ with $y$ held fast.
+# $(L(\theta + d) - L(\theta - d)) / 2 d$ for a few single weights and a small $d$, where $L$ is $\frac{1}{2} \delta^2$ with $y$ held fast.
 
 # %% tags=["project"]
 my_program = ...  # your program
