@@ -307,12 +307,10 @@ def my_program(environment, n_steps, seed):
 # - return rng.integers(k) if rng.random() < 0.1 else np.argmax(q(x)[1])
 # + return rng.integers(k - 1) if rng.random() < 0.1 else np.argmax(q(x)[1])
 
-# %% a small learning rate
+# %% an ε that falls too slowly
 # slow
 # says: steps it does so in
-# says: , so ε is right, and it learns too slowly: is there an update at every step, with a learning rate and first weights like those of the text? And does an error move the weights of the action that was *taken*?
+# says: : is ε 0.1 from the first step on, or does it fall slowly? Or does it learn too slowly: is there an update at every step, with a learning rate and first weights like those of the text, and does an error move the weights of the action that was *taken*?
 # in: a memory in arrays
-# - self.W[1] -= 0.2 * h.T @ d / len(x)
-# - self.W[0] -= 0.2 * x.T @ back / len(x)
-# + self.W[1] -= 0.013 * h.T @ d / len(x)
-# + self.W[0] -= 0.013 * x.T @ back / len(x)
+# - a = network.best(s) if rng.random() > 0.1 else rng.integers(k)
+# + a = network.best(s) if rng.random() > max(0.1, 1 - t / 10_000) else rng.integers(k)
