@@ -96,8 +96,9 @@ play("MemoryCorridor", blind=True)
 # H_t = O_0, A_0, O_1, A_1, \dots, A_{t-1}, O_t
 # $$
 #
-# (In the book the history begins with $A_0$.) Nothing more can be known, so decisions based on the history are the best
-# ones possible. But histories grow without end, and a long one hardly ever comes twice. The agent needs something short
+# (The book begins with $A_0$.) Of the state nothing more can be known. (The rewards tell
+# nothing: until the end each is 1.) So decisions based on the history are the best ones
+# possible. But histories grow without end, and a long one hardly ever comes twice. The agent needs something short
 # that stands for it: an *agent state*, a function of the history (Sutton and Barto, section 17.3). A good one keeps
 # what matters for the future and forgets the rest. This lesson has three of them.
 #
@@ -117,8 +118,8 @@ play("MemoryCorridor", blind=True)
 # The package does this outside of the agent: it turns the task into one that *shows* the window, as one whole number,
 # the row of a table. The observations are the digits of that number, and the oldest ones are dropped from it. (Such
 # windows are also called frame stacks. An episode starts with $k$ copies of the first observation, and with action 0
-# between them.) In the code `n_recent` is the number of rows that there would be without the oldest observation (and
-# the action after it), so `row % n_recent` drops it. `inner` is the state of the corridor.
+# between them.) In the code `n_recent` is the number of rows of a window without its oldest observation (and the action
+# after it), so `row % n_recent` drops these two. `inner` is the state of the corridor.
 
 # %%
 source(FrameStack, "transition", "observation")
@@ -142,8 +143,8 @@ source(best_value)
 
 # %% [markdown]
 # Q-learning with a window of 2 observations, without actions: one greedy episode after 50 000 steps of training. In the
-# film "observation" is the row of the window that the agent sees *after* it has opened the door, so the row at which it
-# decides stands in the frame before. The number of a row is 4 times the older observation plus the newer one, so row 15
+# film each frame shows one step, and its "observation" is the row of the window *after* that step. The row at which the
+# agent decided stands in the frame before. The number of a row is 4 times the older observation plus the newer one, so row 15
 # is (3, 3): no mark, twice. At which row does it err?
 
 # %%
@@ -202,10 +203,10 @@ pictures.recurrent_cell()
 # | evaluation | 40 greedy episodes every 4 000 steps; their mean return |
 # | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
 #
-# The dotted lines show the best play that we could find for each window. It looks at the window alone, and may guess. A
-# computer has searched for it: for everything that can stand in the window it picks the door that adds most to the mean return over all sequences
-# of doors, given what it does in all other windows, until nothing gets better. (The optimum with full memory, 1 000, is
-# far above the panels.)
+# The dotted lines show the best play that we could find for an agent that sees the window alone. Where the window does
+# not tell the right door, this play guesses. A search has found it: for each content of the window it picks the door
+# that adds most to the mean return over all sequences of doors, given the choices in all other windows, until nothing
+# gets better. (The optimum with full memory, 1 000, is far above the panels.)
 #
 # The cell after the next is the whole experiment: one task for each window. `players.learn_all` makes these calls too,
 # and with `actions=True` the window shows actions as well.
@@ -275,14 +276,14 @@ sliders(
 # %% [markdown]
 # <details><summary>What they change</summary>
 #
-# All numbers are for $k = 3$ with actions. The settings as they stand end at 7.0.
+# All numbers are for $k = 3$ with actions, means over 200 runs. The given settings end at 7.1.
 #
-# - With $\varepsilon = 0$ it ends at 6.3. In each row the first door that was right gets a value above 0. All others
+# - With $\varepsilon = 0$ it ends at 6.5. In each row the first door that was right gets a value above 0. All others
 #   stay at 0, so the agent never tries them there. With any other ε of the slider it tries them, and 0.5 ends
-#   at 7.0 too.
-# - With $\alpha = 1$ it ends at 5.3. A value is then the last target itself: after one error it is 0, and all that came
+#   at 7.1 too.
+# - With $\alpha = 1$ it ends at 5.4. A value is then the last target itself: after one error it is 0, and all that came
 #   before is forgotten.
-# - With $\gamma = 0$ it ends at 7.0.
+# - With $\gamma = 0$ it ends at 7.1.
 #
 # Why does γ hardly matter? Every right door is rewarded at once. An agent with $\gamma = 0$ cares for the next reward
 # alone, and opens the same doors. The difficulty of this task is not that rewards come late, but that the *information*
@@ -346,7 +347,8 @@ figures.twin_figure(4, 4, actions=True)
 # It must also know the length of the corridor. Two marks would tell it: the last two are as many steps apart as the
 # previous corridor is long.
 #
-# That takes a longer window (the aside below counts the steps):
+# The two marks take $2L - 3$ observations (the aside below counts them), the last walk takes $L$, and the window must
+# hold both:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -555,23 +557,23 @@ source(lake.EyesShut)
 
 # %% [markdown]
 # Q-learning sees the lake through a window: 6 observations alone, or $k$ observations with the $k - 1$ actions between
-# them. ($\alpha = 0.1$, $\gamma = 0.9$, $\varepsilon = 0.1$, 20 000 steps, episodes of at most 100 steps, 5
+# them. ($\alpha = 0.1$, $\gamma = 0.9$, $\varepsilon = 0.1$, 20 000 steps, episodes of at most 100 steps, 10
 # repetitions.)
 #
-# **Predict.** How many of its own last actions must the blind agent remember, so that it finds the goal in all five
-# runs?
+# **Predict.** How many of its own last actions must the blind agent remember, so that most of the runs learn the way
+# to the goal?
 
 # %%
-blind = predict("The fewest actions with which all runs get there:", ["none", "1", "2", "3", "no number is enough"])
+counts = ["none", "1", "2", "3", "4", "no number is enough"]
+blind = predict("The fewest actions with which most runs get there:", counts)
 blind
 
 # %%
-walks = lake.learn_blindly([(6, False), (2, True), (3, True), (4, True)], repetitions=5)
+walks = lake.learn_blindly([(6, False), (2, True), (3, True), (4, True), (5, True)], repetitions=10, jobs=2)
 for label in walks.methods:
     print(f"{label:19}: return at the end of each run {walks.final(label).astype(int).tolist()}")
-solved = [label for label in walks.methods if walks.final(label).min() == 1.0]
-names = {"k = 6": "none", "k = 2 with actions": "1", "k = 3 with actions": "2", "k = 4 with actions": "3"}
-blind.measured(names[solved[0]] if solved else "no number is enough")
+solved = [number for number, label in zip(counts, walks.methods, strict=False) if walks.final(label).mean() > 0.5]
+blind.measured(solved[0] if solved else counts[-1])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -582,9 +584,10 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 # too little: *down* is followed by down once, and by right another time. The other ways do not help: of all 256 rules
 # from one last action to the next one, none gets to the goal.
 #
-# Three actions contain all that two contain, and yet two of the five runs with $k = 4$ ended without the goal. One
-# pushes against the wall for ever, the other walks to and fro between the first two cells. (Of 80
-# more runs with two actions 67 got there, and of 80 with three, 67.) "Enough to know" does not yet mean "learned".
+# Three actions contain all that two contain, and yet two of the ten runs with $k = 4$ ended without the goal. One
+# pushes against the wall for ever, the other walks to and fro between the first two cells. (Of 120 more runs with two
+# actions 101 got there, of 120 with three also 101, and of 80 with four 77.) "Enough to know" does not yet mean
+# "learned".
 # </details>
 
 # %% [markdown]
@@ -818,15 +821,15 @@ display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluat
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# The axis is logarithmic. Q-learning with the notebook reaches 1 000, the optimum, within about 1 000 steps, and stays
-# there. It has only two things to learn: at a mark open the marked door, and elsewhere the noted one. "Hidden state
+# The axis is logarithmic. Q-learning with the notebook reaches 1 000, the optimum, before the first point of the curve,
+# and stays there. (Of 100 runs 92 are there after 100 steps, and all after 200.) It has only two things to learn: at a mark open the marked door, and elsewhere the noted one. "Hidden state
 # needs a long window" is wrong. It needs the *right* memory, here one door for each place.
 # </details>
 
 # %% [markdown]
 # ### The open challenge: marks in a secret script
-# A corridor with ten doors, and with marks that are *signs*: sign 4 may mean door 7. Which sign means which door
-# depends on your name. It stays the same in all episodes of a run, so it can be learned. Episodes are cut off after 100
+# A corridor with ten doors, and with marks that are *signs*: sign 4 may mean door 7. Each door has its own sign,
+# drawn from your name for each of ten runs, and the same in all episodes of a run, so it can be learned. Episodes are cut off after 100
 # steps, and there are 5 000 steps in all. **All training episodes count**, from the first one on, and each with the
 # same weight.
 #
@@ -836,11 +839,11 @@ display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluat
 # If it is a `NamedTuple` of arrays, like `QLearning`, it is compiled; a plain class works too, more slowly. Give it no
 # method `greedy`: then a copy of it is evaluated, and its own memory stays as it is.
 #
-# It is trained ten times, each time with another script. Your points are the mean return of its training episodes, in
+# A new agent is trained in each of the ten runs. Your points are the mean return of its training episodes, in
 # percent of 64, and at most 100. 64 is what an agent gets *on average* that keeps the right notes, never tries a door
 # twice for a sign for which it was wrong, and never tries a door that already belongs to another sign. Ten runs have
 # luck in them: one such agent gets between 90 and 100 points, depending on the name. (The column "return at the end"
-# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and it does not count, but `act` must get through it.)
+# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and does not count, but `act` must get through it.)
 #
 # Half a page with it: what does your agent keep from step to step, what from episode to episode, and what of it was
 # your knowledge and not learned? In which task would that be wrong?
@@ -874,7 +877,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - Observations and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say
 #   how many there are. They differ from one environment to the next.
-# - Take $\alpha = 0.2$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0.
+# - Take $\alpha = 0.2$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0. After a step with `terminated` the
+#   target is $R$ alone; after a truncated one it is not.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
 #
 # The check runs your program in small worlds of its own, in which states look alike, and for 20 000 steps in the
@@ -951,5 +955,5 @@ check(project_5, my_program)
 # - Lin and Mitchell (1992), *Memory approaches to reinforcement learning in non-Markovian domains*: window and
 #   recurrent Q-learning.
 # - Hausknecht and Stone (2015), *Deep recurrent Q-learning for partially observable MDPs*.
-# - Hochreiter and Schmidhuber (1997), *Long short-term memory*: the LSTM.
+# - Hochreiter and Schmidhuber (1997): the LSTM.
 # - Ni, Eysenbach and Salakhutdinov (2022), *Recurrent model-free RL can be a strong baseline for many POMDPs*.

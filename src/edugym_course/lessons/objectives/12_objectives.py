@@ -467,11 +467,12 @@ check(exercise_3, new_price, seed=1, quiet=True)
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no
-# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (You need not add the steps so far to it: every way from
-# the start to a cell within the limit takes the same number of steps.) But do count them from `reset` on, and do not compute them from the cell: in a seventh sea the diver begins one cell
-# away from the shore. There the check only looks whether the dive takes too long.
+# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (You need not add the steps so far to it: all ways to a cell that
+# are short enough take equally many steps. Some numbers are not used.) But do count them from `reset` on, and do not compute them from the cell: in two more seas the diver begins
+# one or two cells away from the shore.
 #
-# One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? The check sees only the steps that your program takes and
+# One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? Try it with `n_steps` = 10 000 in
+# `gymnasium.make("edugym/Diver-v0", weights=(1.0, 0.0))`: the best dive brings up the fourth treasure. The check sees only the steps that your program takes and
 # the dive of its policy, and no line of it. So it may name a mistake that is likely, but not yours.
 
 # %% tags=["project"]

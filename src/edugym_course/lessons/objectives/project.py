@@ -26,8 +26,9 @@ BEST = (3, 1, 2, 0, 3, 2)
 POOR = (1, 3, 4)
 """In these seas all treasures within the limit are worth little, so who thinks a late one worth anything takes it."""
 DISCOUNTS = (0.9, 0.95, 0.99)
-MOST_MISSED = 1
-"""In so many seas a program may have bad luck."""
+ODD_ONES = 1
+"""In so many seas a mistake may bring up another treasure than it mostly does."""
+FIFTH = (LIMIT + 1) // 2
 N_DIVES = 10
 """So many dives of a policy have to end alike."""
 NONE = -1
@@ -43,12 +44,12 @@ def sea(best: int, rng: np.random.Generator, is_poor: bool = False) -> Reals:
     if best == 3:  # it is not by far the best: who discounts takes the first one, who stops early the second
         values[:2] = 0.972 * values[best], 0.982 * values[best]
     if is_poor:
-        values *= 0.05
+        values *= 0.02
     values[4:] = np.sort(rng.uniform(60.0, 95.0, 5))
-    return values.round(2)
+    return values.round(4 if is_poor else 2)
 
 
-class FartherOut(Diver):
+class OneFartherOut(Diver):
     """The same sea for a diver who begins in the second column: each treasure takes a step less, so an even number."""
 
     __slots__ = ()
@@ -56,6 +57,16 @@ class FartherOut(Diver):
     def initial(self, rng: Random) -> int:
         """At the surface, a cell away from the shore."""
         return 1
+
+
+class TwoFartherOut(Diver):
+    """The same sea for a diver who begins in the third column: the fifth treasure takes seven steps from there."""
+
+    __slots__ = ()
+
+    def initial(self, rng: Random) -> int:
+        """At the surface, two cells away from the shore."""
+        return 2
 
 
 def environment_of(values: Reals, kind: type[Diver] = Diver) -> Environment:
@@ -79,8 +90,9 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     ),
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a"
     " dive that takes too long worth less than the poorest of the others?": lambda values: _best_of(values, LIMIT + 2),
-    "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the"
-    " value of the best treasure that can follow come back to a state?": lambda values: 0,
+    "that is always the treasure at the shore: are there random dives, are the steps counted anew in each, does the"
+    " value of the best treasure that can follow come back to the state that was left, and does the policy look it up in"
+    " the state that it is given?": lambda values: 0,
     "that is always the deepest treasure within seven steps; a nearer one may be worth more": lambda values: 3,
     "that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?": (
         lambda values: int(np.where(STEPS_TO <= LIMIT, values, np.inf).argmin())
@@ -139,11 +151,11 @@ def project_12(answer: Any, seed: int) -> str:
         run = run_program(answer, environment_of(values), n_steps, len(BEST) * seed + number)
         found.append(_always_picked_up(run.policy, environment_of(values), seed))
     missed = [i for i, best in enumerate(BEST) if found[i] != best]
-    if len(missed) <= MOST_MISSED:
-        _require_not_one_more(answer, sea(2, rng), seed)
+    if not missed:
+        _require_steps_counted(answer, sea(2, rng), seed)
         return (
-            f"Right: in {len(BEST) - len(missed)} of {len(BEST)} seas it brings home the best treasure within"
-            f" {LIMIT} steps, and most of these lie where no price finds them."
+            f"Right: in all {len(BEST)} seas it brings home the best treasure within {LIMIT} steps, and most of these"
+            " lie where no price finds them."
         )
     why, fits = ("", missed) if nobody_asks_why() else _why(seas, found)
     told_of = next(i for i in missed if i in fits)
@@ -161,18 +173,25 @@ def project_12(answer: Any, seed: int) -> str:
     raise WrongAnswer(f"{told} {takes}, and {should}: {why}")
 
 
-def _require_not_one_more(answer: Any, values: Reals, seed: int) -> None:
-    """Refuse a program that takes eight steps where a treasure is eight steps away.
+def _require_steps_counted(answer: Any, values: Reals, seed: int) -> None:
+    """Refuse a program that takes eight steps where the fifth treasure takes eight, or does not where it takes seven.
 
     Raises:
-        WrongAnswer: it does.
+        WrongAnswer: it does, or does not.
     """
-    run = run_program(answer, environment_of(values, FartherOut), N_STEPS, seed)
-    if picked_up(run.policy, environment_of(values, FartherOut), seed) == (LIMIT + 1) // 2:
+    seas = [environment_of(values, kind) for kind in (OneFartherOut, TwoFartherOut)]
+    one, two = (picked_up(run_program(answer, one, LONG, seed).policy, one, seed) for one in seas)
+    if one == FIFTH:
         raise WrongAnswer(
-            "where the diver begins a cell away from the shore, so that each treasure takes a step less, the policy"
-            f" picks up the fifth one, after {LIMIT + 1} steps: at most seven are allowed, so is the step under way"
-            " counted, too?"
+            "where the diver begins one cell away from the shore, the policy picks up the fifth treasure, after"
+            f" {LIMIT + 1} steps: at most seven are allowed. Is the step under way counted, too, or are eight allowed?"
+        )
+    if two != FIFTH:
+        raise WrongAnswer(
+            "where the diver begins two cells away from the shore, the fifth treasure is the best one: it is worth"
+            f" {values[FIFTH]:g}, and exactly seven steps away. The policy"
+            f" {'brings up none' if two == NONE else f'brings up the {_ordinal(two)} one'}: are the steps counted"
+            " from `reset` on, and not computed from the cell, and does each update belong to the state that was left?"
         )
 
 
@@ -200,7 +219,7 @@ def _why(seas: list[Reals], found: list[int]) -> tuple[str, Collection[int]]:
         *((DISCOUNTED, partial(_discounted, discount)) for discount in DISCOUNTS),
         *((_priced(price), partial(_for_a_price, price)) for price in PRICES),
     ]
-    for most_missed in range(MOST_MISSED + 1):
+    for most_missed in range(ODD_ONES + 1):
         for sentence, rule in rules:
             places = [i for i, mine in enumerate(found) if rule(seas[i]) == mine]
             if len(places) >= len(found) - most_missed:
@@ -211,5 +230,14 @@ def _why(seas: list[Reals], found: list[int]) -> tuple[str, Collection[int]]:
             f"in {len(late)} of {len(found)} seas the dive takes too long; what is a dive worth that does? It must be"
             " less than the poorest of the others"
         ), late
-    why = "each dive is short enough, but not the best: does your program try all of them often enough?"
+    missed = [i for i, mine in enumerate(found) if mine != BEST[i]]
+    if set(missed) <= {*POOR}:
+        return (
+            "only where all treasures are worth less than 1 it goes wrong: are values rounded or whole numbers, as in a"
+            " table with dtype=int, or is a dive that takes too long worth more than these?"
+        ), missed
+    why = (
+        "each dive is short enough, but not the best: does the update belong to the state that was left and the action"
+        " that was taken there, and does your program try all dives often enough?"
+    )
     return why, range(len(found))

@@ -445,16 +445,16 @@ check(exercise_3, look_ahead, seed=1, quiet=True)
 
 # %% [markdown]
 # ### From a blank file
-# Now write UCT from an empty cell, in plain Python: some 40 lines.
+# Now write UCT from an empty cell, with Python and NumPy: some 40 lines.
 #
 # **What it must do.** `my_program(model, n_actions, state, n_simulations, seed)` returns the best action in `state`.
 #
-# - `model(state, action)` gives `(reward, next_state, terminated)`. What follows may be drawn at random. Actions are 0 to `n_actions - 1`. There is no other environment.
+# - `model(state, action)` gives `(reward, next_state, terminated)`. What follows may be drawn at random. Actions are 0 to `n_actions - 1`. You get no environment, only this function. Ask it for the steps of your simulations, in their order, and for no others.
 # - Make `n_simulations` simulations, each from `state` on. It ends where the model says so, or after 10 steps in all, roll-out included.
-# - $\gamma = 0.9$ and $c = 5$. What was never tried in a node comes first; among equals draw one.
+# - $\gamma = 0.9$ and $c = 5$. What was never tried in a node comes first; among equals draw one (at the very end you may also return the first).
 # - Return the action with the highest value in the root, of those that were tried there: there may be fewer simulations than actions. Random numbers come from `rng = np.random.default_rng(seed)`.
 #
-# The check sets it riddles: tiny tasks, each of which cannot be solved if one part of the search is missing. States and actions have other numbers each time.
+# The check sets it riddles: tiny tasks, each of which needs one part of the search. States and actions have other numbers each time.
 # <details><summary>A plan</summary>Keep a dictionary: for each node two lists, counts and values. A node may be the tuple of what led to it: (), then (action, state), and so on. (A table with one entry a state, in which all ways to it meet, is accepted as well.) A function
 # that simulates from a node on, and calls itself for the next one, backs up by itself: it returns its return.</details>
 

@@ -1,7 +1,7 @@
 """The project of lesson 18: UCT, from a blank file.
 
 A program is given the model as a function, which counts what is asked of it and knows what may be asked. It is set
-riddles: tiny tasks, each of which cannot be solved if one part of the search is missing.
+riddles: tiny tasks, each of which needs one part of the search.
 """
 
 from collections.abc import Callable, Mapping
@@ -29,7 +29,7 @@ from edugym_course.lessons.search.exercises.riddles import (
     Riddle,
     written,
 )
-from edugym_course.lessons.search.replay import TREE, Taken, means, mistake_in, surprises
+from edugym_course.lessons.search.replay import FAR_OFF, TREE, Taken, means, mistake_in, surprises
 
 RUNS = 7
 MOST_ALIKE = 0.2
@@ -109,7 +109,7 @@ class Model:
         elif place != self._here:
             self._refuse(
                 f"asks for a step from the state {state}, but its simulation is in {self.number(self._here)}: go on"
-                " from the state that the model gave"
+                " from the state that the model gave, and ask it for each step that you take, once and in order"
             )
         if self._steps == DEPTH:
             self._refuse(f"simulates more than {DEPTH} steps in a row: each simulation looks {DEPTH} steps ahead")
@@ -147,8 +147,8 @@ class Model:
         self.from_root[taken] += 1
         if self.from_root.sum() > self.n_simulations:
             self._refuse(
-                f"begins more than {self.n_simulations} simulations, which is n_simulations: a search is a loop"
-                " of so many, each from the root"
+                f"asks for a step from the root more than {self.n_simulations} times, which is n_simulations: a search"
+                " is a loop of so many, each from the root, and after a step a simulation goes on from the *next* state"
             )
 
     def _refuse(self, what: str) -> Any:
@@ -233,14 +233,15 @@ def require_bound(program: Any, seed: int) -> None:
 
 def require_tree(program: Any, seed: int) -> None:
     """Refuse a program that takes an action in the tree that UCT would not take."""
-    for number in range(RUNS):
-        found = search(program, TREE, RUNS * seed + number)
+    for number, riddle in enumerate((TREE,) * RUNS + FAR_OFF):
+        found = search(program, riddle, RUNS * seed + number)
         why = mistake_in(found.simulations)
         if why is not None:
             wrong = surprises(found.simulations)[0]
-            why = "" if not why or nobody_asks_why() else f": {why}"
+            why = "" if nobody_asks_why() else riddle.why or why
+            why = f": {why}" if why else ""
             raise WrongAnswer(
-                f"in a task in which {TREE.told}, simulation {wrong} takes another action in the tree than the one with"
+                f"in a task in which {riddle.told}, simulation {wrong} takes another action in the tree than the one with"
                 f" the highest bound Q(node, a) + 5 √(ln N(node) / N(node, a)){why}"
             )
 

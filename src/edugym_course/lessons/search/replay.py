@@ -17,25 +17,42 @@ GAMMA, C = 0.9, 5.0
 ROUNDING = 1e-6
 """Bounds that are as close as this count as equal."""
 SIMULATIONS = 150
-TREE = Riddle(
-    "each state is reached in one way only",
-    "",
-    written(
-        {
-            ROOT: ((0.0, 1), (0.3, 2), (0.1, 3)),
-            1: ((0.0, 4), (1.1, 5), (4.3, END)),
-            2: ((0.2, 6), (0.0, 7), (5.2, END)),
-            3: ((6.1, END), (5.4, END), (2.3, END)),
-            4: ((0.0, 8), (0.4, 9), (3.1, END)),
-            5: ((7.3, END), (2.2, END), (0.7, END)),
-            6: ((8.1, END), (1.3, END), (0.9, END)),
-            7: ((6.6, END), (6.3, END), (0.2, END)),
-            8: ((12.3, END), (0.5, END), (0.1, END)),
-            9: ((5.7, END), (6.8, END), (0.6, END)),
-        }
+TABLE = {
+    ROOT: ((0.0, 1), (0.3, 2), (0.1, 3)),
+    1: ((0.0, 4), (1.1, 5), (4.3, END)),
+    2: ((0.2, 6), (0.0, 7), (5.2, END)),
+    3: ((6.1, END), (5.4, END), (2.3, END)),
+    4: ((0.0, 8), (0.4, 9), (3.1, END)),
+    5: ((7.3, END), (2.2, END), (0.7, END)),
+    6: ((8.1, END), (1.3, END), (0.9, END)),
+    7: ((6.6, END), (6.3, END), (0.2, END)),
+    8: ((12.3, END), (0.5, END), (0.1, END)),
+    9: ((5.7, END), (6.8, END), (0.6, END)),
+}
+TREE = Riddle("each state is reached in one way only", "", written(TABLE), n_simulations=SIMULATIONS)
+
+
+def with_ends_worth(more: float, told: str, why: str) -> Riddle:
+    """Return the same tree, where every end pays so much more."""
+    table = {
+        place: tuple((reward + more * (after == END), after) for reward, after in row) for place, row in TABLE.items()
+    }
+    return Riddle(told, why, written(table), n_simulations=SIMULATIONS)
+
+
+FAR_OFF = (
+    with_ends_worth(
+        -60.0,
+        "every return is far below 0",
+        "does the search for the highest bound begin at 0? Begin it at −∞, or take `max`",
     ),
-    n_simulations=SIMULATIONS,
+    with_ends_worth(
+        5_000.0,
+        "returns are in the thousands",
+        "is an action that was never tried always taken first? Its bound is ∞, and not a large number",
+    ),
 )
+"""Tasks in which the bounds of all actions are far from 0."""
 Taken = tuple[int, int, float]
 """A step of a simulation: the place, the action, and the reward."""
 

@@ -49,11 +49,12 @@ def my_program(environment, n_steps, seed):
         return {p for p in points if not any(q != p and q[0] >= p[0] and q[1] <= p[1] for q in points)}
 
     def best(state):
-        left = 7 - (state // 9 + state % 9)
+        left = 7 - (state // 9 + state % 9 - start)
         values = [max((v for v, t in ways.get((state, a), ()) if t <= left), default=-1.0) for a in (0, 1)]
         return int(np.argmax(values))
 
-    state, _ = environment.reset(seed=seed)
+    start, _ = environment.reset(seed=seed)  # in row 0, so its number is its column
+    state = start
     for _ in range(n_steps):
         action = int(rng.integers(2))
         after, value, terminated, truncated, _ = environment.step(action)

@@ -35,7 +35,7 @@
 
 # %% the shore
 # slow
-# says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, and does the value of the best treasure that can follow come back to a state?
+# says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, does the value of the best treasure that can follow come back to the state that was left, and does the policy look it up in the state that it is given?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 0
@@ -70,7 +70,7 @@
 
 # %% never counted anew
 # slow
-# says: each dive is short enough, but not the best: does your program try all of them often enough?
+# says: each dive is short enough, but not the best: does the update belong to the state that was left and the action that was taken there, and does your program try all dives often enough?
 # in: late dives count for nothing
 # - state, _ = environment.reset()
 # - steps = 0
@@ -138,8 +138,8 @@
 
 # %% one step more
 # slow
-# says: where the diver begins a cell away from the shore, so that each treasure takes a step less, the policy picks up the fifth one, after
-# says: steps: at most seven are allowed, so is the step under way counted, too?
+# says: where the diver begins one cell away from the shore, the policy picks up the fifth treasure, after
+# says: steps: at most seven are allowed. Is the step under way counted, too, or are eight allowed?
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps <= 8 else 0.0
@@ -213,3 +213,26 @@
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.995 * Q[after].max()) - Q[state, action])
+
+# %% steps from the cell
+# slow
+# says: where the diver begins two cells away from the shore, the fifth treasure is the best one: it is worth
+# says: , and exactly seven steps away. The policy
+# says: : are the steps counted from `reset` on, and not computed from the cell, and does each update belong to the state that was left?
+# in: late dives count for nothing
+# - steps += 1
+# + steps = state // 9 + state % 9 + 1
+
+# %% whole numbers
+# slow
+# says: only where all treasures are worth less than 1 it goes wrong: are values rounded or whole numbers, as in a table with dtype=int, or is a dive that takes too long worth more than these?
+# in: late dives count for nothing
+# - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
+# + Q[state, action] = int(reward if terminated else reward + Q[after].max())
+
+# %% a late dive is worth 1
+# slow
+# says: seas the dive takes too long
+# in: late dives count for nothing
+# - reward = value if steps <= 7 else 0.0
+# + reward = value if steps <= 7 else 1.1 * terminated

@@ -81,7 +81,7 @@
 
 # %% no tree
 # says: what follows the best action is good only if one goes on well
-# says: it looks as if all later actions were random: in the tree, choose them by their upper bounds, too
+# says: it looks as if all later actions were random: in the tree, choose them by their upper bounds, too, and pass on the whole return, R + γ G, to the node before
 # in: nodes are objects
 # - node.children[action, after] = Node(n_actions)
 # + pass
@@ -155,8 +155,8 @@
 # + if True:
 
 # %% always from the root
-# says: begins more than
-# says: simulations, which is n_simulations: a search is a loop of so many, each from the root
+# says: asks for a step from the root more than
+# says: times, which is n_simulations: a search is a loop of so many, each from the root, and after a step a simulation goes on from the *next* state
 # in: a loop and a path
 # - reward, here, ended = model(here, int(rng.integers(n_actions)))
 # + reward, here, ended = model(state, int(rng.integers(n_actions)))
@@ -164,7 +164,7 @@
 # %% from the state before
 # says: asks for a step from the state
 # says: , but its simulation is in
-# says: : go on from the state that the model gave
+# says: : go on from the state that the model gave, and ask it for each step that you take, once and in order
 # in: a loop and a path
 # - for _ in range(len(path), 10):
 # + before = here
@@ -286,7 +286,7 @@ my_program = 3
 
 # %% two levels
 # says: what follows the best action is good only if one goes on well two steps later
-# says: the tree has too few levels: does each simulation add a node, also below those that it has added before?
+# says: the tree has too few levels, or a return does not come back: does each simulation add a node, also below those that it has added before, and pass on R + γ G, and not R alone?
 # in: nodes are objects
 # - if node is not None and child is None:
 # + if node is root and child is None:
@@ -402,3 +402,24 @@ my_program = 3
 # in: a loop and a path
 # - N, Q = {}, {}
 # + N, Q = vars(my_program).setdefault("kept", ({}, {}))
+
+
+# %% a search for the highest bound that begins at 0
+# slow
+# says: every return is far below 0
+# says: takes another action in the tree than the one with the highest bound
+# says: does the search for the highest bound begin at 0? Begin it at −∞, or take `max`
+# in: a loop and a path
+# - action = int(np.argmax(Q[node] + bonus))
+# + action = int(np.argmax(Q[node] + bonus)) if (Q[node] + bonus).max() > 0 else 0
+
+
+# %% an untried action is worth 100
+# slow
+# says: returns are in the thousands
+# says: is an action that was never tried always taken first? Its bound is ∞, and not a large number
+# in: a loop and a path
+# - if len(untried):
+# + if len(untried) and Q[node].max() < 100:
+# - bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / N[node])
+# + bonus = 5 * np.sqrt(np.log(N[node].sum() + 1) / np.maximum(N[node], 1))

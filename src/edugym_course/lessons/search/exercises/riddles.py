@@ -98,12 +98,14 @@ RIDDLES = (
     ),
     Riddle(
         "what follows the best action is good only if one goes on well",
-        "it looks as if all later actions were random: in the tree, choose them by their upper bounds, too",
+        "it looks as if all later actions were random: in the tree, choose them by their upper bounds, too, and pass on"
+        " the whole return, R + γ G, to the node before",
         written({ROOT: ((0.0, 1), (2.4, END), (2.4, END)), 1: ((10.0, END), (-3.0, END), (-3.0, END))}),
     ),
     Riddle(
         "what follows the best action is good only if one goes on well two steps later",
-        "the tree has too few levels: does each simulation add a node, also below those that it has added before?",
+        "the tree has too few levels, or a return does not come back: does each simulation add a node, also below those"
+        " that it has added before, and pass on R + γ G, and not R alone?",
         written(
             {ROOT: ((0.0, 1), (2.6, END), (2.6, END)), 1: ((0.0, 2),) * 3, 2: ((7.0, END), (0.0, END), (0.0, END))}
         ),
