@@ -13,7 +13,7 @@ from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer, replay
 from edugym_course.grading.learners import Learner
 from edugym_course.grading.programs import Program, Step, learn_from, run_program, shape_of
-from edugym_course.grading.replay import ONCE, SWAPPED, Rule
+from edugym_course.grading.rule import ONCE, SWAPPED, Rule
 from edugym_course.grading.small_world import SmallWorld
 from tests.course.lessons.answers import LONG, namespace_after, read_answers, read_exercises
 
@@ -80,7 +80,7 @@ def program_with(learner: Learner, epsilon: float, once_an_episode: bool = False
 
 def values_on_the_way(steps: Sequence[Step], learner: Learner, shape: tuple[int, int]) -> list[list[float]]:
     """Those of the state that was met, before each step."""
-    on_the_way = replay._learning(steps, learner, shape)
+    on_the_way = replay.learning(steps, learner, shape)
     return [
         np.round(agent.values(step.state) if hasattr(agent, "values") else agent.Q[step.state], 9).tolist()
         for agent, step in on_the_way

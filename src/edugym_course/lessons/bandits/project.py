@@ -18,7 +18,8 @@ from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import LOW, Learner, mistakes_of_loops, other_tables
 from edugym_course.grading.programs import SELDOM, Run, Step, learn_from, run_program, shape_of
-from edugym_course.grading.replay import Rule, replay
+from edugym_course.grading.replay import replay
+from edugym_course.grading.rule import Rule
 from edugym_course.grading.surprises import NEAR, SIGMAS, Surprises, require_any_of_two
 from edugym_course.grading.ties import require_new_draws
 from edugym_course.lessons.bandits.methods import EPSILON, LEARNING_RATE

@@ -24,7 +24,7 @@ from edugym_course.grading.programs import (
     require_reproducible,
     run_program,
 )
-from edugym_course.grading.replay import TRIAL
+from edugym_course.grading.rule import TRIAL
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.continuous_actions.draws import Maker, fit, follow, require_drawn, require_gaussian
 from edugym_course.lessons.continuous_actions.exercises.boxes import (

@@ -25,7 +25,7 @@ from edugym_course.grading.programs import (
     returns_of,
     run_program,
 )
-from edugym_course.grading.replay import ASKED, TRIAL
+from edugym_course.grading.rule import ASKED, TRIAL
 from edugym_course.lessons.dimensionality.riddles import BAD, CHOOSY, DARK, GOOD, LOW, N_ACTIONS, RIDDLES, Album, Riddle
 from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS, Twins
 
@@ -127,8 +127,8 @@ def _cause_while_training(program: Any, riddle: Riddle, seed: int) -> str:
         return BEYOND
     if (longer := solution(program, riddle, PATIENCE * RIDDLE_STEPS, seed).trained) > GREEDY:
         return (
-            f"After {PATIENCE * RIDDLE_STEPS} steps it does so in {longer:.0%}: is ε 0.1 from the first step on, or does"
-            " it fall slowly? Or does it learn too slowly: is there an update at every step, with a learning rate and"
+            f"After {PATIENCE * RIDDLE_STEPS} steps it does so in {longer:.0%}: is ε 0.1 from the first step on, or"
+            " does it fall slowly? Or does it learn too slowly: is there an update at every step, with a learning rate and"
             " first weights like those of the text, and does an error move the weights of the action that was *taken*?"
         )
     return TOO_RANDOM

@@ -13,7 +13,7 @@ from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import LOW, Learner, mistakes_of_loops, other_settings
 from edugym_course.grading.programs import Environment
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.rule import Rule
 
 N_STEPS, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 0.5, 0.9, 0.1
 CLOSER = 12

@@ -1,6 +1,5 @@
 """The project of lesson 0: Q-learning and its loop, from a blank file."""
 
-import math
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -22,7 +21,7 @@ from edugym_course.grading.learners import (
     other_tables,
     too_early,
 )
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.rule import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000
@@ -62,7 +61,6 @@ class _Slips:
         only_best: whether nothing is learned from an action that does not look best.
         counts: whether the learning rate is one over the number of updates of a state and action, not 0.5.
         same_action: whether the next state has the value of the action just taken, not the highest.
-        least: below which no value of a next state is.
         discounts_all: whether the reward is discounted, too, where the episode goes on.
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
@@ -79,7 +77,6 @@ class _Slips:
     only_best: bool = False
     counts: bool = False
     same_action: bool = False
-    least: float = -math.inf
     discounts_all: bool = False
     forgets: bool = False
     whole_row: bool = False
@@ -110,7 +107,7 @@ class _Slips:
         if self.next_action and not (terminated or truncated):
             self._waiting = state, action, reward, next_state
         else:
-            future = row[action] if self.same_action else row.argmax() if self.place else max(row.max(), self.least)
+            future = row[action] if self.same_action else row.argmax() if self.place else row.max()
             moved = int(self.Q[state].argmax()) if self.of_the_best else action
             earned = DISCOUNT * reward if self.discounts_all and not terminated else reward
             target = earned + (0.0 if terminated else DISCOUNT * float(future))
@@ -167,19 +164,12 @@ RULE = Rule(
         "nothing is learned from random actions: a step teaches something whatever chose its action": Learner(
             partial(slips, only_best=True)
         ),
-        "`terminated` and `truncated` have changed places: step returns state, reward, terminated, truncated, info": (
-            Learner(agent, lambda step, before: step._replace(terminated=step.truncated, truncated=step.terminated))
-        ),
         "the old value is lost: `=` stands where `+=` should, so that Q(S, A) + is missing before the step": Learner(
             partial(slips, forgets=True)
         ),
         "in its table all actions of a state are worth the same, or it does not look there: does the update change the"
-        " value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?": (
-            Learner(partial(slips, whole_row=True))
-        ),
-        "nothing is learned from the last step of an episode: where `terminated` is True, the target is R": Learner(
-            agent, skips=lambda step: step.terminated
-        ),
+        " value of the action taken, and no other, are the actions chosen by the values with probability 1 − ε, and is"
+        " the table made once, and not in each episode?": Learner(partial(slips, whole_row=True)),
         "nothing is learned from a step that is truncated: it is a step like the others": Learner(
             agent, skips=lambda step: step.truncated
         ),
@@ -209,9 +199,6 @@ CLOSE_MISTAKES = {
     "γ is smaller than 0.99": Learner(partial(agent, discount=0.97)),
     "the reward is discounted as well, and γ belongs to the value of the next state alone": Learner(
         partial(slips, discounts_all=True)
-    ),
-    "the maximum over the next actions is never below 0: a search for the largest value must not start there": Learner(
-        partial(slips, least=0.0)
     ),
     "the first values are below 0": Learner(partial(agent, first=-1.0)),
     "the first values are above 0": Learner(partial(agent, first=0.5)),

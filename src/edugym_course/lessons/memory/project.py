@@ -14,7 +14,7 @@ from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, stays
 from edugym_course.grading.programs import run_program
-from edugym_course.grading.replay import TRIAL, Rule
+from edugym_course.grading.rule import TRIAL, Rule
 from edugym_course.grading.small_world import WIDTH, SmallWorld
 from edugym_course.lessons.memory.riddles import require_riddles
 
@@ -70,6 +70,7 @@ class Windowed:
         shape: the second entry is the number of actions.
         window: makes the window of a history.
         left: makes what an episode begins with of the history of the last one.
+        left_cut: the same after an episode that was truncated.
         grows: whether what was seen and done is kept in it.
         stale: whether the value of the next window moves, and not that of the old one.
         moves: whether the value in the target is that of the next window, or of the old one.
@@ -84,6 +85,7 @@ class Windowed:
         shape: tuple[int, int],
         window: Cut = last,
         left: Cut = emptied,
+        left_cut: Cut | None = None,
         grows: bool = True,
         stale: bool = False,
         moves: bool = True,
@@ -95,7 +97,8 @@ class Windowed:
         """Know nothing."""
         self._Q: defaultdict[History, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._past: History = ()
-        self._window, self._left, self._grows, self._moves, self._stale = window, left, grows, moves, stale
+        self._window, self._grows, self._moves, self._stale = window, grows, moves, stale
+        self._left, self._left_cut = left, left_cut or left
         self._learning_rate, self._discount, self._epsilon = learning_rate, discount, epsilon
 
     def row(self, history: History) -> Reals:
@@ -117,7 +120,8 @@ class Windowed:
         if self._grows:
             self._past = (*now, action)[-2 * KEPT :]
         if truncated or terminated:
-            self._past = self._left((*now, action, next_state))[-2 * KEPT :]
+            left = self._left if terminated else self._left_cut
+            self._past = left((*now, action, next_state))[-2 * KEPT :]
 
     def move(self, history: History, action: int, target: float) -> None:
         """Move the value of an action towards a target."""
@@ -192,6 +196,9 @@ RULE = Rule(
         "an episode begins with the last one in its window, and an action 0: empty it at each reset": mistake(
             left=lambda history: (*history, 0)
         ),
+        "an episode that was truncated leaves its window to the next one: empty it after `truncated`, too": mistake(
+            left_cut=lambda history: history[:-1]
+        ),
         "the first values are about 1, and not 0": mistake(first=1.0),
         "the value of the *next* window moves: keep the old one, in which the action was taken, until the update is"
         " done": mistake(stale=True),
@@ -209,7 +216,8 @@ RULE = Rule(
         learning_rate=("α", LEARNING_RATE, (0.05, 0.1, 0.5, 1.0)),
     ),
     EPSILON,
-    otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one",
+    otherwise="; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one; the"
+    " actions in it are those that were *taken*, and each window has values of its own",
     worlds=8,
     world=VeiledWorld,
     remembers=True,

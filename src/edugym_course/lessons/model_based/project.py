@@ -16,7 +16,7 @@ from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings
 from edugym_course.grading.programs import APART, NAME, run_program
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.rule import Rule
 from edugym_course.grading.small_world import ACTIONS, ENDS, GOES_ON, LAYERS, WIDTH, SmallWorld
 from edugym_course.lessons.model_based.last_rewards import require_last_rewards
 from edugym_course.lessons.model_based.methods import EPSILON, LEARNING_RATE

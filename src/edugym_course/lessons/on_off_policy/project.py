@@ -10,7 +10,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables, too_early
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.rule import Rule
 from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISCOUNT, EPSILON
 from edugym_course.lessons.on_off_policy.riddles import require_riddles
 

@@ -241,8 +241,8 @@ def require_tree(program: Any, seed: int) -> None:
             why = "" if nobody_asks_why() else riddle.why or why
             why = f": {why}" if why else ""
             raise WrongAnswer(
-                f"in a task in which {riddle.told}, simulation {wrong} takes another action in the tree than the one with"
-                f" the highest bound Q(node, a) + 5 √(ln N(node) / N(node, a)){why}"
+                f"in a task in which {riddle.told}, simulation {wrong} takes another action in the tree than the one"
+                f" with the highest bound Q(node, a) + 5 √(ln N(node) / N(node, a)){why}"
             )
 
 

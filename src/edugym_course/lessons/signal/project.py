@@ -14,7 +14,7 @@ from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import Learner, mistakes_of_loops
 from edugym_course.grading.programs import APART, run_program
-from edugym_course.grading.replay import TRIAL, Rule
+from edugym_course.grading.rule import TRIAL, Rule
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
 
 N_STEPS, LEARNING_RATE, EPSILON = 5_000, 0.01, 0.1

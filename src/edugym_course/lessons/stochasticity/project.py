@@ -17,7 +17,7 @@ from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables, too_early
 from edugym_course.grading.programs import run_program
-from edugym_course.grading.replay import Rule
+from edugym_course.grading.rule import Rule
 
 LEARNING_RATE, DISCOUNT, RISK, EPSILON = 0.4, 0.9, -0.5, 0.1
 DISCOUNTED = "the reward is discounted, and γ should stand before the value of the next state alone"

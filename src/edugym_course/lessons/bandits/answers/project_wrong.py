@@ -146,7 +146,7 @@
 # %% random half of the time
 # slow
 # says: the first values
-# says: If ε is right, compare the first values with those of the text
+# says: Compare the first values with those of the text
 # in: with lists
 # - arm = int(rng.integers(n)) if rng.random() < 0.1 else best()
 # + arm = int(rng.integers(n)) if rng.random() < 0.5 else best()

@@ -100,15 +100,15 @@ my_program = ...
 # %% tries too much
 # slow
 # says: are not those that its own steps make look best by the equation of this lesson, and with ε = 0.1 it should be some
-# says: If all else is right, ε is about 0.
-# says: . If ε is right, compare α, γ and the first values with those of the text, and the update with its equation, term by term
+# says: If all that is right, ε is about 0.
+# says: Compare α, γ and the first values with those of the text, and the update with its equation, term by term
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.4:
 
 # %% the wrong way round
 # slow
-# says: in its table all actions of a state are worth the same, or it does not look there: does the update change the value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?
+# says: in its table all actions of a state are worth the same, or it does not look there: does the update change the value of the action taken, and no other, are the actions chosen by the values with probability 1 − ε, and is the table made once, and not in each episode?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() > 0.0:
@@ -300,7 +300,7 @@ def my_program(environment, n_steps, seed):
 
 # %% the whole row
 # slow
-# says: in its table all actions of a state are worth the same, or it does not look there: does the update change the value of the action taken, and no other, and are the actions chosen by the values with probability 1 − ε?
+# says: in its table all actions of a state are worth the same, or it does not look there: does the update change the value of the action taken, and no other, are the actions chosen by the values with probability 1 − ε, and is the table made once, and not in each episode?
 # in: an agent of its own
 # - self.row(s)[a] = 0.5 * self.row(s)[a] + 0.5 * (r + 0.99 * future)
 # + self.values[int(s)] = [0.5 * self.row(s)[a] + 0.5 * (r + 0.99 * future)] * self.n_actions
@@ -374,7 +374,8 @@ def my_program(environment, n_steps, seed):
 
 # %% a maximum that starts from 0
 # slow
-# says: the maximum over the next actions is never below 0: a search for the largest value must not start there
+# says: where all values are below 0, in
+# says: does a search for the highest value begin at 0, in the policy or in a target? Begin it at −∞, or take `max`
 # in: episode after episode
 # - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
 # + Q[s, a] += 0.5 * (r + (not end) * 0.99 * max(0.0, *Q[s2]) - Q[s, a])
@@ -428,3 +429,21 @@ def my_program(environment, n_steps, seed):
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward if truncated else reward + 0.99 * Q[next_state].max()
+
+
+# %% a policy whose search begins at 0
+# slow
+# says: where all values are below 0, in
+# says: takes another action than the one that the steps of the program make look best: does a search for the highest value begin at 0, in the policy or in a target? Begin it at −∞, or take `max`
+# in: an agent of its own
+# - return learner.best
+# + return lambda state: int(np.argmax(np.maximum(learner.row(state), 0.0)))
+
+
+# %% a table for each episode
+# slow
+# says: are the actions chosen by the values with probability 1 − ε, and is the table made once, and not in each episode?
+# in: an agent of its own
+# - taken += 1
+# + taken += 1
+# + learner.values = {} if terminated or truncated else learner.values

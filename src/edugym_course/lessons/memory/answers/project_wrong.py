@@ -185,14 +185,14 @@
 
 # %% a window without the last action
 # slow
-# says: ; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one
+# says: ; S is the window (O, A, O, A, O) up to the present observation, and S' that with the next one; the actions in it are those that were *taken*, and each window has values of its own
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
 # + w2 = (w + (0, o))[-5:] if len(w) < 3 else (*w[2:], a, o) if rng.random() < 0.7 else (*w[2:], 0, o)
 
 # %% a policy that forgets
 # slow
-# says: does this policy look up the end of the history that it is given, and take the *best* action, by values learned from all steps?
+# says: does this policy look up the end of the history that it is given, and a short one as your program does itself, and take the *best* action, by values learned from all steps?
 # in: tuples in a dictionary
 # - return lambda history: int(values(history[-5:]).argmax())
 # + return lambda history: int(values(history[-1:]).argmax())
@@ -266,7 +266,7 @@ def my_program(environment, n_steps, seed):
 
 # %% ε is 0.12
 # slow
-# says: If all else is right, ε is about 0.12
+# says: If all that is right, ε is about 0.12
 # in: numbered rows, filled up
 # - a = rng.integers(m) if rng.random() < 0.1 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
 # + a = rng.integers(m) if rng.random() < 0.12 else rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
@@ -284,3 +284,19 @@ def my_program(environment, n_steps, seed):
 # in: tuples in a dictionary
 # - w2 = (w + (a, o))[-5:]
 # + w2 = w = (w + (a, o))[-5:]
+
+# %% a window that is emptied after terminated ends alone
+# slow
+# says: an episode that was truncated leaves its window to the next one: empty it after `truncated`, too
+# in: tuples in a dictionary
+# - o, _ = environment.reset()
+# - w = (o,)
+# + o, _ = environment.reset()
+# + w = (o,) if terminated else (*w[:-1], o)[-5:]
+
+# %% filled up by the program, and not by its policy
+# slow
+# says: does this policy look up the end of the history that it is given, and a short one as your program does itself
+# in: numbered rows, filled up
+# - window = Window(n, m, history[0])
+# + window = Window(n, m, 0)

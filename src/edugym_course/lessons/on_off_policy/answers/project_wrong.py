@@ -219,7 +219,7 @@
 
 # %% all actions are drawn
 # slow
-# says: So many come from chance alone, or from a table that never changes: are the actions chosen by the values, with probability 1 − ε, and does the update change that of the action taken, and no other?
+# says: So many come from chance alone, or from a table that never changes or is made anew in each episode: are the actions chosen by the values, with probability 1 − ε, and does the update change that of the action taken, and no other, by the TD error?
 # in: a class with both
 # - return int(self.rng.integers(len(self.table[s]))) if self.rng.random() < 0.1 else self(s)
 # + return int(self.rng.integers(len(self.table[s])))

@@ -164,7 +164,7 @@ def my_program(environment, n_steps, seed):
 
 # %% ε the wrong way round
 # slow
-# says: ε and 1 − ε have changed places: an action is drawn at random with probability ε
+# says: An action that looks best is as rare as a random one should be: have ε and 1 − ε changed places, or does the value of another action or state move than that of the action taken in the state that was left?
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(rng.integers(N)) if rng.random() > 0.1 else int(q.argmax())
@@ -281,7 +281,7 @@ def my_program(environment, n_steps, seed):
 
 # %% ε is a half
 # slow
-# says: If all else is right, ε is about 0.5
+# says: If all that is right, ε is about 0.5
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(rng.integers(N)) if rng.random() < 0.5 else int(q.argmax())
