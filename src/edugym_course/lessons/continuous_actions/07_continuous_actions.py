@@ -932,13 +932,13 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - States are whole numbers from 0, and `environment.observation_space.n` says how many there are. An action is one
 #   real number, as large or small as you like.
 # - Take $\alpha^\theta = 0.005$, $\alpha^w = 0.1$, $\gamma = 0.8$, and begin with $\mu = 0$, $\sigma = 1$ and $V = 0$.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # In the check an arm lets go of three boxes, one after another, each over a container whose middle it does not know. A
 # box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. (In a second
 # task the farthest actions pay most, so $\sigma$ grows.) Your program draws its actions, so none of them is right or
 # wrong. But its own steps tell, by the equations, which $\mu$ it should return, and from which Gaussians it should have
-# drawn its actions. The check compares both. It sees no line of your program, so when it names a mistake, this is the likely cause.
+# drawn its actions. The check compares both. It sees no line of your program, so the mistake that it names is only the likely one.
 
 # %% tags=["project"]
 my_program = ...  # your program

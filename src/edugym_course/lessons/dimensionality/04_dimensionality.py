@@ -981,7 +981,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   near $1/\sqrt n$ for a layer with $n$ inputs; biases may begin at 0.
 # - Two ways work in so few steps: Adam with a learning rate of 0.001, a memory, and a batch of 32 after *every* step (after every fourth is too slow here); or, for Q-learning,
 #   no memory, and plain gradient descent with 0.05 from each step once.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too. (PyTorch
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone. (PyTorch
 #   needs `torch.manual_seed(seed)` besides.)
 #
 # The check has three parts. In each task your program learns three times, from the beginning:
@@ -992,7 +992,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # 3. Four harder riddles. In one of them two pixels together tell the right action (this one has 4 000 steps). In the
 #    others all later values are negative, only one action pays in the better image, or one image is black.
 #
-# The check sees what your program does, and no line of it. So when it names a mistake, this is the likely cause. It
+# The check sees what your program does, and no line of it. So the mistake that it names is only the likely one. It
 # cannot find a mistake that does no harm *in these tasks*. Some mistakes in the gradient are such, for many wrong gradients still point downhill: compare yours with
 # $(L(\theta + d) - L(\theta - d)) / 2 d$ for a few single weights and a small $d$, where $L$ is $\frac{1}{2} \delta^2$ with $y$ held fast.
 

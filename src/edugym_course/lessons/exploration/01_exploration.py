@@ -788,10 +788,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. The walls have two grips or three, and are all different. On some of them an episode
 #   is truncated soon, after 35 steps.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So when
-# it names a mistake, this is the likely cause. It cannot find one that does no harm.
+# The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So the mistake
+# that it names is only the likely one. It cannot find one that does no harm.
 
 # %% tags=["project"]
 my_program = ...  # your program

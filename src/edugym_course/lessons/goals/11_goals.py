@@ -462,19 +462,20 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # $$
 #
 # Where `terminated` is True, the target is $R$ alone. When an episode is over, whether it reached its goal or not, it
-# learns all steps of it again, for the goal $G'$ that the last step achieved. **The last step comes first**, so that the
-# first one hears of the goal in the same sweep. A step that achieves $G'$ has the reward 0 and nothing after it; every other one has $-1$. In the end the program returns its *policy*:
+# learns all steps of it again, for the goal $G'$ that the last step achieved (also if $G' = G$). **The last step comes
+# first**, so that the value of the goal reaches the first step in the same sweep. Each step that achieves $G'$ has the target 0 alone, wherever it stands in the episode; every other one has
+# the reward $-1$ and a future. (The episode that is cut off by `n_steps` need not be learned again.) In the end the program returns its *policy*:
 # a function that takes such a dictionary, and returns the action with the highest value; it is asked about pairs that were
 # never met, too.
 #
 # - Take $\alpha = 0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of $-10$. This is $-1 / (1 - \gamma)$, what it is
 #   worth never to reach the goal. At first all values are equal, so break ties at random.
 # - `environment.action_space.n` says how many switches there are.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program with four switches, and for 20 000 steps with six: a good program comes to about −2.6 there, and without
-# hindsight to between −4.0 and −4.9. It sees the steps that your program takes, and no line of it. So when it names a mistake, this is the
-# likely cause.
+# hindsight to between −4.0 and −4.9. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the
+# likely one.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -536,17 +536,17 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 # the loop and Q-learning, some 30 lines.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
-# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
+# episode, and learns from each of them at once. In the end it returns its *policy*: a function that takes a state and returns the
 # action with the highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.5$, $\gamma = 0.99$, $\varepsilon = 0.1$ and first values of 0. Only `terminated` means
 #   that nothing follows.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and in the shop. It sees the steps that your program takes,
-# and no line of it. So when it names a mistake, this is the likely cause. Try it yourself first, with
+# and no line of it. So the mistake that it names is only the likely one. Try it yourself first, with
 # `my_program(gym.make("edugym/Supermarket-v0"), 10_000, seed=0)`. Let it append the points of each episode to a list
 # outside of it, and plot them: a learning curve of your own is the best tool to find a mistake.
 

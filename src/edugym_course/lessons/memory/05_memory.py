@@ -867,8 +867,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # S_t = (O_{t-2}, A_{t-2}, O_{t-1}, A_{t-1}, O_t)
 # $$
 #
-# What was before is forgotten when an episode begins: $S_0 = (O_0)$ and $S_1 = (O_0, A_0, O_1)$ are shorter. (Or fill
-# them up in front with $O_0$ and action 0, as `FrameStack` does.)
+# An episode begins with a window of $O_0$ alone: $S_0 = (O_0)$ and $S_1 = (O_0, A_0, O_1)$ are shorter. (Or fill them up
+# in front with $O_0$ and action 0, as `FrameStack` does, in the policy, too.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*. A policy must remember too, so it is a function
@@ -879,11 +879,11 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   how many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.2$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0. After a step with `terminated` the
 #   target is $R$ alone; after a truncated one it is not.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own, in which states look alike, and for 20 000 steps in the
-# corridor. It sees the steps that your program takes, and no line of it. So when it names a mistake, this is the likely
-# cause.
+# corridor. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the likely
+# one.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -969,10 +969,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 1$, $\gamma = 0.95$, $\varepsilon = 0.1$, ten imagined steps and first values of 0.
 # - The model keeps for each pair what came of it *last*: the reward, the next state, and whether the episode terminated.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and for 2 000 steps in the shop. It sees the steps that your
-# program takes, and no line of it. So when it names a mistake, this is the likely cause.
+# program takes, and no line of it. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]
 my_program = ...  # your program

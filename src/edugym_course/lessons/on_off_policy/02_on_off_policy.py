@@ -790,17 +790,17 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
-# action with the highest value.
+# action with the highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ and first values of 0.
 # - Only `terminated` means that nothing follows. Where a step is truncated, draw an $A'$ for its target
-#   $R + \gamma Q(S', A')$, though nobody takes it; or leave this step out.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+#   $R + \gamma Q(S', A')$, though nobody takes it, or do not learn from this step.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the
-# steps that your program takes, and no line of it. So when it names a mistake, this is the likely cause.
+# steps that your program takes, and no line of it. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]
 my_program = ...  # your program

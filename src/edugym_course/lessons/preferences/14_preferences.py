@@ -449,11 +449,12 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # an action, always the same one for an observation.
 #
 # - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth), and
-#   `environment.observation_space.nvec` says how many there are of both. Its rewards are always 0. It is
-#   longer than the one above, and its costs are others: only the teacher knows them.
+#   `environment.observation_space.nvec` says how many there are of both. The rewards of the environment are always 0. Its
+#   nights are longer than those above, and the costs are others: only the teacher knows them.
 # - `compare(first, second)` asks the teacher: True if she prefers the first night. A night is a list of `(observation, action,
-#   next_observation)`, one for each step from `reset` to the end. She may be asked `n_comparisons` times (the check allows 300).
+#   next_observation)`, one for each step from `reset` to the end. She may be asked at most `n_comparisons` times (the check allows 300).
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
+#   Q-learning needs many, and often a random action: the solution takes 3 000 nights, $\alpha = 0.1$ and $\varepsilon = 0.3$.
 # - A night has no discount: what comes late counts in full.
 #
 # How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).

@@ -169,6 +169,8 @@ class Teacher:
         """
         if self.asked == self._most:
             self._refuse(f"compare may be called {self._most} times, and this is one time more")
+        if first is second:
+            self._refuse("compare is given the same night twice, of which neither is better: play two nights")
         first_return, second_return = (self._return(night) for night in (first, second))
         self.asked += 1
         return bool(self._rng.random() < preference(first_return, second_return, NOISE))
@@ -309,7 +311,7 @@ def _check_patience(answer: Any, seed: int) -> None:
         raise WrongAnswer(
             f"Another sleeper stays as she is after the first step. The teacher pays {SETTLED.soon:g} for a ring then,"
             f" or {SETTLED.late:g} for silence in the last step, if she is still asleep. Her answers tell so, and yet"
-            f" {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a discount; the"
+            f" only {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a discount; the"
             " value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes;"
             " and Q-learning needs many nights, with random buttons in them"
         )
@@ -334,8 +336,9 @@ def symptom(run: Judged) -> str:
         return f"it asks {run.asked} of {N_COMPARISONS} comparisons; ask them all"
     return (
         "it has learned something; does every step of both nights count, as often as it was taken, with its time, depth"
-        " and action, are there enough passes over the comparisons, and enough nights to learn the policy? A night has"
-        " no discount"
+        " and action, are there enough passes over the comparisons, and enough nights with random actions in them to"
+        " learn the policy? Has its target the largest value of the *next* state, without a discount, and 0 after the"
+        " last step?"
     )
 
 

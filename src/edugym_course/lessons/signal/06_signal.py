@@ -819,7 +819,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # for each word $w$ and each action $a$, and what it learns of a word it knows in every message. Of a message it keeps
 # only $x_w(o)$, how often word $w$ occurs in it, divided by its length $L$. The value of an action is linear in these
 # shares, and the weights of the action that was taken move along their gradient (Sutton and Barto, sections 9.3 and
-# 9.4). The reward stands alone: $\gamma = 0$ did no harm in "Your turn".
+# 9.4). The reward stands alone, since $\gamma = 0$ did no harm in "Your turn". So `terminated` has no part in the update.
 #
 # $$
 # q(o, a) = \sum_w x_w(o)\, \theta_{w,a}
@@ -829,17 +829,17 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes an observation and returns
-# the action with the highest value. All else is up to you: functions, classes, any names.
+# the action with the highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
-# - An observation is an array of whole numbers: the hit points, which you need not use, and then the words.
+# - An observation is an array of whole numbers: the hit points, which the equation leaves out, and then the words.
 #   `environment.observation_space.nvec[1]` says how many different words there are, and `environment.action_space.n` how
 #   many actions. What a word means differs from one environment to the next.
 # - Take $\alpha = 0.01$, $\varepsilon = 0.1$ and first weights of 0.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own, and for 5 000 steps on a toy with $\tau = 0.05$ and eight words
 # in a message; a table for these has more than six million rows. It sees the steps that your program takes, and no line
-# of it. So when it names a mistake, this is the likely cause.
+# of it. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -912,20 +912,21 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a learner that avoids risk, and its
 # loop, some 35 lines. It moves $Q(S, A)$ by $\alpha \, 2\sigma(\beta \delta) \, \delta$, with the TD error $\delta =
-# R + \gamma \max_a Q(S', a) - Q(S, A)$ and $\sigma(x) = 1 / (1 + e^{-x})$.
+# R + \gamma \max_a Q(S', a) - Q(S, A)$ and $\sigma(x) = 1 / (1 + e^{-x})$. Where `terminated` is True, the target is $R$
+# alone; a truncated step is a step like the others.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
-# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
-# action with the highest value. All else is up to you: functions, classes, any names.
+# episode, and learns from each of them at once. In the end it returns its *policy*: a function that takes a state and returns the
+# action with the highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.4$, $\beta = -0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of 0.
-# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` too.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and at a fork, where one way pays a sure 1 and the other
-# throws a coin for 5 or −2. It sees the steps that your program takes, and no line of it. So when it names a mistake,
-# this is the likely cause.
+# throws a coin for 5 or −2. It sees the steps that your program takes, and no line of it. So a mistake that it names
+# is only the likely one.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -17,7 +17,7 @@
 
 # %% both nights gain
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
+# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and 0 after the last step?
 # in: visits as vectors
 # - differences.append(visits(first) - visits(second))
 # + differences.append(visits(first) + visits(second))
@@ -48,7 +48,7 @@
 
 # %% the last step alone
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights to learn the policy? A night has no discount
+# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and 0 after the last step?
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, depth), action, _ in steps[-1:]:
@@ -202,3 +202,9 @@ my_program = [0, 1, 2]
 # in: gradient steps and planning by counting
 # - V = Q.max(axis=1)
 # + V = Q.mean(axis=1)
+
+# %% a night compared with itself
+# says: compare is given the same night twice, of which neither is better: play two nights
+# in: visits as vectors
+# - preferred.append(float(compare(first, second)))
+# + preferred.append(float(compare(first, first)))
