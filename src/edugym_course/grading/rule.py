@@ -47,6 +47,8 @@ ASKED = 200
 RARELY, SELDOM, BY_CHANCE, ENOUGH = 0.25, 0.75, 5.0, 30
 """The shares of its chances below which an action is hardly tried, and tried too seldom if that is so many standard
 deviations below them; and how many chances are enough to tell."""
+WAITING = 3
+"""So many of the last steps may wait for an action that nobody takes any more. A program may have learned from them."""
 OTHERWISE = 0.05
 """In which share of the observations a policy may take another action than the best one. No right program does so in
 any, but one that computes with fewer digits may."""
@@ -285,7 +287,9 @@ class Rule:
                 some = by_length[:ASKED] + by_length[-ASKED:]
                 asked = [(history, looks_best(agent.row(history).tolist())) for history in some]
             else:
-                asked = [(step.state, best_of(agent, step.state)) for step in run.steps[-ASKED:]]
+                waiting = {step.state for step in run.steps[-WAITING:]}
+                states = [step.state for step in run.steps[-ASKED:] if step.state not in waiting]
+                asked = [(state, best_of(agent, state)) for state in states]
             clear = [(question, best.index(True)) for question, best in asked if sum(best) == 1]
             found = actions_of(run.policy, [question for question, _ in clear], shape[1], noun)
             other += sum(action != best for action, (_, best) in zip(found, clear, strict=True))

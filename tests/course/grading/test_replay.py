@@ -12,7 +12,7 @@ from edugym.agents.tables import greedy_action
 from edugym.checks.contract import learns_from
 from edugym_course.grading import WrongAnswer, replay
 from edugym_course.grading.learners import Learner
-from edugym_course.grading.programs import Program, Step, learn_from, run_program, shape_of
+from edugym_course.grading.programs import Program, Run, Step, learn_from, run_program, shape_of
 from edugym_course.grading.rule import ONCE, SWAPPED, Rule
 from edugym_course.grading.small_world import SmallWorld
 from tests.course.lessons.answers import LONG, namespace_after, read_answers, read_exercises
@@ -166,3 +166,17 @@ def test_a_small_world(truncates: bool) -> None:
             state, seen = world.reset()[0], set()
     assert ends <= visited == {*range(12)}
     assert (cut_off > 0) == truncates
+
+
+@pytest.mark.parametrize("last", [1, 2])
+@pytest.mark.parametrize("earlier", [0, 3])
+def test_the_last_step_may_be_learned_or_not(last: int, earlier: int) -> None:
+    """After it SARSA waits for an action that nobody takes any more; what was learned before it must be followed."""
+    steps = [Step(5, 3, 1.0, 6, True, False)] * 20 + [Step(0, 1, 1.0, 6, True, False)] * 20
+    steps += [Step(state, 0, 0.0, state + 1, False, False) for state in (7, 8)] + [Step(0, 2, 9.0, 7, False, False)]
+    run = Run(steps, lambda state: last if state == 0 else earlier)
+    if earlier == 3:
+        RULES["02_on_off_policy"].require_best_actions([run], (12, 4))
+    else:
+        with pytest.raises(WrongAnswer, match="20 of 20 observations"):
+            RULES["02_on_off_policy"].require_best_actions([run], (12, 4))

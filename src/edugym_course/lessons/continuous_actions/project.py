@@ -117,7 +117,8 @@ MISTAKES: dict[str, Maker] = {
     "ln σ is 1 at first, and it should be 0: then σ is 1": partial(Gaussians, first=math.e),
     "V hardly learns: α^w is 0.1 in the text, and not α^θ": partial(Gaussians, value_rate=POLICY_RATE),
     "the factor γ^t stands in the line of V as well: it belongs to the policy alone": partial(Gaussians, fades="V"),
-    "the power of γ is one too large: the first step of an episode has γ^0 = 1": partial(Gaussians, fades="later"),
+    "the power of γ is one too large, in γ^t or in G: the first step of an episode has γ^0 = 1, and so has the first"
+    " reward of a return": partial(Gaussians, fades="later"),
     "V is 1 at first, and it should be 0": partial(Gaussians, first_value=1.0),
     "the two learning rates, α^θ and α^w, have changed places": partial(
         Gaussians, policy_rate=VALUE_RATE, value_rate=POLICY_RATE
@@ -221,6 +222,11 @@ def _returned(program: Any, environment: Environment, seed: int, n_steps: int) -
             raise WrongAnswer(
                 f"{POLICY} gives {in_short(one)} for state {state}, and it should be one real number, μ"
             ) from None
+        if not math.isfinite(means[state]):
+            raise WrongAnswer(
+                f"{POLICY} gives {in_short(one)} for state {state}, and it should be one real number, μ: is its"
+                " `return` missing, or have the values grown without end?"
+            )
         if means[state] != other:
             raise WrongAnswer(
                 f"{POLICY} draws its actions: asked twice about state {state}, it gives two of them. It should return"
@@ -257,7 +263,8 @@ def _require_means(runs: Sequence[Returned], tolerance: float, mistakes: Sequenc
             cause = (
                 "No usual mistake gives these numbers. Compare the rates, γ, the bounds of σ and the first values with"
                 " those of the text, and the updates with their equations, term by term; does it learn in all states,"
-                " from all steps of an episode, and from each once? Does the policy return μ as it is?"
+                " from all steps of an episode, and from each once? Does each episode begin with empty lists, and its G"
+                " with 0? Does the policy return μ as it is?"
             )
         raise WrongAnswer(
             f"after {len(run.steps)} steps the policy of {NAME} should return μ = {mean:.4g} for state {state}, by its"

@@ -129,7 +129,8 @@ def _cause_while_training(program: Any, riddle: Riddle, seed: int) -> str:
         return (
             f"After {PATIENCE * RIDDLE_STEPS} steps it does so in {longer:.0%}: is ε 0.1 from the first step on, or"
             " does it fall slowly? Or does it learn too slowly: is there an update at every step, with a learning rate"
-            " and first weights like those of the text, and does an error move the weights of the action that was *taken*?"
+            " and first weights like those of the text, and does an error move the weights of the action that was"
+            " *taken*?"
         )
     return TOO_RANDOM
 

@@ -1,8 +1,8 @@
 """An environment in which the value of the next state shows in what the policy of a program says.
 
-In state 1 every action pays 1 and ends its episode. After enough of these steps the value of the next action there is
-nearly 1, whichever it is, so one step from state 0 to state 1 shows whether it counts. Without those steps all values
-but one are the first ones.
+In state 1 every action pays 1, or −1, and ends its episode. After enough of these steps the value of the next action
+there is nearly that, whichever it is, so one step from state 0 to state 1 shows whether it counts. Without those steps
+all values but one are the first ones.
 """
 
 from typing import Any, NamedTuple
@@ -35,6 +35,7 @@ class Riddle(NamedTuple):
         pulls: how many steps in state 1 come before.
         terminated: whether the step ends its episode.
         truncated: whether its episode is cut off there.
+        pays: what a step in state 1 pays.
     """
 
     reward: float
@@ -45,6 +46,7 @@ class Riddle(NamedTuple):
     pulls: int = PULLS
     terminated: bool = False
     truncated: bool = False
+    pays: float = 1.0
 
 
 _PAYS = "each step in state 1 pays 1 and ends its episode, and after 80 of these a step in state 0"
@@ -66,6 +68,16 @@ RIDDLES = (
         " that the step gave, not that of reset, and of the A' that would be next",
         SOME,
         truncated=True,
+    ),
+    Riddle(
+        1.9,
+        True,
+        "each step in state 1 pays -1 and ends its episode, and after 80 of these a step in state 0 pays 1.9 and leads"
+        " to state 1, where the episode is truncated",
+        "the reward of a step that is truncated counts, too: its target is R + γ Q(S', A')",
+        SOME,
+        truncated=True,
+        pays=-1.0,
     ),
     Riddle(
         -0.5,
@@ -100,7 +112,7 @@ class Leads(gymnasium.Env[Any, Any]):
         self._taken += 1
         if self._taken == self._riddle.pulls + 1:
             return 1, self._riddle.reward, self._riddle.terminated, self._riddle.truncated, {}
-        return 1, 1.0, True, False, {}
+        return 1, self._riddle.pays, True, False, {}
 
 
 def require_riddles(answer: Any, seed: int) -> None:

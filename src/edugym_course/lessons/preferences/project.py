@@ -311,9 +311,9 @@ def _check_patience(answer: Any, seed: int) -> None:
         raise WrongAnswer(
             f"Another sleeper stays as she is after the first step. The teacher pays {SETTLED.soon:g} for a ring then,"
             f" or {SETTLED.late:g} for silence in the last step, if she is still asleep. Her answers tell so, and yet"
-            f" only {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a discount; the"
-            " value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes;"
-            " and Q-learning needs many nights, with random buttons in them"
+            f" only {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a"
+            " discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in"
+            " many passes; and Q-learning needs many nights, with random buttons in them"
         )
 
 

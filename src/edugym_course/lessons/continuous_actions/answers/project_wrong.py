@@ -94,7 +94,7 @@
 # + V[S[k]] += 0.01 * delta
 
 # %% a wide start
-# says: No usual mistake gives these numbers. Compare the rates, γ, the bounds of σ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once? Does the policy return μ as it is?
+# says: No usual mistake gives these numbers. Compare the rates, γ, the bounds of σ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once? Does each episode begin with empty lists, and its G with 0? Does the policy return μ as it is?
 # in: lists of an episode
 # - mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)
 # + mu, ls, V = np.zeros(n), np.full(n, 0.5), np.zeros(n)
@@ -367,7 +367,7 @@
 # + V[S[k]] += 0.1 * 0.8**k * delta
 
 # %% γ^(t + 1)
-# says: the power of γ is one too large: the first step of an episode has γ^0 = 1
+# says: the power of γ is one too large, in γ^t or in G: the first step of an episode has γ^0 = 1, and so has the first reward of a return
 # in: lists of an episode
 # - step = 0.005 * 0.8**k * delta
 # + step = 0.005 * 0.8 ** (k + 1) * delta
@@ -504,3 +504,9 @@
 # in: lists of an episode
 # - return lambda s: mu[s]
 # + return mu
+
+# %% a policy that returns nothing
+# says: , and it should be one real number, μ: is its `return` missing, or have the values grown without end?
+# in: lists of an episode
+# - return lambda s: mu[s]
+# + return lambda s: None

@@ -238,3 +238,11 @@
 # in: the next action is kept
 # - Q[s, a] += 0.5 * (target - Q[s, a])
 # + Q[s2, a] += 0.5 * (target - Q[s2, a])
+
+# %% the reward of a truncated step is lost
+# slow
+# says: and after 80 of these a step in state 0 pays 1.9 and leads to state 1, where the episode is truncated, the policy takes the action of this step again in
+# says: the reward of a step that is truncated counts, too: its target is R + γ Q(S', A')
+# in: the next action is kept
+# - target = r if terminated else r + Q[s2, a2]
+# + target = r if terminated else (0.0 if truncated else r) + Q[s2, a2]
