@@ -108,6 +108,7 @@ class Rule:
             later, tell better what is amiss.
         looks_closer: whether a program takes longer runs too, and may not take the second best action too often. Off
             where that takes long, or where other tasks come first, which tell better what is amiss (`look_closer`).
+        costs: whether a policy is asked in a world in which all values are below 0, too.
     """
 
     right: Learner
@@ -123,6 +124,7 @@ class Rule:
     remembers: bool = False
     slack: float = SLACK
     looks_closer: bool = True
+    costs: bool = True
 
     def check(self, program: Any, seed: int, tries: float | None = None) -> None:
         """Check that the actions of a program follow from its steps by the equation.
@@ -150,8 +152,9 @@ class Rule:
         runs += self._longer_runs(program, seed) if self.looks_closer else []
         self._require_equation(runs, shape, [*self.mistakes.items()][number], tries)
         self.require_best_actions(done[:1], shape)
-        costly: Any = gymnasium.wrappers.TransformReward(self._world(seeds[0]), lambda reward: float(reward) - COST)
-        self.require_best_actions([run_program(program, costly, self.n_steps, seeds[0])], shape, below_0=True)
+        if self.costs:
+            costly: Any = gymnasium.wrappers.TransformReward(self._world(seeds[0]), lambda reward: float(reward) - COST)
+            self.require_best_actions([run_program(program, costly, self.n_steps, seeds[0])], shape, below_0=True)
 
     def look_closer(self, program: Any, seed: int, tries: float | None = None, longer: int = LONGER) -> None:
         """Check a program that has passed `check` and all else: longer runs show what differs by little.
@@ -287,8 +290,9 @@ class Rule:
                 some = by_length[:ASKED] + by_length[-ASKED:]
                 asked = [(history, looks_best(agent.row(history).tolist())) for history in some]
             else:
-                waiting = {step.state for step in run.steps[-WAITING:]}
-                states = [step.state for step in run.steps[-ASKED:] if step.state not in waiting]
+                late = run.steps[-ASKED:]
+                waiting = [] if self.truncates else [step.state for step in run.steps[-WAITING:]]
+                states = [step.state for step in late if all(step.state != state for state in waiting)]
                 asked = [(state, best_of(agent, state)) for state in states]
             clear = [(question, best.index(True)) for question, best in asked if sum(best) == 1]
             found = actions_of(run.policy, [question for question, _ in clear], shape[1], noun)

@@ -169,9 +169,9 @@ class Teacher:
         """
         if self.asked == self._most:
             self._refuse(f"compare may be called {self._most} times, and this is one time more")
+        first_return, second_return = (self._return(night) for night in (first, second))
         if first is second:
             self._refuse("compare is given the same night twice, of which neither is better: play two nights")
-        first_return, second_return = (self._return(night) for night in (first, second))
         self.asked += 1
         return bool(self._rng.random() < preference(first_return, second_return, NOISE))
 

@@ -190,7 +190,7 @@ my_program = [0, 1, 2]
 # slow
 # says: Another sleeper stays as she is after the first step. The teacher pays
 # says: for a ring then, or
-# says: for silence in the last step, if she is still asleep. Her answers tell so, and yet
+# says: for silence in the last step, if she is still asleep. Her answers tell so, and yet only
 # says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes; and Q-learning needs many nights, with random buttons in them
 # in: visits as vectors
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
