@@ -88,6 +88,9 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
         "`terminated` and `truncated` have changed places: step returns state, reward, terminated, truncated, info": (
             Learner(make, _swapped)
         ),
+        "nothing is learned from the last step of an episode: where `terminated` is True, the target is R": Learner(
+            make, skips=lambda step: step.terminated
+        ),
     }
     if not remembers:
         sentence = "S' is the state after the reset where an episode was truncated: learn first, and reset then"
@@ -95,9 +98,6 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
     return ({} if on_policy else beyond_an_end) | {
         "what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and"
         " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
-        "nothing is learned from the last step of an episode: where `terminated` is True, the target is R": Learner(
-            make, skips=lambda step: step.terminated
-        ),
         "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
         " gives the first state of the new one": Learner(make, _old_start),
         "after an end the program goes on from the state that it left last: state, info = environment.reset() gives the"
