@@ -55,8 +55,8 @@ any, but one that computes with fewer digits may."""
 FURTHER, LONGER = 500_000, 2
 """How far the seeds of the second look are from those of the first; how many times longer each of its runs is."""
 SWAPPED = (
-    "An action that looks best is as rare as a random one should be: have ε and 1 − ε changed places, or does the value"
-    " of another action or state move than that of the action taken in the state that was left?"
+    "An action that looks best is as rare as a random one should be: have ε and 1 − ε changed places, or does the"
+    " update move another value than Q(S, A), that of the action taken in the state that was left?"
 )
 COST, MANY_BELOW_0 = 10.0, 0.2
 """So much less does each step bring in the world in which all values are below 0; and how many actions of a policy may

@@ -349,11 +349,11 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 #
 # **Measured.** Better, by more than one (in other draws by 0.4 to 2). At $\sigma = 0$ one run in five does not pass in the end, and these runs never
 # passed at all. With $\sigma = 1$ all runs pass. The likely reason is that *noise also explores*: it changes again and
-# again which action looks best. So for itself Monte Carlo does not suffer here: noise brings more than it costs.
+# again which action looks best. So Monte Carlo alone does not suffer here: noise brings it more than it costs.
 #
 # *Compared with $n = 1$* it does, as the paper says, for $n = 1$ gains more. Over 300 other layouts $n = 1$ ends with 6.2
 # at $\sigma = 0$ and with 7.8 at $\sigma = 1$, and Monte Carlo with 6.5 and 7.5. Where both pass it is the other way
-# round: there noise blurs $n = 1$ more. It is ahead by 0.37 at $\sigma = 0$, by 0.25 at 1 and by 0.07 at 5.
+# round: there noise blurs $n = 1$ more. Its lead is 0.37 at $\sigma = 0$, 0.25 at 1 and 0.07 at 5.
 # </details>
 
 # %% [markdown]

@@ -180,7 +180,7 @@ def _require_steps_counted(answer: Any, values: Reals, seed: int) -> None:
         WrongAnswer: it does, or does not.
     """
     seas = [environment_of(values, kind) for kind in (OneFartherOut, TwoFartherOut)]
-    one, two = (picked_up(run_program(answer, one, LONG, seed).policy, one, seed) for one in seas)
+    one, two = (picked_up(run_program(answer, where, LONG, seed).policy, where, seed) for where in seas)
     if one == FIFTH:
         raise WrongAnswer(
             "where the diver begins one cell away from the shore, the policy picks up the fifth treasure, after"

@@ -925,7 +925,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and at a fork, where one way pays a sure 1 and the other
-# throws a coin for 5 or −2. It sees the steps that your program takes, and no line of it. So a mistake that it names
+# throws a coin for 5 or −2. It sees the steps that your program takes, and no line of it. So the mistake that it names
 # is only the likely one.
 
 # %% tags=["project"]

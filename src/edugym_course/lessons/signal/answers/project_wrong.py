@@ -164,7 +164,7 @@ def my_program(environment, n_steps, seed):
 
 # %% ε the wrong way round
 # slow
-# says: An action that looks best is as rare as a random one should be: have ε and 1 − ε changed places, or does the value of another action or state move than that of the action taken in the state that was left?
+# says: An action that looks best is as rare as a random one should be: have ε and 1 − ε changed places, or does the update move another value than Q(S, A), that of the action taken in the state that was left?
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(rng.integers(N)) if rng.random() > 0.1 else int(q.argmax())
