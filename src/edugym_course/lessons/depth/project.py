@@ -5,18 +5,25 @@ from functools import partial
 from typing import Any
 
 import gymnasium
+from gymnasium import spaces
 
 from edugym.adapters.fitting import tabular
 from edugym.agents.n_step_sarsa import NStepSARSA
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
-from edugym_course.grading.programs import Environment
+from edugym_course.grading.programs import NAME, Environment, run_program, shape_of
+from edugym_course.grading.replay import replay
 from edugym_course.grading.rule import Rule
+from edugym_course.grading.small_world import SmallWorld
+from edugym_course.grading.surprises import Surprises
 from edugym_course.lessons.depth.cuts import require_cuts
 from edugym_course.lessons.depth.slips import DISCOUNT, LEARNING_RATE, N, discounted, slips
 from edugym_course.lessons.depth.targets import EPSILON
 
 N_STEPS = 5_000
+AGAIN, AGAIN_STEPS = 4, 2_000
+"""How many numbers all states share where pairs come twice within n steps; and the steps there."""
 
 
 def agent(
@@ -114,4 +121,30 @@ def project_3(answer: Any, seed: int) -> str:
     """Check a program with n-step SARSA."""
     RULE.check(answer, seed)
     require_cuts(answer, seed)
+    require_todays_values(answer, seed)
     return f"Right: n rewards, and then a value. {compare_with_ours(answer, STUDY, seed)}"
+
+
+def require_todays_values(program: Any, seed: int) -> None:
+    """Refuse a program that keeps Q(S_τ, A_τ) from step τ, and subtracts it when the pair is learned.
+
+    It differs where a pair comes twice within n steps. What other programs learn there, as those that wait for the end
+    of an episode, is not judged.
+
+    Raises:
+        WrongAnswer: it does, or it breaks the contract.
+    """
+    world: Environment = gymnasium.wrappers.TransformObservation(
+        SmallWorld(seed, truncates=False), lambda state: state % AGAIN, spaces.Discrete(AGAIN)
+    )
+    steps = run_program(program, world, AGAIN_STEPS, seed).steps
+    today, old = (
+        Surprises.of(replay([steps], Learner(make), shape_of(world), EPSILON))
+        for make in (slips, partial(slips, old=True))
+    )
+    if old.explains_better_than(today):
+        raise WrongAnswer(
+            f"where a pair comes twice within n steps, the actions of {NAME} fit a usual mistake: what is subtracted"
+            " from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it may have changed"
+            " since"
+        )

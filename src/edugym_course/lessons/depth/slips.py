@@ -37,6 +37,7 @@ class FromDefinition:
         forgotten: how many of the last pairs of an episode are not learned.
         again: whether at the end of an episode all its pairs are learned, also those that were before.
         backwards: whether an episode is learned when it is over, from its last pair to its first.
+        old: whether the value that is subtracted is that from the time of the step.
         cut: what is learned where an episode is truncated: "rewards" alone, the largest "value" too, that of the pair
             "before", all rewards but the "last", or "nothing"; or nothing of "all" the episode, as in a program that
             learns when an episode is over.
@@ -57,11 +58,13 @@ class FromDefinition:
     forgotten: int = 0
     again: bool = False
     backwards: bool = False
+    old: bool = False
     cut: str = "rewards"
     cut_weight: Callable[[int], float] = lambda k: DISCOUNT**k
     cut_total: Callable[[Sequence[float]], float] = discounted
     _pairs: list[tuple[int, int]] = field(init=False, default_factory=list)
     _rewards: list[float] = field(init=False, default_factory=list)
+    _values: list[float] = field(init=False, default_factory=list)
 
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by ε-greedy."""
@@ -69,7 +72,7 @@ class FromDefinition:
 
     def forget_episode(self) -> None:
         """Begin an episode."""
-        self._pairs, self._rewards = [], []
+        self._pairs, self._rewards, self._values = [], [], []
 
     def learn(
         self,
@@ -83,6 +86,7 @@ class FromDefinition:
     ) -> None:
         """Learn the pairs whose rewards are complete."""
         self._pairs.append((state, action))
+        self._values.append(float(self.Q[state, action]))
         self._rewards.append(0.0 if truncated and self.cut == "last" else reward)
         over = terminated or truncated
         value_at_end = self._value_at_end(next_state, terminated)
@@ -98,7 +102,7 @@ class FromDefinition:
             total = self.cut_total if truncated else self.total
             target = discounted(rewards, first=tau) if self.from_start else total(rewards)
             moved = self._pairs[-1 if self.newest else tau]
-            self.Q[moved] += LEARNING_RATE * (target + after - self.Q[moved])
+            self.Q[moved] += LEARNING_RATE * (target + after - (self._values[tau] if self.old else self.Q[moved]))
         if over:
             self.forget_episode()
 

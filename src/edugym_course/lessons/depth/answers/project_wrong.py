@@ -345,3 +345,15 @@
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 0 or truncated or (over and tau < len(R) - n):
+
+# %% the old value of the pair
+# slow
+# says: where a pair comes twice within n steps, the actions of my_program fit a usual mistake: what is subtracted from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it may have changed since
+# in: three steps later
+# - S, A, R, over = [s], [choose(Q[s], rng)], [], False
+# + S, A, R, over, old = [s], [choose(Q[s], rng)], [], False, []
+# - s, r, terminated, truncated, _ = environment.step(A[-1])
+# + old.append(Q[s, A[-1]])
+# + s, r, terminated, truncated, _ = environment.step(A[-1])
+# - Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
+# + Q[S[tau], A[tau]] += 0.5 * (G - old[tau])
