@@ -89,6 +89,7 @@ def test_what_other_measures_say_follows_from_the_data() -> None:
     assert "DQN needs 0.50 [0.50, 0.50] more of the budget than the table" in text
 
 
+@pytest.mark.slow
 def test_sarsa_saves_while_it_learns_where_a_fall_is_dear() -> None:
     """And costs where it is cheap."""
     assert mean_interval(other_measures.saved_while_learning(-300.0)).low > 0.1

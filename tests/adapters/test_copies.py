@@ -252,9 +252,9 @@ def test_states_of_any_kind(name: str) -> None:
     [
         (0, "self.n[0] += 1", 1),
         (149, "self.n[0] += 1", 200_000),
-        (149, "n = self.n[:1]\n        n += 1", 200_000),
+        pytest.param(149, "n = self.n[:1]\n        n += 1", 200_000, marks=pytest.mark.slow),
         (149, "np.add(self.n, 1, self.n)", 200_000),
-        (149, "self.n.fill(self.n[0] + 1)", 200_000),
+        pytest.param(149, "self.n.fill(self.n[0] + 1)", 200_000, marks=pytest.mark.slow),
     ],
 )
 def test_what_an_mdp_counts(first: int, change: str, size: int) -> None:

@@ -17,11 +17,16 @@ from edugym import (
     UCT,
     EpsilonGreedy,
     GaussianActorCritic,
+    GoExplore,
     Hashed,
     HindsightDQN,
     HindsightQLearning,
     MDPEnv,
+    PrioritisedSweeping,
+    RMax,
+    SemiGradientSARSA,
     TabularObservation,
+    TreeBackup,
     load,
     make_mdp,
     save,
@@ -203,7 +208,10 @@ class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
     """A wrapper that changes nothing, but of which `train` cannot know it."""
 
 
-BUILT_SLOWLY = (DQN, UCT, GaussianActorCritic, HindsightDQN, HindsightQLearning)
+BUILT_SLOWLY = (
+    *(DQN, UCT, GaussianActorCritic, HindsightDQN, HindsightQLearning),
+    *(SemiGradientSARSA, PrioritisedSweeping, RMax, GoExplore, TreeBackup),
+)
 BUILT_FAST = [case for case in KINDS.values() if case.kind not in BUILT_SLOWLY]
 
 

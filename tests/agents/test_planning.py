@@ -31,14 +31,20 @@ def test_the_budget_of_planning(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [planning.lasts(99, began) for _ in range(4)] == [True, True, False, False]
 
 
-def test_planning_for_some_time(compiled_at_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Interpreted, and as long as it was told: the clock that is made up shows a millisecond more each time."""
+def test_planning_for_some_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As long as it was told: the clock that is made up shows a millisecond more each time."""
     agent = DynaQ.create((2, 1), planning_seconds=0.02, learning_rate=0.5)
     agent.learn(0, 0, 2.0, 1, True)
     with monkeypatch.context() as patch:
         patch.setattr(time, "perf_counter", (moment / 1000 for moment in itertools.count()).__next__)
         agent.act(0, RNG)
     assert 1.9999 < agent.Q[0, 0] < 2  # some twenty updates
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("compiled_at_once")
+def test_planning_for_some_time_is_interpreted() -> None:
+    """Machine code has no clock, and who trains such an agent is told."""
     with pytest.warns(UserWarning, match="cannot be compiled and runs interpreted"):
         train(Walk(), DynaQ.create((5, 2), planning_seconds=1e-9), 5_000, seed=0, evaluate_every=5_000)
 

@@ -159,6 +159,7 @@ def returns_in_trashbot(learning_rate: float) -> float:
     return float(train(mdp, agent, 100_000, seed=0, evaluate_every=100_000).returns[-1])
 
 
+@pytest.mark.slow
 def test_it_learns_continuous_trashbot() -> None:
     """It delivers the box (3 or more; in a trial in 20 of 20 runs), and not without learning."""
     assert returns_in_trashbot(0.01) > 3

@@ -205,15 +205,15 @@ REFUSED = {
 """Programs that are refused, and a word of the sentence that says why."""
 
 
-@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 6))])
+@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 12))])
 def test_late_lines(part: int) -> None:
     """All come to the same bits, or are refused with a sentence that names the line."""
-    for name, source in [*{**KEPT, **REPEATED}.items()][part::6]:
+    for name, source in [*{**KEPT, **REPEATED}.items()][part::12]:
         same, said, seen = method_both_ways(source)
         assert same, (name, seen)
         stops = any(word in said for word in ("stops where Python goes on", "more than 64 bits"))
         assert bool(said) == stops == (name in REPEATED), (name, said)
-    for name, (source, word) in [*REFUSED.items()][part::6]:
+    for name, (source, word) in [*REFUSED.items()][part::12]:
         same, said, seen = method_both_ways(source)
         assert same or "random" in source, (name, seen)  # those draws are not to be repeated
         assert word in said, (name, said)
@@ -323,7 +323,7 @@ def test_late_tasks(names: list[str]) -> None:
         assert word in said
 
 
-@pytest.mark.parametrize("seeds", [range(4), pytest.param(range(4, 180), marks=pytest.mark.slow)], ids=["4", "176"])
+@pytest.mark.parametrize("seeds", [range(1), pytest.param(range(1, 180), marks=pytest.mark.slow)], ids=["1", "179"])
 def test_methods_made_at_random(seeds: range) -> None:
     """Each comes to the same bits, or the same error at the same line."""
     wrong = {seed: seen for seed in seeds if not (seen := method_both_ways(method_program(seed)))[0]}

@@ -8,7 +8,7 @@ import pytest
 from gymnasium import spaces
 
 from edugym.adapters.fitting import tabular
-from edugym.adapters.registration import Entry, make_mdp
+from edugym.adapters.registration import ENVIRONMENTS, Entry, make_mdp
 from edugym.agents.q_learning import QLearning
 from edugym.checks.contract import learner
 from edugym.checks.interfaces import step_limit
@@ -18,7 +18,7 @@ from edugym.training.evaluated import GreedyActor
 from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
 from edugym.training.trainers import new_log
 from tests.contract.parameters import Keywords
-from tests.contract.play import CORNERS, every_environment, plain
+from tests.contract.play import CORNERS, plain
 
 N_STEPS = 2_000
 CORNERS_TO_COMPILE = [
@@ -129,7 +129,10 @@ def test_off_policy(name: str) -> None:
     assert interpreted == machine_code
 
 
-@every_environment
+@pytest.mark.parametrize(
+    "entry",
+    [pytest.param(one, id=one.name, marks=[pytest.mark.slow] * (one.name == "Catch")) for one in ENVIRONMENTS],
+)
 def test_chunks(entry: Entry) -> None:
     """A run in pieces of any size is the same as one run."""
     mdp, outcomes = as_table(entry), []

@@ -144,7 +144,9 @@ def test_the_model_against_a_player_is_that_of_the_mdp(player: int) -> None:
     assert edugym.table_size(mdp) == ((4, 2), (16, 2))[player]
 
 
-@pytest.mark.parametrize(("game", "discount"), [(Tag(3), 0.5), (games.Soccer.create(0.3), 0.9)])
+@pytest.mark.parametrize(
+    ("game", "discount"), [(Tag(3), 0.5), pytest.param(games.Soccer.create(0.3), 0.9, marks=pytest.mark.slow)]
+)
 def test_returns_are_those_of_play(game: Any, discount: float) -> None:
     """Many episodes of two random players come to what the model expects, within 5 standard errors.
 

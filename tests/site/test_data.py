@@ -151,7 +151,13 @@ def test_every_cell_is_in_the_picture(race: Race, k: int) -> None:
             assert -0.01 <= y <= y + height <= scene.height + 0.01
 
 
-@each_race
+@pytest.mark.parametrize(
+    "race",
+    [
+        pytest.param(race, id=race.environment, marks=[pytest.mark.slow] * (race.environment == "Supermarket"))
+        for race in RACES
+    ],
+)
 def test_every_state_has_its_picture(race: Race) -> None:
     """Background and parts together are what the environment draws, for states met in a game."""
     mdp, where = race.mdp(race.strength.first), MAPS[race.environment]

@@ -60,7 +60,9 @@ either_way = pytest.mark.parametrize("machine_code", [True, False], ids=["machin
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.slow] * (name in ("above the box", "below the box", "of many")))
+        pytest.param(
+            name, marks=[pytest.mark.slow] * (name in ("above the box", "below the box", "of a tuple", "of many"))
+        )
         for name in LATE
     ],
 )
@@ -113,7 +115,7 @@ KINDS = {"Learner": cell(LATE_LEARNER)["Learner"], "None": cell(NONE)["Learner"]
     [
         ("Learner", "machine code", 2),
         ("Learner", "machine code", -1),  # which is not the last one
-        ("None", "machine code", None),
+        pytest.param("None", "machine code", None, marks=pytest.mark.slow),
         *((kind, where, 2) for kind in ("Learner", "SARSA") for where in ("interpreted", "Gymnasium")),
         *(("None", where, None) for where in ("interpreted", "Gymnasium")),
     ],

@@ -177,7 +177,9 @@ def test_a_new_player_draws_one_of_the_best(name: str) -> None:
     assert counts == pytest.approx(n / n_actions, abs=4 * (n * (n_actions - 1)) ** 0.5 / n_actions)
 
 
-@pytest.mark.parametrize("name", PLAYERS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in ("REINFORCE", "ActorCritic"))) for name in PLAYERS]
+)
 def test_machine_code_does_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Tables, policies and returns are those of the interpreter, bit for bit."""
     runs = []
@@ -262,7 +264,7 @@ def test_returns_of_fixed_players() -> None:
     assert np.array_equal(run.policies[-1], policies)
 
 
-@pytest.mark.parametrize("player", [0, 1])
+@pytest.mark.parametrize("player", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_the_best_answer_to_a_fixed_player(player: int) -> None:
     """Against one who shows heads too often, Q-learning finds the best answer, which is known exactly."""
     often_heads = games.FixedPlayer.create(PENNIES, 1 - player, [[0.8, 0.2]])
@@ -324,10 +326,11 @@ def test_who_is_exploited() -> None:
     assert learner.low > 0.15
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("create", "settings"),
     [
-        pytest.param(games.MinimaxQ.create, {}, marks=pytest.mark.slow),
+        (games.MinimaxQ.create, {}),
         (q_learning, {"discount": 0.9, "initial_value": 1, "exploration": EpsilonGreedy(0.2)}),
     ],
 )

@@ -110,6 +110,7 @@ def test_bandits_that_show_every_arm() -> None:
     assert len({mdp.initial(np.random.default_rng(0)) for mdp in made}) == len(made)
 
 
+@pytest.mark.slow
 def test_a_program_that_only_knows_the_arm_is_refused() -> None:
     """Whoever always pulls one arm has no policy that follows from its steps."""
 

@@ -77,7 +77,7 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
     assert 0.8 < found.values[-20:].mean() < 1.0
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (2, 3))])
 def test_a_program_that_draws_its_actions(seed: int) -> None:
     """Our program passes; with a mistake it is told as this one."""
     project.check_equations(project.reinforce, seed)

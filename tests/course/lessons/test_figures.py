@@ -21,10 +21,13 @@ NO_SENTENCE = re.compile(
     r"(?i:and|but|nor|or|so|than|then|that|which|who|whose|it|its|they|their|this|these|too|also)\b|[a-z]{2,}"
 )
 """What begins a statement that needs the one before it: such a word, or a small letter (but `n = 1` may begin one)."""
-LONG_REPORTS = {"bandits", "several_agents", "search", "model_based"}
-"""The lessons whose reports take eight seconds or more."""
-QUICK_CELLS = {"objectives", "loop", "depth", "goals", "own_problem"}
-"""The lessons whose cells take some three seconds or less."""
+LONG_REPORTS = {
+    *("bandits", "several_agents", "search", "model_based", "profiles", "objectives", "goals", "signal"),
+    *("continuous_actions", "dimensionality", "depth"),
+}
+"""The lessons whose reports take two seconds or more."""
+QUICK_CELLS = {"loop", "own_problem"}
+"""The lessons whose cells take least. The reports of more lessons are quick, and are compared in the same way."""
 COUNTED = "(item|frame|sweep|step|reward|episode|word|run|hit)"
 BOUND = re.compile(
     r"at (?:least|most) ([\d.]+)|up to ([\d.]+)(?=,|$)|within ([\d.]+) of each|([\d.]+) or more"

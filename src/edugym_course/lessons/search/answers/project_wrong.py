@@ -94,6 +94,7 @@
 # + node = (*node, action)
 
 # %% the last reward
+# slow
 # says: two losses come before a gain
 # says: do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?
 # in: nodes are objects
@@ -101,6 +102,7 @@
 # + G = 0.9 * visit(child, after, left - 1)
 
 # %% the last reward of the roll-out
+# slow
 # says: do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?
 # in: a loop and a path
 # - G += weight * reward
@@ -123,6 +125,7 @@
 # + weight *= 1
 
 # %% five steps
+# slow
 # says: a reward comes nine steps later that is worth waiting for
 # says: does each simulation look
 # says: steps ahead, with a roll-out after the tree, and is γ not below 0.9?
@@ -223,6 +226,7 @@
 my_program = 3
 
 # %% the action that was simulated most often
+# slow
 # says: one action pays most, and each is simulated once
 # says: is the action with the highest *value* returned, and not the one that was simulated most often? Is the root in the tree from the start, so that the first simulation takes an action there?
 # in: a loop and a path
@@ -309,6 +313,7 @@ my_program = 3
 
 
 # %% the rewards on the way through the tree
+# slow
 # says: two losses come before a gain
 # says: do all rewards of a simulation count, those in the tree and those of the roll-out, and not only the last one?
 # in: a loop and a path
