@@ -118,7 +118,7 @@ play("MemoryCorridor", blind=True)
 # The package does this outside of the agent: it turns the task into one that *shows* the window, as one whole number,
 # the row of a table. The observations are the digits of that number, and the oldest ones are dropped from it. (Such
 # windows are also called frame stacks. An episode starts with $k$ copies of the first observation, and with action 0
-# between them.) In the code `n_recent` is the number of rows of a window without its oldest observation (and the action
+# between them.) In the code `n_recent` is the number of rows that a window would have without its oldest observation (and the action
 # after it), so `row % n_recent` drops these two. `inner` is the state of the corridor.
 
 # %%
@@ -201,12 +201,11 @@ pictures.recurrent_cell()
 # | all | tabular, $\alpha = 0.1$, $\gamma = 0.8$, ε-greedy with $\varepsilon = 0.1$, all values start at 0, ties broken at random |
 # | training | 100 000 steps |
 # | evaluation | 40 greedy episodes every 4 000 steps; their mean return |
-# | repetitions | 50; bands are 95 % intervals, most of them as thin as the lines |
+# | repetitions | 50; bands are 95 % intervals |
 #
 # The dotted lines show the best play that we could find for an agent that sees the window alone. Where the window does
-# not tell the right door, this play guesses. A search has found it: for each content of the window it picks the door
-# that adds most to the mean return over all sequences of doors, given the choices in all other windows, until nothing
-# gets better. (The optimum with full memory, 1 000, is far above the panels.)
+# not tell the right door, this play guesses. A search has found it. For each content of the window it keeps all other choices, and takes the door with the highest mean return
+# over all sequences of doors. It repeats this until no change helps. (With full memory it is 1 000.)
 #
 # The cell after the next is the whole experiment: one task for each window. `players.learn_all` makes these calls too,
 # and with `actions=True` the window shows actions as well.
@@ -244,7 +243,6 @@ helps.measured(same if abs(gain) <= 0.5 else higher if gain > 0 else lower)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It helps a lot: 9.7 instead of 6.9. The agent did choose its actions, but a table forgets them at once.
-# And the doors that it opened are just what it needs to know.
 #
 # All tables come close to the best play with their window. So Q-learning is not the problem: what is missing was thrown
 # away before the agent saw it.
@@ -370,7 +368,7 @@ for length in range(3, 9):
 # ### Aside: where the law with actions comes from
 # Say that corridor $L$ is the longest one that must be played without an error.
 #
-# - In every *shorter* corridor the agent must see two marks, to know its length (in corridors 1 and 2 the copies at the start stand in for one). That is hardest at the last unmarked
+# - In every *shorter* corridor the agent must see two marks, to know its length: with one alone, two corridors look the same where their doors agree (in corridors 1 and 2 the copies at the start stand in for one). That is hardest at the last unmarked
 #   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above is this moment
 #   for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
 #   $2L - 3$.
@@ -411,7 +409,7 @@ early.measured(
 #
 # **Measured.** It returns more: 6.9 against 6.0. The larger table is further from *its own* best. But 144 times as many
 # rows are not 144 times as much to learn: after 1 000 steps only about 74 of its 82 944 rows have a value other than 0,
-# and about 50 of the 576 rows of the smaller one. We think that this is why it is not behind at first. </details>
+# and about 50 of the 576 rows of the smaller one. We think that is why it is not behind. (Without actions, where it has less to gain, $k = 5$ is a little behind $k = 4$ for some 500 steps.) </details>
 
 # %% [markdown]
 # ### A network on the window
@@ -503,7 +501,7 @@ figures.twin_figure(8, 6, actions=True)
 # Three things come together.
 #
 # 1. Every right door of corridors 6 and 7 is still *in* the window of 7: it was opened 5 or 6 steps ago. What is
-#    missing (but at the first place of corridor 6) is the second mark, which tells how long the corridor is.
+#    missing (except at the first place of corridor 6) is the second last mark, which tells how long the corridor is.
 # 2. The actions tell it as well, most of the time. In a corridor of length $L$, each door that the agent has just
 #    opened on this walk is the door that it opened $L - 1$ steps before. A wrong length fits only by chance, in one
 #    case of three for each door that can be compared. In the last figure it fits, and even a window of 8 is not enough:
@@ -540,7 +538,7 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It ends near 16, between the two. Its mean is still rising when training ends. Nobody told it that there
+# **Measured.** It ends near 16, between the two. Its mean still rose in the last third of the training. Nobody told it that there
 # are marks, places or lengths. With observations alone, a window that never errs through corridor 5 would have to hold
 # 11 of them. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
 # throws it away. DQN draws its batches from the last 10 000 steps.) </details>
@@ -936,7 +934,7 @@ check(project_5, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An observation is what an agent sees, and a state is what
-# decides the future. Where they differ, the agent must build a state of its own from its history, and the history
+# decides the future. Where states that look alike want different actions, the agent must build a state of its own from its history, and the history
 # includes its own actions. A window is the simplest way: it keeps everything for a short time, and its table grows
 # exponentially with its length. A better memory keeps only what matters. Somebody must know what that is, or a network
 # must learn it.

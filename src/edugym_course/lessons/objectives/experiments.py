@@ -44,8 +44,10 @@ REPETITIONS = 10
 CONCAVITIES = (0.0, 0.5, 1.0)
 IN_A_DENT = ((1.0, LIMIT), (0.5, LIMIT), (1.0, 5))
 """Concavity and limit: the best dive within the limit is one that no weights prefer."""
+BETWEEN = ((0.0, 6), (0.0, 4))
+"""The same, but no dive takes exactly so many steps, and there is no dent."""
 ON_THE_HULL = ((0.0, LIMIT), (0.5, 9), (1.0, 17))
-"""The same, but some weights prefer it."""
+"""The best dive within the limit takes exactly so many steps, and some weights prefer it."""
 HIGH = 30.0
 """A first price at which no dive is worth its steps."""
 FAST = 0.05
@@ -98,7 +100,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
             {c: over_seeds(found_by_distance, c, whole_returns=True) for c in CONCAVITIES},
             {c: over_seeds(found_by_distance, c, whole_returns=False) for c in CONCAVITIES},
             {c: [sorted(found) for found in over_seeds(found_by_sets, c)] for c in CONCAVITIES},
-            {task: over_seeds(lagrangian, *task, times=MORE) for task in (*IN_A_DENT, *ON_THE_HULL)},
+            {task: over_seeds(lagrangian, *task, times=MORE) for task in (*IN_A_DENT, *BETWEEN, *ON_THE_HULL)},
             {
                 task: {name: over_seeds(lagrangian, *task, **settings) for name, settings in BEGINNINGS.items()}
                 for task in LEARNED
@@ -240,7 +242,7 @@ def distance_claims(whole: ByConcavity, rest: ByConcavity) -> list[Claim]:
 
 
 def limit_claims(limits: ByTask) -> list[Claim]:
-    """Return the claims on the limit: where the best dive lies in a dent, and where it does not."""
+    """Return the claims on the limit: where some price prefers a dive of exactly so many steps, and where none does."""
     claims = []
     for (c, limit), runs in limits.items():
         exact = constrained(c, limit)
@@ -257,7 +259,7 @@ def limit_claims(limits: ByTask) -> list[Claim]:
                 "share of the dives, second half",
                 found,
                 Within(overruns - 0.06, overruns + 0.06),
-                "no price prefers the best dive within the limit, so the agent changes between two others",
+                "no price prefers a dive of exactly so many steps, so the agent changes between two others",
                 tuple(map(kept, ON_THE_HULL)),
             ),
             Claim(

@@ -126,17 +126,18 @@ def lagrangian(
     rate: float = PRICE_RATE,
     *,
     known: bool = False,
+    first_time: float = 0.0,
 ) -> VectorRun:
     """Train Q-learning with a learned price of time, so that a dive takes at most `limit` steps on average.
 
-    It explores by first values that are too high, and in no other way. If the values are `known`, it has been trained
-    before, and only the price begins anew.
+    It explores by first values that are too high, and in no other way; that for time is `first_time`. If the values are
+    `known`, it has been trained before, and only the price begins anew.
     """
     mdp = diver(concavity)
     agent = LagrangianQLearning.create(
         mdp,
         [-float(limit)],
-        initial_values=(100.0, 0.0),
+        initial_values=(100.0, first_time),
         initial_multiplier=first_price,
         multiplier_rate=rate,
         learning_rate=1.0,

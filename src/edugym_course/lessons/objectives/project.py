@@ -165,7 +165,7 @@ def project_12(answer: Any, seed: int) -> str:
     if mine == NONE:
         raise WrongAnswer(
             f"{told} comes to no treasure, and {should}: does it look up the state that it is given, and take the best"
-            " action, and does each step after the seventh bring nothing?"
+            " action, does each step after the seventh bring nothing, and are the first values not too high?"
         )
     takes = (
         f"picks up the {_ordinal(mine)} one, worth {values[mine]:g}, after {STEPS_TO[mine]:g} step{'s' if mine else ''}"

@@ -300,3 +300,10 @@ def my_program(environment, n_steps, seed):
 # in: numbered rows, filled up
 # - window = Window(n, m, history[0])
 # + window = Window(n, m, 0)
+
+# %% a new generator in each episode
+# slow
+# says: So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?
+# in: tuples in a dictionary
+# - o, _ = environment.reset()
+# + (o, _), rng = environment.reset(), np.random.default_rng(seed)

@@ -62,7 +62,7 @@
 # says: with the treasures
 # says: comes to no treasure, and
 # says: it should pick up the
-# says: : does it look up the state that it is given, and take the best action, and does each step after the seventh bring nothing?
+# says: : does it look up the state that it is given, and take the best action, does each step after the seventh bring nothing, and are the first values not too high?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 1
