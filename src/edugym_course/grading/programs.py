@@ -122,8 +122,8 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
             self._refuse("takes a step before the first reset(): begin with state, info = environment.reset(seed=seed)")
         if self._is_over:
             self._refuse(
-                "takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True, and"
-                " go on from the state that it gives"
+                "takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True (and"
+                " use these names for nothing else), and go on from the state that it gives"
             )
         if self._is_new and len(self.steps) >= self._most:
             self._refuse(f"begins another episode after its {self._most} steps: count the steps of all episodes")

@@ -62,8 +62,11 @@ COST, MANY_BELOW_0 = 10.0, 0.2
 """So much less does each step bring in the world in which all values are below 0; and how many actions of a policy may
 not be the best ones there. With γ = 0.97 for 0.99 it was 8 %, and 39 % in a search from 0."""
 FALLS, GROWS = (
-    f"Their share {how} during a run: ε should be the same from the first step to the last, and rng made once"
-    for how in ("falls", "grows")
+    f"Their share {how} during a run: ε should be the same from the first step to the last, and rng made once{more}"
+    for how, more in (
+        ("falls", ""),
+        ("grows", "; or does a small mistake build up, such as a truncated end that is learned as a terminated one?"),
+    )
 )
 TOO_SELDOM = "So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?"
 NEVER_FIRST = "These are the first actions of episodes: an action after a reset is drawn by ε-greedy, too"
@@ -81,8 +84,8 @@ ELSEWHERE = (
 )
 FIRST = (
     "It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state"
-    " that reset() gives; and does the program learn from the first step of an episode as from the others, and at an"
-    " end from R alone?"
+    " that reset() gives; and does the program learn from the first step of an episode as from the others, and where"
+    " `terminated` is True from R alone?"
 )
 
 
@@ -219,6 +222,8 @@ class Rule:
         is_swapped = swapped.explains_better_than(likely) and float(swapped.logs.sum()) > by_chance + NATS
         if is_swapped and swapped.is_usual(slack=0.0):
             cause = SWAPPED if swapped.among(late).is_usual(slack=0.0) else FALLS
+        elif right.too_many < -SIGMAS * right.deviation:  # a wrong equation makes more, and not fewer
+            cause = TOO_SELDOM
         elif is_better and likely.explains_those_of(right, mistake.leaves) and self._resembles(likely, mistake):
             cause = f"They fit a usual mistake: {sentence}"
         else:

@@ -92,8 +92,8 @@ WRONG: dict[str, tuple[Any, str]] = {
     "no reset, caught": (swallows, "my_program takes a step before the first reset()"),
     "no second reset": (
         partial(plays, reset=lambda environment: None),
-        "my_program takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True,"
-        " and go on from the state that it gives",
+        "my_program takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True"
+        " (and use these names for nothing else), and go on from the state that it gives",
     ),
     "the seed again": (
         partial(plays, reset=lambda environment: environment.reset(seed=0)),

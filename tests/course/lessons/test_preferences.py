@@ -11,7 +11,7 @@ from edugym import policy_evaluation, value_iteration, with_rewards
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.own_problem.morning import Morning
-from edugym_course.lessons.preferences import methods, project
+from edugym_course.lessons.preferences import methods, project, teachers
 
 MODEL, REFERENCE = methods.model_of(Morning()), methods.half_right(Morning())
 
@@ -64,7 +64,7 @@ def test_a_learned_reward_is_paid_at_its_state() -> None:
 
 def test_what_is_meant_is_hidden() -> None:
     """The environment of the project pays nothing, and nothing below it can be reached by the usual name."""
-    environment = project.Silent(MDPEnv(project.TASK))
+    environment = project.Silent(MDPEnv(teachers.TASK))
     environment.reset(seed=0)
     while True:
         _, reward, terminated, _, info = environment.step(2)

@@ -34,6 +34,7 @@ class Fit(NamedTuple):
         far: how many σ they lie from μ, as the root of the mean square.
         apart: how far their (a − μ)/σ are from standard normal, as the Kolmogorov-Smirnov distance times √n.
         farthest: how many σ the farthest action lies from μ.
+        aside: how far the mean of (a − μ)/σ is from 0, times √n.
         linked: the mean product of (a − μ)/σ in two steps of an episode that follow each other, times √n.
         log: the logarithm of the density of all of them.
     """
@@ -42,6 +43,7 @@ class Fit(NamedTuple):
     far: float
     apart: float
     farthest: float
+    aside: float
     linked: float
     log: float
 
@@ -89,7 +91,7 @@ def fit(runs: Sequence[Sequence[Step]], make: Maker) -> Fit:
     is_first = [first for steps in runs for first in begins(steps)]
     products = [one * before for one, before, first in zip(z[1:], z, is_first[1:], strict=False) if not first]
     linked = sum(products) / math.sqrt(max(1, len(products)))
-    return Fit(n, math.hypot(*z) / math.sqrt(n), apart, max(map(abs, z)), linked, log)
+    return Fit(n, math.hypot(*z) / math.sqrt(n), apart, max(map(abs, z)), sum(z) / math.sqrt(n), linked, log)
 
 
 def require_drawn(runs: Sequence[Sequence[Step]]) -> None:
@@ -111,20 +113,20 @@ def require_gaussian(runs: Sequence[Sequence[Step]]) -> None:
         WrongAnswer: it names the likely cause.
     """
     found = fit(runs, Gaussians)
-    where = f"{NAME} has the right μ, so its actions should lie one σ from it (the root of the mean square), with the σ"
-    where += " that its own steps give by the equations of this lesson, and"
-    likely = next((sentence for sentence, make in WRONG_SPREADS.items() if fit(runs, make).is_usual), None)
-    if likely and not found.is_usual:
-        raise WrongAnswer(f"{where} they lie {found.far:.3g} σ from it. They fit a usual mistake: {likely}")
-    if abs(found.linked) > SIGMAS:
-        raise WrongAnswer(
-            f"{NAME} has the right μ, but too often two actions in a row lie on the same side of μ, or on different"
-            " ones. Draw the noise of each step anew"
+    is_centred = max(abs(found.aside), abs(found.linked)) < SIGMAS
+    if not (found.is_usual and is_centred):
+        likely = next((sentence for sentence, make in WRONG_SPREADS.items() if fit(runs, make).is_usual), None)
+        cause = (
+            f"They fit a usual mistake: {likely}"
+            if likely and not found.is_usual
+            else "Draw each action by rng.normal(μ, σ), anew in each step, with the μ and the σ that its state has now"
         )
-    if not found.is_one_away:
-        raise WrongAnswer(f"{where} they lie {found.far:.3g} σ from it. Are they drawn by rng.normal(μ, σ), each once?")
-    if not found.is_usual:
-        raise WrongAnswer(f"{where} so they do, but their distribution is not normal: draw them by rng.normal(μ, σ)")
+        raise WrongAnswer(
+            f"{NAME} has the right μ, so (A - μ)/σ, with the μ and the σ that its own steps give by the equations of"
+            f" this lesson, should be standard normal. In {found.n_steps} steps its mean is"
+            f" {found.aside / math.sqrt(found.n_steps):+.2f}, the root of its mean square {found.far:.2f}, and two in a"
+            f" row have the mean product {found.linked / math.sqrt(found.n_steps):+.2f}. {cause}"
+        )
     if found.is_cut:
         raise WrongAnswer(
             f"{NAME} has the right μ and σ, but none of its {found.n_steps} actions is farther than"

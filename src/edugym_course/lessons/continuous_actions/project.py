@@ -200,6 +200,7 @@ def check_equations(program: Any, seed: int) -> None:
     seeds = range(WORLDS * seed, WORLDS * (seed + 1))
     require_reproducible(program, partial(Boxes, seeds[0], truncates=True), TRIAL, seed)
     early = [_returned(program, Boxes(number, truncates=True), number, n) for n in EARLY for number in seeds]
+    early.append(_returned(program, Boxes(seeds[0], in_a_row=True), seeds[0], EARLY[-1]))
     require_drawn([run.steps for run in early])
     possible = _require_means(early, SAME, list(MISTAKES))
     late = [_returned(program, Boxes(number, truncates=True), number, N_STEPS) for number in seeds]

@@ -779,7 +779,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall
 # of height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an
-# idea of your own. (That of exercise 2 with α = 0.5, and that of exercise 3, often need more steps.) Some 30 lines are enough.
+# idea of your own. (That of exercise 2 with α = 0.5, that of exercise 3, and Go-Explore with many random steps in a row often need more steps.) Some 30 lines are enough.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode. In the end it returns its *policy*: a function that takes a state and returns an action, and climbs to the top
@@ -791,7 +791,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So the mistake
-# that it names is only the likely one. It cannot find one that does no harm.
+# that it names is only the likely one, and a mistake that does no harm passes. Ask your policy twice about a state: it gives the same action.
 
 # %% tags=["project"]
 my_program = ...  # your program

@@ -5,8 +5,10 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-import gymnasium
+import numpy as np
 
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.envs.boulder import Boulder
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import (
     APART,
@@ -24,7 +26,10 @@ LONG, SHORT = 10 * HEIGHT, 35
 grips; the five right programs tried need 2025 steps at most (40 walls, three grips)."""
 WALLS = ((2, LONG), (2, SHORT), (3, LONG), (2, SHORT))
 """The number of grips of each wall, and its step limit."""
-CUT = "with longer episodes they do. Does it go on from the state that reset() gives, after each episode? If so,"
+CUT = (
+    "with longer episodes they do. Does it go on from the state that reset() gives, after each episode, and is a step"
+    " that is truncated learned as any other, with the value of its next state? If so,"
+)
 LOW = 3
 """Places below this one are the foot of a wall."""
 CLIMBS = 20
@@ -36,14 +41,12 @@ BY_CHANCE = 0.8
 
 
 def wall(n_grips: int, layout_seed: int, max_steps: int) -> Environment:
-    """Make a wall. Its grips must not be the random numbers of a program that has the same seed."""
-    return gymnasium.make(
-        "edugym/Boulder-v0",
-        height=HEIGHT,
-        n_grips=n_grips,
-        layout_seed=APART + layout_seed,
-        max_steps=max_steps,
-    )
+    """Make a wall. Its grips must not be the random numbers of a program that has the same seed.
+
+    Its last grip is not 0, so that a policy must know that one, too.
+    """
+    boulder = Boulder.create(HEIGHT, n_grips, layout_seed=APART + layout_seed, max_steps=max_steps)
+    return MDPEnv(boulder._replace(grips=np.append(boulder.grips[:-1], max(1, boulder.grips[-1]))))
 
 
 def project_1(answer: Any, seed: int) -> str:
@@ -61,7 +64,7 @@ def project_1(answer: Any, seed: int) -> str:
             if_short = f"{CUT} " if max_steps == SHORT else ""
             raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {if_short}{_why(run, n_grips)}")
         without_a_fall = wall(n_grips, number, max_steps=HEIGHT)
-        actions_of(run.policy, [0], n_grips)
+        actions_of(run.policy, range(HEIGHT), n_grips)
         climbs = returns_of(run.policy, without_a_fall, CLIMBS, number)
         if climbs.min() < 1:
             raise WrongAnswer(

@@ -45,7 +45,8 @@ class Riddle(NamedTuple):
         asks_second: whether there is a second step; if not, the policy is asked about the first.
         goes_on: whether the episode of the first step goes on.
         idle: how many steps come before the first; they pay nothing, and their episodes are truncated.
-        n_paid: how many steps pay 1 before the second one; only runs count in which all of them have the same action.
+        pays: what the first step pays.
+        n_paid: how many steps pay this before the second one; only runs count in which they all have the same action.
         with_mean: the reward from which on who takes the *mean* over ties in the target takes the action again in half
             of the runs, and in none with `reward`.
         n_actions: how many there are. With two, a random one is the best one in half of the runs.
@@ -63,6 +64,7 @@ class Riddle(NamedTuple):
     asks_second: bool = True
     goes_on: bool = False
     idle: int = 0
+    pays: float = 1.0
     n_paid: int = 1
     with_mean: float | None = None
     n_actions: int = 2
@@ -134,6 +136,14 @@ RIDDLES = (
         _RATE,
         reward=-0.895,
         terminated=True,
+    ),
+    Riddle(
+        1.0,
+        "the first step pays 3 and ends its episode, and the same action then pays -2 and ends one too",
+        "a reward counts in full: is it cut off at 1, or divided by something?",
+        reward=-2.0,
+        terminated=True,
+        pays=3.0,
     ),
     Riddle(
         0.25,
@@ -249,7 +259,7 @@ class Twice(gymnasium.Env[Any, Any]):
         paid = self._taken <= self._riddle.n_paid
         if self._taken == self._riddle.n_paid + 1:
             return 0, self._riddle.reward, self._riddle.terminated, self._riddle.truncated, {}
-        return 0, float(paid), not (self._riddle.goes_on and paid), False, {}
+        return 0, self._riddle.pays * paid, not (self._riddle.goes_on and paid), False, {}
 
 
 def require_riddles(answer: Any, seed: int) -> None:

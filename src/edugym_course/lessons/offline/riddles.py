@@ -72,12 +72,6 @@ def _of_all_nights(n_rooms: int = 14) -> Riddle:
 
 RIDDLES = (
     Riddle(
-        ((79, ((FIRST, 2, 1.0),)), (1, ((FIRST, 1, 1.1),))),
-        right=2,
-        shows="action 2 brought 1 in each of 79 nights, and action 1 brought 1.1 in one night",
-        asks="what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps",
-    ),
-    Riddle(
         ((70, ((FIRST, 0, 1.0),)), (10, ((FIRST, 1, 6.0),))),
         right=1,
         shows="action 0 brought 1 in each of 70 nights, and action 1 brought 6 in each of 10",
@@ -114,19 +108,6 @@ RIDDLES = (
     ),
     Riddle(
         (
-            (39, ((FIRST, 0, 0.0), ("mostly", 0, 1.0))),
-            (1, ((FIRST, 0, 0.0), ("mostly", 2, 1.1))),
-            (40, ((FIRST, 2, 0.0), ("always", 1, 1.05))),
-        ),
-        right=2,
-        shows=(
-            "action 0 leads to a state in which action 0 brought 1 in 39 nights and action 2 brought 1.1 in one, and"
-            " action 2 to a state in which action 1 brought 1.05 in each of 40"
-        ),
-        asks="the penalty is part of the value of the next state, too: subtract it in each sweep, not only in the end",
-    ),
-    Riddle(
-        (
             (2, ((FIRST, 0, 8.0), ("good", 0, 10.0))),
             (38, ((FIRST, 0, 0.0), ("bad", 0, 0.0))),
             (40, ((FIRST, 1, 3.0), ("fair", 0, 0.0))),
@@ -150,7 +131,10 @@ RIDDLES = (
             "action 0 led in 25 nights to a state that brought 3, and in 15 to another that cost 20, and action 1 in 40"
             " to one that brought 0"
         ),
-        asks="what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state",
+        asks=(
+            "what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state. (Or"
+            " is an action that was never tried worth 0 in the targets, where it should be worth −90?)"
+        ),
     ),
     Riddle(
         (
@@ -167,6 +151,44 @@ RIDDLES = (
         ),
         asks="the first night counts, and so does the last",
         placed={0: 0, 79: 4},
+    ),
+    Riddle(
+        ((79, ((FIRST, 2, 1.0),)), (1, ((FIRST, 1, 1.1),))),
+        right=2,
+        shows="action 2 brought 1 in each of 79 nights, and action 1 brought 1.1 in one night",
+        asks="what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps",
+    ),
+    Riddle(
+        (
+            (39, ((FIRST, 0, 0.0), ("mostly", 0, 1.0))),
+            (1, ((FIRST, 0, 0.0), ("mostly", 2, 1.1))),
+            (40, ((FIRST, 2, 0.0), ("always", 1, 1.05))),
+        ),
+        right=2,
+        shows=(
+            "action 0 leads to a state in which action 0 brought 1 in 39 nights and action 2 brought 1.1 in one, and"
+            " action 2 to a state in which action 1 brought 1.05 in each of 40"
+        ),
+        asks="the penalty is part of the value of the next state, too: subtract it in each sweep, not only in the end",
+    ),
+    Riddle(
+        ((80, ((FIRST, 2, -5.0),)),),
+        right=2,
+        shows="action 2 cost 5 at once in each of 80 nights, and the other two were never tried",
+        asks="what was never tried is worth −90: what another action of its state brought tells nothing of it",
+    ),
+    Riddle(
+        (
+            (39, _corridor("mostly late", 0, 0.0, 1.0, 1.0)),
+            (1, (*_corridor("mostly late", 0, 0.0, 1.0, 1.0)[:-1], ("mostly late", 2, 1.1))),
+            (40, _corridor("always late", 2, 0.0, 1.05, 1.0)),
+        ),
+        right=2,
+        shows=(
+            "action 0 leads to a last step in which action 0 brought 1 in 39 nights and action 2 brought 1.1 in one,"
+            " and action 2 to a last step that brought 1.05 in each of 40"
+        ),
+        asks="the penalty belongs to the last step of a night, too",
     ),
 )
 

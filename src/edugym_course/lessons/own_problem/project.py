@@ -22,6 +22,9 @@ from edugym_course.lessons.own_problem.comparison import NAME, require_same
 
 EPISODES, SCRIPTED, MOST_STEPS = 100, 5, 10_000
 """How many episodes are played at random and with given actions, and how many steps one may take."""
+BEGUN, FIRST_STEPS, DIFFERENT = 60, 50, 5
+"""So many episodes are begun without a seed, and with seeds, for a few steps; so many of the latter differ if chance
+plays a part that shows."""
 
 Episode = list[tuple[Any, float]]
 """The observations and rewards of an episode; the first reward is 0."""
@@ -58,9 +61,18 @@ def project_10(answer: Any, seed: int) -> str:
     if not _plays_alone(environment, _made(answer), script, seed, new):
         raise WrongAnswer(
             "an episode changes when another environment of the same class plays beside it: all that changes belongs to"
-            " the object. Set it in reset, as self.state = [...], and change no list or number of the class"
+            " the object. Set it in reset, as self.state = [...], change no list or number of the class, and draw from"
+            " self.np_random alone, after super().reset(seed=seed)"
         )
-    if all(_same(_scripted(environment, [action] * MOST_STEPS, seed), new) for action in range(n_actions)):
+    if not _same(_scripted(_made(answer), [*np.array(script)], seed), new):
+        raise WrongAnswer(
+            f"with actions such as np.int64({script[0]}) in place of {script[0]} other episodes come. Agents often"
+            " choose whole numbers of NumPy, so compare an action by `==`, not by `is`, and do not ask for its type"
+        )
+    _require_new_luck(answer, script)
+    _require_new_start(answer, environment, script, seed)
+    repeated = [_scripted(environment, [action] * MOST_STEPS, seed) for action in range(n_actions)]  # each must end
+    if all(_same(episode, new) for episode in repeated):
         raise WrongAnswer("whatever the actions are, the same is observed and paid: what should the agent decide?")
     with student_code("Gymnasium's check_env"):
         check_env(_made(answer), skip_render_check=True)
@@ -123,6 +135,48 @@ def _plays_alone(environment: Environment, other: Environment, script: list[int]
     return _same(played, alone)
 
 
+def _require_new_luck(answer: Any, script: list[int]) -> None:
+    """Refuse an environment whose reset without a seed brings the same luck again and again."""
+    environment = _made(answer)
+    _begun(environment, script, 0)
+    unseeded = [_begun(environment, script, None) for _ in range(BEGUN)]
+    if all(_same(one, unseeded[0]) for one in unseeded):
+        seeded = [_begun(environment, script, number) for number in range(BEGUN)]
+        if sum(not _same(one, seeded[0]) for one in seeded) >= DIFFERENT:
+            raise WrongAnswer(
+                f"{BEGUN} episodes that begin with reset(), without a seed, are all the same, and with other seeds they"
+                " differ: hand the seed that reset was given on as it is, super().reset(seed=seed); where it is None,"
+                " self.np_random goes on"
+            )
+
+
+def _require_new_start(answer: Any, used: Environment, script: list[int], seed: int) -> None:
+    """Refuse an environment whose reset without a seed leaves something of the episodes before.
+
+    With equal generators an environment that was used should play as new ones do. Where new ones differ, the luck comes
+    from another generator, and nothing is said.
+    """
+    for index in range(BEGUN):
+        played = []
+        for environment in (used, _made(answer), _made(answer)):
+            if environment is not used:
+                environment.reset(seed=seed)
+            environment.np_random = np.random.default_rng(APART + index)
+            played.append(_begun(environment, script, None))
+        if not _same(played[1], played[2]):
+            return
+        if not _same(played[0], played[1]):
+            raise WrongAnswer(
+                f"after {EPISODES} episodes reset() begins another one than in a new environment: also without a seed,"
+                " it must set everything anew that an episode changes"
+            )
+
+
+def _begun(environment: Environment, script: list[int], seed: int | None) -> Episode:
+    """Play the first steps of an episode."""
+    return _episode(environment, partial(next, iter(script)), seed, FIRST_STEPS)
+
+
 def _scripted(environment: Environment, script: list[int], seed: int) -> Episode:
     """Play some episodes, each with the same actions, and return them as one."""
     played: Episode = []
@@ -132,8 +186,8 @@ def _scripted(environment: Environment, script: list[int], seed: int) -> Episode
     return played
 
 
-def _episode(environment: Environment, choose: Callable[[], int], seed: int | None) -> Episode:
-    """Play an episode, and check all that comes."""
+def _episode(environment: Environment, choose: Callable[[], int], seed: int | None, most: int = MOST_STEPS) -> Episode:
+    """Play an episode, or so many steps of one, and check all that comes."""
     with student_code("reset(seed=...)"):
         begun: Any = environment.reset(seed=seed)
     if not isinstance(begun, tuple) or len(begun) != 2 or not isinstance(begun[1], dict):
@@ -142,7 +196,7 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
             f" {in_short(begun)}"
         )
     episode = [(_observed(environment, begun[0], "reset"), 0.0)]
-    for _ in range(MOST_STEPS):
+    for _ in range(most):
         action = choose()
         with student_code(f"step({action})"):
             came: Any = environment.step(action)
@@ -167,6 +221,8 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
         episode.append((_observed(environment, observation, f"step({action})"), number("the reward", reward)))
         if terminated or truncated:
             return episode
+    if most < MOST_STEPS:
+        return episode
     raise WrongAnswer(
         f"an episode of {NAME} has not ended after {MOST_STEPS} steps, of random actions or of one action again and"
         " again: when is `terminated` or `truncated` True?"

@@ -455,12 +455,13 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 #   next_observation)`, one for each step from `reset` to the end. She may be asked at most `n_comparisons` times (the check allows 300).
 # - You may play as many nights as you like, to be compared, and to learn a policy for the rewards that you have learned.
 #   Q-learning needs many, and often a random action: the solution takes 3 000 nights, $\alpha = 0.1$ and $\varepsilon = 0.3$.
-# - A night has no discount: what comes late counts in full.
+# - A night has no discount: what comes late counts in full. It ends with `terminated`, after the last action.
+# - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
 #
-# The check works out exactly what your policy is worth to the teacher, for five seeds, and compares the middle one with ours. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds, if the clock that plays them still tries things at random.) Then it lets three *other* teachers answer, who want something
-# else, and a fourth one whose sleeper sleeps otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
+# The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more (ours is worth 8.1, and random buttons less than 0). (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds, if the clock that plays them still tries things at random.) Then it lets three *other* teachers answer, who want something
+# else, and two more whose sleepers sleep otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
 

@@ -12,116 +12,25 @@ from edugym.checks.parameters import in_short
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.regularised import with_rewards
 from edugym.mdp.protocol import Integers, Random
-from edugym.mdp.wrapper import wrapper
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.own_problem.morning import ASLEEP, AWAKE, CHIME, QUIET, RING, Morning, State
+from edugym_course.lessons.own_problem.morning import Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
-
-TASK = Morning(length=10, ring=6.0, late=30.0)
-"""Longer and dearer than that of the lesson: here a clock that does nothing is worth no more than random buttons."""
-
-
-@wrapper
-class Wish(NamedTuple):
-    """The same nights for somebody who wants something else.
-
-    Attributes:
-        mdp: the morning.
-        depths: what each depth of sleep is worth to her, at every step.
-        costs: what each action costs her.
-    """
-
-    mdp: Any
-    depths: tuple[float, float, float]
-    costs: tuple[float, float, float]
-
-    def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
-        """The depth of sleep, less the cost of the action."""
-        return self.depths[next_state[1]] - self.costs[action]
-
-
-@wrapper
-class Settled(NamedTuple):
-    """A sleeper who stays as she is after the first step, and a teacher who pays for a ring then, or for sleep at last.
-
-    A chime wakes her in one night of two, and is not paid: if only a ring woke her, it could share its reward with all
-    the steps in which she is awake, and then a discount would take most of that, too.
-
-    Attributes:
-        mdp: the morning.
-        soon: what she pays for a ring in the first step, which wakes her.
-        late: what she pays for silence in the last step, if the sleeper is still asleep.
-    """
-
-    mdp: Any
-    soon: float = 8.0
-    late: float = 11.0
-
-    def transition(self, state: State, action: int, rng: Random) -> State:
-        """A ring wakes her in the first step, a chime perhaps, and nothing changes her sleep after it."""
-        time, depth = state
-        if time > 0:
-            return time + 1, depth
-        return 1, AWAKE if action == RING or (action == CHIME and rng.random() < 0.5) else ASLEEP
-
-    def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
-        """Pay at once, or in the end."""
-        if state[0] == 0:
-            return self.soon if action == RING else 0.0
-        return self.late if next_state == (TASK.length, ASLEEP) and action == QUIET else 0.0
-
-
-class Other(NamedTuple):
-    """Another teacher, to whom only a part of what can be had is nothing.
-
-    Attributes:
-        wish: the morning, as she means it.
-        who: what she likes, for the sentence.
-        fewest: of the way from random buttons to the best clock, the share that the middle run must go.
-        why: which part of the method it takes.
-    """
-
-    wish: Wish
-    who: str
-    fewest: float
-    why: str
-
-
-_ONLY_HERS = (
-    "only her answers tell what is wanted: nothing that *you* know of good nights may be in the program, and time,"
-    " depth and action may each change what a step is worth"
+from edugym_course.lessons.preferences.teachers import (
+    AT_ONCE,
+    DOZERS,
+    FEWEST_PATIENT,
+    PARTS,
+    PATIENT_SEEDS,
+    SETTLED,
+    TASK,
 )
-DOZERS = (
-    Other(Wish(TASK, (0.0, 3.0, 0.0), (0.0, 0.5, 1.0)), "likes to doze", 0.4, _ONLY_HERS),
-    Other(Wish(TASK, (0.0, 3.0, -1.0), (0.5, 2.0, 0.0)), "likes to doze", 0.4, _ONLY_HERS),
-)
-"""A clock that was written by hand for the teacher of the text is worth little to them; each check asks one of them."""
-PARTS = (
-    Other(
-        Wish(TASK, (0.0, -6.0, 3.0), (0.0, 0.0, 4.0)),
-        "hates to doze",
-        0.65,
-        "after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the"
-        " error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few"
-        " comparisons asked, has each night the same luck, or is the depth left out?)",
-    ),
-    Other(
-        Wish(TASK, (-6.0, 0.0, 8.0), (8.0, 0.0, 0.0)),
-        "pays for silence at once, and is paid for it later",
-        0.65,
-        "is all that follows a step counted, in full and by the best action, with 0 after the end?",
-    ),
-)
-"""Wishes that mislead whoever leaves out a part. Of 18 right programs (tables of other kinds, planning, Q-learning,
-policy gradients, rounds, more and less of a prior) the middle run goes 0.8 of the way or more. Without p, or with its
-sign wrong, it goes 0.5 with the first; with γ = 0.5, it goes 0.34 with the second."""
-SETTLED, PATIENT_SEEDS, FEWEST_PATIENT = Settled(TASK), 8, 7
-"""Eight right programs choose sleep in 245 of 245 runs, and one with too few nights of Q-learning in 10 of 15; two with
-γ = 0.9 in 2 of 55, two with γ = 0.95 in 31 of 55, and one with a mean in none of 40. Other payments tell no better: the
-noise of the teacher blurs small ones, and of large ones both look alike."""
+
+N_ACTIONS, FEW_KINDS, MANY_SEEDS = 3, 0.1, 10
+"""The buttons; the share of the compared nights, at most, of which hardly any two differ; and how many resets with a
+seed are too many."""
 N_COMPARISONS = 300
 FEWEST = 20
 SEEDS, OTHER_SEEDS = 5, 3
@@ -136,6 +45,14 @@ Step = tuple[State, int, State]
 
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
     """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows."""
+
+    n_seeds = 0
+    """How often reset was given a seed."""
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        """Begin a night."""
+        self.n_seeds += seed is not None
+        return self.env.reset(seed=seed, options=options)
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Take a step, and pay nothing."""
@@ -153,6 +70,7 @@ class Teacher:
 
     Attributes:
         asked: how often she was asked.
+        nights: the actions of the nights that she compared.
         slip: the sentence of the first thing that she refused, "" if there is none.
     """
 
@@ -160,6 +78,7 @@ class Teacher:
         """Know what is meant."""
         self._mdp, self._most, self._rng = mdp, most, rng
         self.asked, self.slip = 0, ""
+        self.nights = list[tuple[int, ...]]()
 
     def __call__(self, first: Any, second: Any) -> bool:
         """Whether the first night is preferred to the second.
@@ -198,6 +117,7 @@ class Teacher:
             state = after
         if len(steps) != self._mdp.length:
             self._refuse(f"a night has {self._mdp.length} steps, from reset to the end, but one given has {len(steps)}")
+        self.nights.append(tuple(action for _, action, _ in steps))
         return total
 
     def _step(self, step: Any) -> Step:
@@ -224,11 +144,15 @@ class Judged(NamedTuple):
         meant: the exact return of its policy, as it is meant.
         actions: shape (S,): the action in each state.
         asked: how often it asked the teacher.
+        nights: the actions of the nights that she compared.
+        n_seeds: how often it gave a seed to reset.
     """
 
     meant: float
     actions: Integers
     asked: int
+    nights: list[tuple[int, ...]]
+    n_seeds: int
 
 
 def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
@@ -238,8 +162,9 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
         WrongAnswer: it breaks the contract, raises an error or does not end.
     """
     call = f"{NAME}(environment, compare, {N_COMPARISONS}, {seed})"
-    environment = Silent(MDPEnv(mdp))
-    environment.reset(seed=1_000_003 + seed)
+    morning = MDPEnv(mdp)
+    morning.reset(seed=1_000_003 + seed)
+    environment = Silent(morning)
     teacher = Teacher(mdp, N_COMPARISONS, np.random.default_rng([seed, 1]))
     with student_code(call):
         policy = program(environment, teacher, N_COMPARISONS, seed)
@@ -250,7 +175,8 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     actions = np.zeros(len(model.states), int)
     rows = np.flatnonzero(~model.terminal)
     actions[rows] = actions_of(policy, [np.array(model.states[row]) for row in rows], 3, "observation")
-    return Judged(policy_evaluation(model, actions).start, actions, teacher.asked)
+    meant = policy_evaluation(model, actions).start
+    return Judged(meant, actions, teacher.asked, teacher.nights, environment.n_seeds)
 
 
 @cache
@@ -272,6 +198,7 @@ def project_14(answer: Any, seed: int) -> str:
     found = [judged(answer, SEEDS * seed + number) for number in range(SEEDS)]
     if (asked := min(one.asked for one in found)) < FEWEST:
         raise WrongAnswer(f"{NAME} calls compare(first, second) {asked} times, and nothing else says what is wanted")
+    _require_fair_nights(found[0])
     ours, middle = our_returns(), sorted(found, key=lambda one: one.meant)[SEEDS // 2]
     told = f"the middle one of {SEEDS} runs makes a clock worth {middle.meant:.1f}"
     lowest = float(np.quantile(ours, LOW)) - SLACK
@@ -280,7 +207,26 @@ def project_14(answer: Any, seed: int) -> str:
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
     _check_other_wishes(answer, seed)
     _check_patience(answer, seed)
+    _check_first_step(answer, seed)
     return f"Right: {told} (ours {np.median(ours):.1f}); random buttons {_random():.1f}, the best clock {_best():.1f}."
+
+
+def _require_fair_nights(run: Judged) -> None:
+    """Refuse a program whose nights leave out a button, or have the same luck again and again.
+
+    Raises:
+        WrongAnswer: it is so.
+    """
+    if never := {*range(N_ACTIONS)} - {action for night in run.nights for action in night}:
+        raise WrongAnswer(
+            f"action {min(never)} is never taken in the nights that {NAME} compares: draw a random button among all of"
+            " them"
+        )
+    if run.n_seeds > MANY_SEEDS:
+        raise WrongAnswer(
+            f"{NAME} gives reset a seed {run.n_seeds} times, and each time the same luck begins: give it to the first"
+            " reset alone"
+        )
 
 
 def _check_other_wishes(answer: Any, seed: int) -> None:
@@ -317,8 +263,27 @@ def _check_patience(answer: Any, seed: int) -> None:
         )
 
 
+def _check_first_step(answer: Any, seed: int) -> None:
+    """Check that a program learns from the first step of a night.
+
+    Raises:
+        WrongAnswer: most of its clocks do not take what is paid there.
+    """
+    found = [judged(answer, OTHER_SEEDS * seed + number, AT_ONCE).meant for number in range(OTHER_SEEDS)]
+    if (taken := sum(meant > 0 for meant in found)) <= OTHER_SEEDS // 2:
+        raise WrongAnswer(
+            f"A last sleeper never wakes, and the teacher pays {AT_ONCE.soon:g} for a chime in the first step of a"
+            f" night. Only {taken} of {OTHER_SEEDS} clocks ring it: the first step of both nights has its reward, too"
+        )
+
+
 def symptom(run: Judged) -> str:
     """Return what a policy that is worth too little looks like, and the likely cause."""
+    if len({*run.nights}) < FEW_KINDS * len(run.nights):
+        return (
+            f"in the {len(run.nights)} nights that you compare only {len({*run.nights})} different rows of actions are"
+            " taken: make rng once, before the first night, and draw anew in each step"
+        )
     actions = run.actions[~model_of(TASK).terminal]
     if len({*actions.tolist()}) == 1:
         return (
@@ -326,7 +291,10 @@ def symptom(run: Judged) -> str:
             " and the action where they belong?"
         )
     if run.meant < _random() - 2:
-        return "that is worse than random buttons; does the *preferred* night gain, and is the *best* action taken?"
+        return (
+            "that is worse than random buttons; does the *preferred* night gain, is p a sigmoid of the difference, are"
+            " all comparisons learned from, and is the *best* action taken?"
+        )
     if run.meant < _random() + 4:
         return (
             "that is hardly better than random buttons; do the rewards change with every comparison, and does the"
@@ -337,8 +305,9 @@ def symptom(run: Judged) -> str:
     return (
         "it has learned something; does every step of both nights count, as often as it was taken, with its time, depth"
         " and action, are there enough passes over the comparisons, and enough nights with random actions in them to"
-        " learn the policy? Has its target the largest value of the *next* state, without a discount, and 0 after the"
-        " last step?"
+        " learn the policy? Has its target the largest value of the *next* state, without a discount, and in the last"
+        " step the reward alone? Does it go on from the next observation, is α large enough, and does the policy take"
+        " the best action by these values, and not by the rewards?"
     )
 
 

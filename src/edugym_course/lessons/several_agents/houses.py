@@ -17,6 +17,9 @@ UNPAID = N_ACTIONS**2
 """How much larger the number of such a state is if chance paid nothing."""
 SAFE = ((9.0, 6.0, 12.0), (0.0, -3.0, 3.0), (-6.0, -9.0, -3.0))
 """What player 0 gets in a room in which its first action is best whatever the other does."""
+TRAP = ((-2.0, -2.0, -12.0), (-3.0, -3.0, -3.0), (-4.0, -4.0, -3.5))
+"""What player 0 gets in a room in which its first action is best until player 1 takes its third. Player 1 gains by all
+of its actions, so it has no reason to try another one, but for its random moves."""
 ROCK = np.array(DARING)
 WILD = (0.1, 1.5, 0.5, 0.1, 0.5)
 """How much hangs on the actions in each room, from the one that is worth least on.
@@ -166,6 +169,12 @@ def _chance(rng: Random) -> House:
     return House(rng.integers(1, 5, (N_ACTIONS, 2)), rooms, (HALL,) * UNPAID, pays=np.zeros((N_ACTIONS, 2)), luck=0.8)
 
 
+def _traps(rng: Random) -> House:
+    """Rooms in which the danger shows in random moves of player 1 alone."""
+    rooms = np.stack([_turned(TRAP, rng) for _ in range(4)])
+    return House(rng.integers(1, 5, (N_ACTIONS, N_ACTIONS)), rooms, (HALL,) * N_ACTIONS**2)
+
+
 AFTER_THE_END = (
     "after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated`"
     " the target is R alone"
@@ -178,7 +187,12 @@ ROOMS = Riddle(
 CHANCE = Riddle(
     _chance,
     "there chance says whether an action is paid, so one reward tells little: Q moves by α (T - Q), with α about 0.2."
-    " (And does each player have as many actions as `action_space` says?)",
+    " (And does each player have as many actions as `action_space` says, and are random ones drawn among all of them?)",
+)
+TRAPS = Riddle(
+    _traps,
+    "there player_1 gains by each of its actions, and by one of them a lot, if player_0 does not expect it:"
+    " player_1 takes one random action in five, too",
 )
 RIDDLES = (
     ROOMS,
@@ -207,4 +221,5 @@ RIDDLES = (
         "its episodes are truncated, not terminated: the clock was stopped, and the next state still has its value, so"
         " only `terminated` makes R alone the target; and S' is what step() gave, not what reset() gives after it",
     ),
+    TRAPS,
 )

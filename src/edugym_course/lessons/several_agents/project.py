@@ -32,6 +32,11 @@ SLOW = 0.6
 """Who still loses much, but less than this share of it after longer training, learns too slowly."""
 SURE = 0.99
 """An action with this probability or more leaves nothing to chance."""
+NO_CHANCE = (
+    "It has no chance in it: the best action against what the other does now is known to the other, too; the policy is"
+    " that of the matrix game, as solve_zero_sum finds it. (It has none either where hardly any pair of actions was"
+    " tried: are some moves random?)"
+)
 
 
 class Watched:
@@ -169,7 +174,10 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
                 "It is random play: does the policy that is returned come from what was learned, and is the last step"
                 " of an episode learned from, too?"
             )
-        if np.abs(policy - policy[0]).max() == 0:
+        is_same = np.abs(policy - policy[0]).max() == 0
+        if is_same and policy[1].max() > SURE:
+            return f"{NO_CHANCE} And it is the same in each state: does it look up the state that it is given?"
+        if is_same:
             return "It is the same in each state: does it look up the state that it is given?"
         worth = game.rooms[1].sum(axis=1)
         if policy[2, worth.argmin()] > SURE:
@@ -184,11 +192,7 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
                 " begin with the state that reset gives?"
             )
         if policy[1].max() > SURE:
-            return (
-                "It has no chance in it: the best action against what the other does now is known to the other, too;"
-                " the policy is that of the matrix game, as solve_zero_sum finds it. (It has none either"
-                " where hardly any pair of actions was tried: are some moves random?)"
-            )
+            return NO_CHANCE
     if riddle is CHANCE:
         return f"Look at this state: {riddle.asks}"
     apart = game._replace(is_apart=True)

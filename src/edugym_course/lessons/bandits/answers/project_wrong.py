@@ -21,6 +21,7 @@
 # + means[arm] += (reward - means[arm]) / sum(pulls)
 
 # %% sums
+# slow
 # says: rewards are added up and not averaged, so the arm that is pulled most looks best: divide by N
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
@@ -50,7 +51,6 @@
 # + means[arm] = (means[arm] * (pulls[arm] - 1) + (reward > 0)) / pulls[arm]
 
 # %% the worst arm
-# slow
 # says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
 # in: with lists
 # - top = max(means)
@@ -65,7 +65,6 @@
 # + return int(np.argmax(means))
 
 # %% forgets at the end of an episode
-# slow
 # says: what was learned is forgotten at the end of an episode; the arms stay the same
 # in: with lists
 # - environment.reset(seed=seed if taken == 0 else None)
@@ -93,6 +92,7 @@
 # + policy = lambda state: int(np.argmax(means))
 
 # %% another generator
+# slow
 # says: does not repeat itself
 # in: with lists
 # - rng = np.random.default_rng(seed)
@@ -291,7 +291,6 @@
 # + arm = rng.choice(np.flatnonzero(bound == bound.max()))
 
 # %% each tenth pull
-# slow
 # says: in two runs with other seeds
 # says: late pulls are at the same step, and both of another arm than the best, and by chance it should be some 70
 # says: : draw in each step whether the arm is random, and do not count to ten
@@ -384,6 +383,7 @@
 # + means[arm] += reward / pulls[arm]
 
 # %% only truncated ends
+# slow
 # says: takes a step after the end of an episode: call reset() when `terminated` or `truncated` is True
 # in: with lists
 # - over, taken = terminated or truncated, taken + 1

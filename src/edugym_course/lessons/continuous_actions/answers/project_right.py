@@ -1,4 +1,5 @@
 # %% lists of an episode
+# slow
 def my_program(environment, n_steps, seed):
     n = environment.observation_space.n
     mu, ls, V = np.zeros(n), np.zeros(n), np.zeros(n)

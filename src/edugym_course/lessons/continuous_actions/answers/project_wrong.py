@@ -68,7 +68,11 @@
 # + mu[S[k]] += step * z / sigma
 
 # %% the variance
-# says:  has the right μ, so its actions should lie one σ from it (the root of the mean square), with the σ that its own steps give by the equations of this lesson, and they lie
+# slow
+# says:  has the right μ, so (A - μ)/σ, with the μ and the σ that its own steps give by the equations of this lesson, should be standard normal. In
+# says:  steps its mean is
+# says: , the root of its mean square
+# says: , and two in a row have the mean product
 # says: They fit a usual mistake:
 # says: the standard deviation of the actions is σ² and not σ: NumPy's rng.normal(μ, σ) takes σ itself
 # in: lists of an episode
@@ -100,6 +104,7 @@
 # + mu, ls, V = np.zeros(n), np.full(n, 0.5), np.zeros(n)
 
 # %% no bounds
+# slow
 # says: σ is not kept between 0.2 and 2
 # in: lists of an episode
 # - ls[S[k]] = min(max(ls[S[k]], np.log(0.2)), np.log(2))
@@ -135,6 +140,7 @@
 # + state, _ = environment.reset()
 
 # %% lists that are never emptied, from the first step
+# slow
 # says: all earlier episodes are learned from again at the end of each: empty the lists of the episode when it has learned from them
 # in: lists of an episode
 # - t, s = 0, environment.reset(seed=seed)[0]
@@ -176,6 +182,7 @@
 # + for k in range(len(S) - 1):
 
 # %% always σ = 1
+# slow
 # says: the actions are drawn with the standard deviation 1, and it should be the σ that is learned
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
@@ -348,6 +355,7 @@
 # + V[S[k]] += 0.1 * (R[k] + (0.8 * V[S[k + 1]] if k + 1 < len(S) else 0.0) - V[S[k]])
 
 # %% no upper bound
+# slow
 # says: where the farthest actions pay most, so that σ grows to 2,
 # says:  keep it between 0.2 and 2 after each step, and draw with it
 # in: lists of an episode
@@ -426,12 +434,14 @@
 # + s, r, terminated, truncated, _ = environment.step(min(max(a, -1), 1))
 
 # %% cut off far out
+# slow
 # says: : give the environment what is drawn, not cut off and not rounded; and draw anew at each step, from one generator that is made before the first
 # in: lists of an episode
 # - s, r, terminated, truncated, _ = environment.step(a)
 # + s, r, terminated, truncated, _ = environment.step(min(max(a, -3), 3))
 
 # %% means that are cut off
+# slow
 # says:  should return μ =
 # says: , by its own steps, and it returns
 # says: : after each step keep σ between 0.2 and 2, and let μ go as far as it goes
@@ -462,7 +472,7 @@
 # + return lambda s: round(mu[s], 1)
 
 # %% a uniform draw
-# says: so they do, but their distribution is not normal: draw them by rng.normal(μ, σ)
+# says: Draw each action by rng.normal(μ, σ), anew in each step, with the μ and the σ that its state has now
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
 # + a = mu[s] + 1.7320508 * np.exp(ls[s]) * rng.uniform(-1, 1)
@@ -474,14 +484,26 @@
 # + return lambda s: mu
 
 # %% one draw for the whole episode
-# says: my_program has the right μ, but too often two actions in a row lie on the same side of μ, or on different ones. Draw the noise of each step anew
+# slow
+# says: not cut off and not rounded; and draw anew at each step, from one generator that is made before the first
 # in: lists of an episode
 # - S, A, R, over = [], [], [], False
 # + S, A, R, over, z0 = [], [], [], False, rng.standard_normal()
 # -         a = rng.normal(mu[s], np.exp(ls[s]))
 # +         a = mu[s] + np.exp(ls[s]) * z0
 
+# %% noise that stays a while
+# slow
+# says: Draw each action by rng.normal(μ, σ), anew in each step, with the μ and the σ that its state has now
+# in: lists of an episode
+# - t, s = 0, environment.reset(seed=seed)[0]
+# + t, z0, s = 0, 0.0, environment.reset(seed=seed)[0]
+# -         a = rng.normal(mu[s], np.exp(ls[s]))
+# +         z0 = 0.6 * z0 + 0.8 * rng.standard_normal()
+# +         a = mu[s] + np.exp(ls[s]) * z0
+
 # %% a Gaussian that is cut at 2.5 σ
+# slow
 # says: σ from μ: give the environment what is drawn, and do not cut it off
 # in: lists of an episode
 # - a = rng.normal(mu[s], np.exp(ls[s]))
@@ -510,3 +532,24 @@
 # in: lists of an episode
 # - return lambda s: mu[s]
 # + return lambda s: None
+
+# %% the middle of another state
+# slow
+# says: Draw each action by rng.normal(μ, σ), anew in each step, with the μ and the σ that its state has now
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = rng.normal(mu[s - 1], np.exp(ls[s]))
+
+# %% a little above the middle
+# slow
+# says: Draw each action by rng.normal(μ, σ), anew in each step, with the μ and the σ that its state has now
+# in: lists of an episode
+# - a = rng.normal(mu[s], np.exp(ls[s]))
+# + a = rng.normal(mu[s] + 0.05, np.exp(ls[s]))
+
+# %% the first four steps of an episode
+# slow
+# says: No usual mistake gives these numbers. Compare the rates, γ, the bounds of σ and the first values with those of the text, and the updates with their equations, term by term; does it learn in all states, from all steps of an episode, and from each once? Does each episode begin with empty lists, and its G with 0? Does the policy return μ as it is?
+# in: lists of an episode
+# - for k in range(len(S)):
+# + for k in range(min(len(S), 4)):

@@ -30,10 +30,12 @@ class Boxes(gymnasium.Env[Any, Any]):
     Args:
         seed: the number from which the middles and the numbers of the states are drawn.
         truncates: whether some episodes are cut off before the last box.
+        in_a_row: whether there are six boxes, each over a container of its own.
     """
 
-    def __init__(self, seed: int, truncates: bool = False) -> None:
+    def __init__(self, seed: int, truncates: bool = False, in_a_row: bool = False) -> None:
         """Draw the containers."""
+        self._boxes, self._width = (BOXES * WIDTH, 1) if in_a_row else (BOXES, WIDTH)
         n, rng = BOXES * WIDTH, np.random.default_rng(APART + seed)
         self.observation_space = spaces.Discrete(n)
         self.action_space = spaces.Box(-math.inf, math.inf, (), np.float64)
@@ -43,15 +45,15 @@ class Boxes(gymnasium.Env[Any, Any]):
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Begin with one of the first containers."""
         super().reset(seed=seed)
-        self._place = int(self.np_random.integers(WIDTH))
+        self._place = int(self.np_random.integers(self._width))
         return int(self._states[self._place]), {}
 
     def step(self, action: float) -> tuple[int, float, bool, bool, dict[str, Any]]:
         """Let go of a box."""
         pays = float(reward(np.array(action - self._middles[self._place])))
-        layer = self._place // WIDTH + 1
-        self._place = layer % BOXES * WIDTH + (pays < 2.0)
-        terminated = layer == BOXES
+        layer = self._place // self._width + 1
+        self._place = layer % self._boxes * self._width + min(pays < 2.0, self._width - 1)
+        terminated = layer == self._boxes
         truncated = bool(self._truncates and not terminated and self.np_random.random() < CUT_OFF)
         return int(self._states[self._place]), pays, terminated, truncated, {}
 

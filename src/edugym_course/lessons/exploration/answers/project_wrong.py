@@ -53,7 +53,7 @@ def my_program(environment, n_steps, seed):
 # + a = known[s] if s in known else int(rng.integers(2))
 
 # %% the policy seldom tries
-# says: but the policy that it returns does so in
+# says: draws its actions: asked twice about one state, it gives two of them in
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: known[s] if rng.random() > 0.1 else int(rng.integers(n_actions))
@@ -66,7 +66,7 @@ def my_program(environment, n_steps, seed):
 # + return lambda s: known[s] if rng.random() > 0.01 else int(rng.integers(n_actions))
 
 # %% the policy tries
-# says: but the policy that it returns does so in
+# says: draws its actions: asked twice about one state, it gives two of them in
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: known[s] if rng.random() > 0.5 else int(rng.integers(n_actions))
@@ -122,9 +122,15 @@ def my_program(environment, n_steps, seed):
 
 # %% goes on from the old state
 # says: , where an episode is truncated after 35 steps
-# says: with longer episodes they do. Does it go on from the state that reset() gives, after each episode? If so,
+# says: with longer episodes they do. Does it go on from the state that reset() gives, after each episode, and is a step that is truncated learned as any other, with the value of its next state? If so,
 # in: one grip after another, without chance
 # - s = environment.reset()[0] if over or cut else s2
 # + s = s2
 # + if over or cut:
 # +     environment.reset()
+
+# %% the last grip is not known
+# says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), and from the state that reset gives in each episode?
+# in: one grip after another, without chance
+# - return lambda s: grip[s]
+# + return lambda s: grip[s] if s < len(grip) - 2 else 0

@@ -248,7 +248,7 @@ def my_program(environment, n_steps, seed):
 # %% an ε that grows
 # slow
 # says: in small worlds
-# says: in the second. Their share grows during a run: ε should be the same from the first step to the last, and rng made once
+# says: in the second. Their share grows during a run: ε should be the same from the first step to the last, and rng made once; or does a small mistake build up, such as a truncated end that is learned as a terminated one?
 # in: ε-greedy written out
 # - if rng.random() < 0.1:
 # + if rng.random() < 0.05 + 0.15 * _ / n_steps:

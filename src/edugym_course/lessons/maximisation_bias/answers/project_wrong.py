@@ -151,6 +151,7 @@
 # + return lambda state: int((Q1 + Q2)[state].argmin())
 
 # %% the wrong sign
+# slow
 # says: does a value move *towards* the target, and is the best action that with the *largest* value?
 # in: two tables and a dictionary of names
 # - own[state, action] += 0.1 * (target - own[state, action])
@@ -216,6 +217,7 @@
 # + own[state, action] = target
 
 # %% more and more at random
+# slow
 # says: it takes its favourite action in
 # says: steps, and it should in about 90%: is ε 0.1?
 # in: two tables and a dictionary of names
@@ -412,3 +414,11 @@
 # in: two tables and a dictionary of names
 # - own, other = (Q1, Q2) if rng.random() < 0.5 else (Q2, Q1)
 # + own, other = (Q1, Q2) if rng.random() < 0.38 else (Q2, Q1)
+
+# %% rewards that are cut off
+# slow
+# says: the first step pays 3 and ends its episode, and the same action then pays -2 and ends one too
+# says: a reward counts in full: is it cut off at 1, or divided by something?
+# in: two tables and a dictionary of names
+# - target = reward
+# + target = float(np.clip(reward, -1, 1))

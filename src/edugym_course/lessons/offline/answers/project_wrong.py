@@ -9,7 +9,7 @@
 # + Q = np.where(counts > 0, sums / n - 2.0 / np.sqrt(n), 0.0)
 
 # %% the worst action
-# says: that is worse than the clock that collected the nights; does it take the *best* action, by its own state?
+# says: that is worse than the clock that collected the nights; does it take the *best* action, by its own state, and is no sign wrong?
 # in: sums and counts
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state].argmin())
@@ -28,7 +28,7 @@
 # + Q = counts
 
 # %% always quiet
-# says: it chooses the same action in every state; are the values looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the best action taken?
+# says: it chooses the same action in every state, as it does where all values of a state are equal; are they looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the best action taken?
 def my_program(steps, n_states, n_actions, seed):
     return lambda state: 0
 
@@ -111,7 +111,7 @@ my_program = [0, 1, 2]
 
 # %% a median
 # says: action 0 led in 25 nights to a state that brought 3, and in 15 to another that cost 20
-# says: what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state
+# says: what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state. (Or is an action that was never tried worth 0 in the targets, where it should be worth −90?)
 def my_program(steps, n_states, n_actions, seed):
     seen = {}
     for s, a, *step in steps:
@@ -143,7 +143,7 @@ def my_program(steps, n_states, n_actions, seed):
 
 
 # %% the most frequent next state
-# says: what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state
+# says: what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state. (Or is an action that was never tried worth 0 in the targets, where it should be worth −90?)
 def my_program(steps, n_states, n_actions, seed):
     found = {}
     for s, a, *step in steps:
@@ -173,3 +173,37 @@ def my_program(steps, n_states, n_actions, seed):
 # - for s, a, *_ in steps:
 # + steps = steps[:-10]
 # + for s, a, *_ in steps:
+
+# %% what was never tried is worth the mean of the others
+# says: action 2 cost 5 at once in each of 80 nights, and the other two were never tried
+# says: what was never tried is worth −90: what another action of its state brought tells nothing of it
+# in: sums and counts
+# - V = Q.max(axis=1)
+# + tried = np.where(counts > 0, Q, 0.0).sum(axis=1) / np.maximum(1, (counts > 0).sum(axis=1))
+# + Q = np.where((counts > 0) | (counts.sum(axis=1, keepdims=True) == 0), Q, tried[:, None])
+# + V = Q.max(axis=1)
+
+# %% no penalty in the last step
+# says: action 0 leads to a last step in which action 0 brought 1 in 39 nights and action 2 brought 1.1 in one, and action 2 to a last step that brought 1.05 in each of 40
+# says: the penalty belongs to the last step of a night, too
+# in: sums and counts
+# - counts[s, a] += 1
+# + counts[s, a] += 1
+# + ends = {(s, a) for s, a, _, _, terminated in steps if terminated}
+# + last = np.array([[(s, a) in ends for a in range(n_actions)] for s in range(n_states)])
+# - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
+# + Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n) * ~last), lowest)
+
+# %% equal steps count once
+# says: every step counts in the mean of its pair, with its own reward and next state (+= adds, and = forgets)
+# in: sums and counts
+# - counts = np.zeros(shape)
+# + counts, steps = np.zeros(shape), sorted(set(steps))
+
+# %% the index among the actions that were tried
+# says: . (It misses
+# says:  such log-books, so
+# says: look at what is simple first: the index of each count and value, whether every step is used, and what the policy returns
+# in: sums and counts
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: int(Q[state][counts[state] > 0].argmax()) if counts[state].any() else 0

@@ -120,7 +120,7 @@
 
 # %% the action of the old episode
 # slow
-# says: It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state that reset() gives; and does the program learn from the first step of an episode as from the others, and at an end from R alone?
+# says: It is so in the first step of episodes, and not in the others: after a reset, choose the action anew, in the state that reset() gives; and does the program learn from the first step of an episode as from the others, and where `terminated` is True from R alone?
 # in: the next action is kept
 # - s2, _ = environment.reset()
 # - a2 = choose(Q[s2], rng)

@@ -97,6 +97,7 @@ class MyEnvironment(gym.Env):
 
 
 # %% beside a problem that draws otherwise
+# slow
 import gymnasium as gym
 from gymnasium import spaces
 
@@ -138,6 +139,7 @@ MyEnvironment = (ByHand, Queue())
 
 
 # %% beside a problem of many places
+# slow
 import gymnasium as gym
 from gymnasium import spaces
 

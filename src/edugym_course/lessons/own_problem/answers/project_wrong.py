@@ -174,6 +174,7 @@ class MyEnvironment(gymnasium.Env):
 # + self.state = DAY.transition(before, 0 if action == 1 else action, self.np_random)
 
 # %% beside its problem: the clock stops her
+# slow
 # says: it terminates
 # says: at the observation (7, 0), it terminates in 0% of all cases in MyEnvironment, and in 100% in your problem
 # in: beside the problem that it should be
@@ -207,6 +208,7 @@ class MyEnvironment(gymnasium.Env):
 # + MyEnvironment = (ByHand, edugym.make_mdp("Trashbot"))
 
 # %% beside its problem: no end penalty
+# slow
 # says: there follows
 # says:  with the reward
 # says:  and the end
@@ -216,12 +218,14 @@ class MyEnvironment(gymnasium.Env):
 # -     pays -= 3 * self.stock
 
 # %% beside its problem: a smaller store
+# slow
 # in: beside a problem of many places
 # says: , and in your problem
 # - self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0)
 # + self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 9) - wanted, 0)
 
 # %% beside its problem: other customers
+# slow
 # says: chance is another in many places; in one of them,
 # says:  there follows
 # says:  cases in
@@ -231,12 +235,14 @@ class MyEnvironment(gymnasium.Env):
 # + wanted = int(self.np_random.choice(3, p=[0.4, 0.3, 0.3]))
 
 # %% beside its problem: more than it can hold
+# slow
 # says: in MyEnvironment, and in your problem there follows
 # in: beside a problem of many places
 # - self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0)
 # + self.hour, self.stock = self.hour + 1, max(min(self.stock + action, 10) - wanted, 0 if self.hour % 2 else 1)
 
 # %% beside its problem: observed otherwise
+# slow
 # says: an episode begins with
 # says: : do both observe the same, in the same form?
 # in: beside a problem of many places
@@ -244,6 +250,7 @@ class MyEnvironment(gymnasium.Env):
 # + return np.array([5, 0]), {}
 
 # %% beside its problem: no end penalty, where a reward is drawn
+# slow
 # says: random play gets
 # says:  in an episode of
 # in: beside a problem of many places
@@ -254,6 +261,7 @@ class MyEnvironment(gymnasium.Env):
 # + pays += self.np_random.random()
 
 # %% beside its problem: begins elsewhere now and then
+# slow
 # says: % of all cases in
 # says: an episode begins with
 # in: beside a problem of many places
@@ -275,7 +283,8 @@ class MyEnvironment(gymnasium.Env):
 # + MyEnvironment = (ByHand, Stock())
 
 # %% all environments have one state
-# says: an episode changes when another environment of the same class plays beside it: all that changes belongs to the object. Set it in reset, as self.state = [...], and change no list or number of the class
+# slow
+# says: an episode changes when another environment of the same class plays beside it: all that changes belongs to the object. Set it in reset, as self.state = [...], change no list or number of the class, and draw from self.np_random alone, after super().reset(seed=seed)
 # in: a walk in the wind
 # - self.place = int(self.np_random.integers(3, 6))
 # - self.steps = 0
@@ -288,3 +297,36 @@ class MyEnvironment(gymnasium.Env):
 # in: a walk in the wind
 # - return self.place, {}
 # + return float(self.place), {}
+
+# %% one action never ends
+# slow
+# says: an episode of MyEnvironment has not ended after 10000 steps, of random actions or of one action again and again: when is `terminated` or `truncated` True?
+# in: a walk in the wind
+# - self.place += -1 if (action == 0) != wind else 1
+# + self.place = min(max(self.place + (0 if action == 1 else -1 if wind else 1), 0), 8)
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, -1.0, over, False, {}
+
+# %% the same luck in each episode
+# slow
+# says:  episodes that begin with reset(), without a seed, are all the same, and with other seeds they differ: hand the seed that reset was given on as it is, super().reset(seed=seed); where it is None, self.np_random goes on
+# in: a walk in the wind
+# - super().reset(seed=seed)
+# + super().reset(seed=seed or 0)
+
+# %% the steps are counted on
+# says:  episodes reset() begins another one than in a new environment: also without a seed, it must set everything anew that an episode changes
+# in: a walk in the wind
+# - self.steps = 0
+# - return self.place, {}
+# + if seed is not None or self.steps == 50:
+# +     self.steps = 0
+# + return self.place, {}
+
+# %% actions of Python alone
+# says: with actions such as np.int64(
+# says: ) in place of
+# says:  other episodes come. Agents often choose whole numbers of NumPy, so compare an action by `==`, not by `is`, and do not ask for its type
+# in: a walk in the wind
+# - self.place += -1 if (action == 0) != wind else 1
+# + self.place += -1 if (isinstance(action, int) and action == 0) != wind else 1

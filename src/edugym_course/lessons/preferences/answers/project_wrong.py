@@ -10,14 +10,14 @@
 # says: the middle one of
 # says: runs makes a clock worth
 # says: , and it should be worth
-# says: that is worse than random buttons; does the *preferred* night gain, and is the *best* action taken?
+# says: that is worse than random buttons; does the *preferred* night gain, is p a sigmoid of the difference, are all comparisons learned from, and is the *best* action taken?
 # in: visits as vectors
 # - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
 # + rewards += 0.02 * (differences.T @ (1 - preferred - p) - 0.1 * rewards)
 
 # %% both nights gain
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and 0 after the last step?
+# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and in the last step the reward alone? Does it go on from the next observation, is α large enough, and does the policy take the best action by these values, and not by the rewards?
 # in: visits as vectors
 # - differences.append(visits(first) - visits(second))
 # + differences.append(visits(first) + visits(second))
@@ -48,7 +48,7 @@
 
 # %% the last step alone
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and 0 after the last step?
+# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and in the last step the reward alone? Does it go on from the next observation, is α large enough, and does the policy take the best action by these values, and not by the rewards?
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, depth), action, _ in steps[-1:]:
@@ -208,3 +208,36 @@ my_program = [0, 1, 2]
 # in: visits as vectors
 # - preferred.append(float(compare(first, second)))
 # + preferred.append(float(compare(first, first)))
+
+# %% the first step has no reward
+# slow
+# says: A last sleeper never wakes, and the teacher pays
+# says: for a chime in the first step of a night. Only
+# says: clocks ring it: the first step of both nights has its reward, too
+# in: visits as vectors
+# - for (time, depth), action, _ in steps:
+# + for (time, depth), action, _ in steps[1:]:
+
+# %% random nights without a ring
+# slow
+# says: action 2 is never taken in the nights that my_program compares: draw a random button among all of them
+# in: visits as vectors
+# - first, second = (night_of(lambda state: int(rng.integers(3))) for _ in range(2))
+# + first, second = (night_of(lambda state: int(rng.integers(2))) for _ in range(2))
+
+# %% the same buttons in each night
+# slow
+# says: nights that you compare only
+# says: different rows of actions are taken: make rng once, before the first night, and draw anew in each step
+# in: visits as vectors
+# - first, second = (night_of(lambda state: int(rng.integers(3))) for _ in range(2))
+# + draws = [np.random.default_rng(seed + k) for k in range(2)]
+# + first, second = (night_of(lambda state: int(draw.integers(3))) for draw in draws)
+
+# %% the same luck in each night
+# slow
+# says: my_program gives reset a seed
+# says: times, and each time the same luck begins: give it to the first reset alone
+# in: visits as vectors
+# - observation, _ = environment.reset()
+# + observation, _ = environment.reset(seed=seed)

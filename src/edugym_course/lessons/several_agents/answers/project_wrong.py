@@ -226,7 +226,7 @@ my_program = games.MinimaxQ
 
 # %% no learning rate
 # slow
-# says: there chance says whether an action is paid, so one reward tells little: Q moves by α (T - Q), with α about 0.2. (And does each player have as many actions as `action_space` says?)
+# says: there chance says whether an action is paid, so one reward tells little: Q moves by α (T - Q), with α about 0.2. (And does each player have as many actions as `action_space` says, and are random ones drawn among all of them?)
 # in: all pairs at random
 # - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
 # + Q[state, a, o] = target
@@ -262,3 +262,23 @@ my_program = games.MinimaxQ
 # in: all pairs at random
 # - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
 # + Q[state, a, o] = 0.2 * (target - Q[state, a, o])
+
+
+# %% player 1 tries nothing
+# slow
+# says: there player_1 gains by each of its actions, and by one of them a lot, if player_0 does not expect it: player_1 takes one random action in five, too
+# in: a class, lists, and player 1 who answers
+# - def draw(self, p):
+# -     if self.rng.random() < 0.3:
+# + def draw(self, p, epsilon=0.3):
+# +     if self.rng.random() < epsilon:
+# - a, o = both.draw(both.pi[s]), both.draw(both.rho[s])
+# + a, o = both.draw(both.pi[s]), both.draw(both.rho[s], 0.0)
+
+
+# %% the best action of one state for all
+# slow
+# says:  And it is the same in each state: does it look up the state that it is given?
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + return lambda _: np.eye(shape[1])[Q[state].mean(axis=1).argmax()]
