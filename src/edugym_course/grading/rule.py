@@ -190,6 +190,8 @@ class Rule:
     ) -> None:
         """Refuse a program with too many surprises, or such as the likeliest of the usual mistakes explains better."""
         sentence, mistake = usual
+        if len({step.action for steps in runs for step in steps}) < shape[1]:
+            self._require_tries(runs, shape)
         right = Surprises.of(replay(runs, self.right, shape, self.epsilon))
         likely = Surprises.of(replay(runs, mistake, shape, self.epsilon))
         is_better = likely.explains_better_than(right, mistake.nats)
@@ -226,6 +228,11 @@ class Rule:
             cause = TOO_SELDOM
         elif is_better and likely.explains_those_of(right, mistake.leaves) and self._resembles(likely, mistake):
             cause = f"They fit a usual mistake: {sentence}"
+            if right.is_usual():  # their number tells nothing
+                raise WrongAnswer(
+                    f"in small worlds with {right.found.size} steps the actions of {NAME} follow from its own steps by"
+                    f" another equation than that of this lesson. {cause}"
+                )
         else:
             others = right.among(~first)
             only_first = others.is_usual(NEAR) and others.are_drawn() and not right.among(first).is_usual(NEAR)

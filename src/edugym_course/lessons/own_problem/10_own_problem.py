@@ -973,13 +973,13 @@ play("my_problem.py")
 #
 # - `__init__` sets `self.observation_space`, and `self.action_space`, which is `Discrete(n)` with two actions or more.
 # - `reset(self, *, seed=None, options=None)` begins with `super().reset(seed=seed)`, which makes the generator
-#   `self.np_random`. It sets everything anew, in `self` and not in the class, and returns the first observation and a dictionary.
+#   `self.np_random`; without a seed that one goes on. It sets everything anew, in `self` and not in the class, and returns the first observation and a dictionary.
 # - `step(self, action)` returns the observation, the reward, *terminated* (it is over), *truncated* (it is only cut off) and a dictionary. Every episode ends within 10 000 steps,
-#   also if one action is taken again and again: if in doubt, truncate it.
+#   also if one action is taken again and again: if in doubt, truncate it. An action may be a whole number of Python or of NumPy.
 # - The same seed and the same actions give the same episode.
 #
 # The check plays many episodes and calls Gymnasium's own checker. It cannot know what you mean. If this is your problem
-# of exercise 4, write `check(project_10, (MyEnvironment, my_problem))` instead: this compares how often each observation follows, with which reward, and when an episode ends.
+# of exercise 4, write `check(project_10, (MyEnvironment, my_problem))` instead: this compares which observation follows how often, with which reward, and when an episode ends.
 # (Both must observe the same numbers, in the same order and form.) If you wrote
 # the program of lesson 0, let it learn this; it needs a `Discrete` observation space, so number your states.
 

@@ -117,6 +117,7 @@
 
 # %% first values of 1
 # slow
+# says:  steps the actions of my_program follow from its own steps by another equation than that of this lesson.
 # says: the first values are 1; in the text they are 0
 # in: with lists
 # - means, pulls = [0.0] * n, [0] * n
@@ -405,3 +406,10 @@
 # + total, N, order = np.zeros(n), np.zeros(n), rng.permutation(n)
 # - arm = rng.choice(np.flatnonzero(Q == Q.max()))
 # + arm = order[np.argmax(Q[order])]
+
+# %% an arm that does not exist for it
+# slow
+# says: times: is the random action one of *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so
+# in: with lists
+# - n = int(environment.action_space.n)
+# + n = int(environment.action_space.n) - 1

@@ -44,7 +44,7 @@ def exercise_1(answer: Any, seed: int, looks: Looks = 1) -> str:
         if not same(case.found, case.expected)
     ]
     compare_all(found, otherwise=parts[0] if parts else UNUSUAL)
-    doors, length = 2, 9
+    doors, length = 2, 10  # 3^46, more than NumPy has room for
     call = f"table_rows({doors}, {length})"
     with student_code(call):
         size = answer(doors, length)
