@@ -934,7 +934,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $\alpha^\theta = 0.005$, $\alpha^w = 0.1$, $\gamma = 0.8$, and begin with $\mu = 0$, $\sigma = 1$ and $V = 0$.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# In the check an arm lets go of three boxes, one after another, each over a container whose middle it does not know. A
+# In the check an arm lets go of three boxes, one after another (of six in one short run), each over a container whose middle it does not know. A
 # box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. (In a second
 # task the farthest actions pay most, so $\sigma$ grows.) Your program draws its actions, so none of them is right or
 # wrong. But its own steps tell, by the equations, which $\mu$ it should return, and from which Gaussians it should have

@@ -791,7 +791,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program on several walls. It sees the steps that your program takes, and no line of it. So the mistake
-# that it names is only the likely one, and a mistake that does no harm passes. Ask your policy twice about a state: it gives the same action.
+# that it names is only the likely one, and a mistake that does no harm passes. Asked again about a state, your policy must give the same action.
 
 # %% tags=["project"]
 my_program = ...  # your program

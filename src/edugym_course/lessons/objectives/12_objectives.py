@@ -546,7 +546,7 @@ check(project_12, my_program)
 # - Chebyshev distances of whole dives found every treasure for the weights that ask for it. Without the steps so far they missed it for most
 #   weights.
 # - Pareto Q-learning found all nine in one run, without weights.
-# - A learned price kept its limit on average. Single dives kept it where a treasure that some price prefers takes exactly as many steps. Elsewhere, in a dent or between two treasures, a third of the dives or more broke it in the end, and this was the exact
+# - A learned price kept its limit on average. In most runs all late dives kept it where a treasure that some price prefers takes exactly as many steps. Elsewhere, in a dent or between two treasures, a third of the dives or more broke it in the end, and this was the exact
 #   optimum of what was asked.
 # - While the price was learned some 70 dives took too long. At this limit a high first price delayed them, and in most runs it saved hardly any.
 #
