@@ -1,5 +1,6 @@
 """The project of lesson 14: learn from a teacher's comparisons alone, from a blank file."""
 
+from collections import Counter
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -29,7 +30,7 @@ from edugym_course.lessons.preferences.teachers import (
 )
 
 N_ACTIONS, FEW_KINDS, MANY_SEEDS = 3, 0.1, 10
-"""The buttons; the share of the compared nights, at most, of which hardly any two differ; and how many resets with a
+"""The buttons; the share of the compared nights, at most, of which hardly any two differ; and how many resets with one
 seed are too many."""
 N_COMPARISONS = 300
 FEWEST = 20
@@ -46,12 +47,14 @@ Step = tuple[State, int, State]
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
     """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows."""
 
-    n_seeds = 0
-    """How often reset was given a seed."""
+    def __init__(self, environment: gymnasium.Env[Any, Any]) -> None:
+        """Count the seeds that reset is given."""
+        super().__init__(environment)
+        self.seeds = Counter[int | None]()
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin a night."""
-        self.n_seeds += seed is not None
+        self.seeds[seed] += seed is not None
         return self.env.reset(seed=seed, options=options)
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
@@ -145,7 +148,7 @@ class Judged(NamedTuple):
         actions: shape (S,): the action in each state.
         asked: how often it asked the teacher.
         nights: the actions of the nights that she compared.
-        n_seeds: how often it gave a seed to reset.
+        n_seeds: how often it gave reset one and the same seed.
     """
 
     meant: float
@@ -176,7 +179,7 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     rows = np.flatnonzero(~model.terminal)
     actions[rows] = actions_of(policy, [np.array(model.states[row]) for row in rows], 3, "observation")
     meant = policy_evaluation(model, actions).start
-    return Judged(meant, actions, teacher.asked, teacher.nights, environment.n_seeds)
+    return Judged(meant, actions, teacher.asked, teacher.nights, max([0, *environment.seeds.values()]))
 
 
 @cache
@@ -224,8 +227,8 @@ def _require_fair_nights(run: Judged) -> None:
         )
     if run.n_seeds > MANY_SEEDS:
         raise WrongAnswer(
-            f"{NAME} gives reset a seed {run.n_seeds} times, and each time the same luck begins: give it to the first"
-            " reset alone"
+            f"{NAME} gives reset the same seed {run.n_seeds} times, and each time the same luck begins: give it to the"
+            " first reset alone"
         )
 
 

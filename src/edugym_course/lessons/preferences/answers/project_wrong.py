@@ -236,7 +236,7 @@ my_program = [0, 1, 2]
 
 # %% the same luck in each night
 # slow
-# says: my_program gives reset a seed
+# says: my_program gives reset the same seed
 # says: times, and each time the same luck begins: give it to the first reset alone
 # in: visits as vectors
 # - observation, _ = environment.reset()
