@@ -34,7 +34,7 @@ class Fit(NamedTuple):
         far: how many σ they lie from μ, as the root of the mean square.
         apart: how far their (a − μ)/σ are from standard normal, as the Kolmogorov-Smirnov distance times √n.
         farthest: how many σ the farthest action lies from μ.
-        aside: how far the mean of (a − μ)/σ is from 0, times √n.
+        aside: the mean of (a − μ)/σ, times √n.
         linked: the mean product of (a − μ)/σ in two steps of an episode that follow each other, times √n.
         log: the logarithm of the density of all of them.
     """

@@ -128,8 +128,8 @@ def project_3(answer: Any, seed: int) -> str:
 def require_todays_values(program: Any, seed: int) -> None:
     """Refuse a program that keeps Q(S_τ, A_τ) from step τ, and subtracts it when the pair is learned.
 
-    It differs where a pair comes twice within n steps. What other programs learn there, as those that wait for the end
-    of an episode, is not judged.
+    Such a program differs where a pair comes twice within n steps. So do programs that wait for the end of an episode,
+    and they are not judged here.
 
     Raises:
         WrongAnswer: it does, or it breaks the contract.

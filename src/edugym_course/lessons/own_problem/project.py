@@ -153,23 +153,23 @@ def _require_new_luck(answer: Any, script: list[int]) -> None:
 def _require_new_start(answer: Any, used: Environment, script: list[int], seed: int) -> None:
     """Refuse an environment whose reset without a seed leaves something of the episodes before.
 
-    With equal generators an environment that was used should play as new ones do. Where new ones differ, the luck comes
-    from another generator, and nothing is said.
+    With equal generators an environment that was used should play as new ones do. Where new ones with other seeds
+    differ, the luck comes from a generator of their own, and nothing is said.
     """
+    played: list[list[Episode]] = []
     for index in range(BEGUN):
-        played = []
-        for environment in (used, _made(answer), _made(answer)):
-            if environment is not used:
-                environment.reset(seed=seed)
+        new, other = _made(answer), _made(answer)
+        new.reset(seed=seed)
+        other.reset(seed=seed + 1)
+        played.append([])
+        for environment in (used, new, other):
             environment.np_random = np.random.default_rng(APART + index)
-            played.append(_begun(environment, script, None))
-        if not _same(played[1], played[2]):
-            return
-        if not _same(played[0], played[1]):
-            raise WrongAnswer(
-                f"after {EPISODES} episodes reset() begins another one than in a new environment: also without a seed,"
-                " it must set everything anew that an episode changes"
-            )
+            played[-1].append(_begun(environment, script, None))
+    if all(_same(new, other) for _, new, other in played) and not all(_same(old, new) for old, new, _ in played):
+        raise WrongAnswer(
+            f"after {EPISODES} episodes reset() begins another one than in a new environment: also without a seed, it"
+            " must set everything anew that an episode changes"
+        )
 
 
 def _begun(environment: Environment, script: list[int], seed: int | None) -> Episode:

@@ -45,17 +45,23 @@ Step = tuple[State, int, State]
 
 
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
-    """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows."""
+    """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows.
+
+    Attributes:
+        seeds: how often reset was given each seed.
+    """
 
     def __init__(self, environment: gymnasium.Env[Any, Any]) -> None:
         """Count the seeds that reset is given."""
         super().__init__(environment)
-        self.seeds = Counter[int | None]()
+        self.seeds = Counter[int]()
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin a night."""
-        self.seeds[seed] += seed is not None
-        return self.env.reset(seed=seed, options=options)
+        begun = self.env.reset(seed=seed, options=options)  # it refuses what is no seed
+        if seed is not None:
+            self.seeds[seed] += 1
+        return begun
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Take a step, and pay nothing."""
@@ -148,14 +154,14 @@ class Judged(NamedTuple):
         actions: shape (S,): the action in each state.
         asked: how often it asked the teacher.
         nights: the actions of the nights that she compared.
-        n_seeds: how often it gave reset one and the same seed.
+        same_seed: how often it gave reset one and the same seed.
     """
 
     meant: float
     actions: Integers
     asked: int
     nights: list[tuple[int, ...]]
-    n_seeds: int
+    same_seed: int
 
 
 def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
@@ -179,7 +185,7 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     rows = np.flatnonzero(~model.terminal)
     actions[rows] = actions_of(policy, [np.array(model.states[row]) for row in rows], 3, "observation")
     meant = policy_evaluation(model, actions).start
-    return Judged(meant, actions, teacher.asked, teacher.nights, max([0, *environment.seeds.values()]))
+    return Judged(meant, actions, teacher.asked, teacher.nights, max(environment.seeds.values(), default=0))
 
 
 @cache
@@ -225,10 +231,10 @@ def _require_fair_nights(run: Judged) -> None:
             f"action {min(never)} is never taken in the nights that {NAME} compares: draw a random button among all of"
             " them"
         )
-    if run.n_seeds > MANY_SEEDS:
+    if run.same_seed > MANY_SEEDS:
         raise WrongAnswer(
-            f"{NAME} gives reset the same seed {run.n_seeds} times, and each time the same luck begins: give it to the"
-            " first reset alone"
+            f"{NAME} gives reset the same seed {run.same_seed} times, and each time the same luck begins: give it to"
+            " the first reset alone"
         )
 
 

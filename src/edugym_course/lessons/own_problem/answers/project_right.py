@@ -45,6 +45,18 @@ class MyEnvironment(gymnasium.Env):
         return self.place, -1.0, over, self.steps == 50, {}
 
 
+# %% a generator of its own
+# in: a walk in the wind
+# - super().reset(seed=seed)
+# + super().reset(seed=seed)
+# + if seed is not None or not hasattr(self, "rng"):
+# +     self.rng = np.random.default_rng(seed)
+# - self.place = int(self.np_random.integers(3, 6))
+# + self.place = int(self.rng.integers(3, 6))
+# - wind = self.np_random.random() < 0.2
+# + wind = self.rng.random() < 0.2
+
+
 # %% beside the problem that it should be
 # says: Right: Gymnasium's checker passes it. Random play takes 8.0 steps and gets
 #   -8.99. It plays like Morning.
