@@ -61,12 +61,10 @@ SWAPPED = (
 COST, MANY_BELOW_0 = 10.0, 0.2
 """So much less does each step bring in the world in which all values are below 0; and how many actions of a policy may
 not be the best ones there. With γ = 0.97 for 0.99 it was 8 %, and 39 % in a search from 0."""
-FALLS, GROWS = (
-    f"Their share {how} during a run: ε should be the same from the first step to the last, and rng made once{more}"
-    for how, more in (
-        ("falls", ""),
-        ("grows", "; or does a small mistake build up, such as a truncated end that is learned as a terminated one?"),
-    )
+FALLS = "Their share falls during a run: ε should be the same from the first step to the last, and rng made once"
+GROWS = (
+    "Their share grows during a run: ε should be the same from the first step to the last, and rng made once; or does"
+    " a small mistake build up, such as a truncated end that is learned as a terminated one?"
 )
 TOO_SELDOM = "So it seldom tries an action at random: is ε that of the text to the last step, and rng made once?"
 NEVER_FIRST = "These are the first actions of episodes: an action after a reset is drawn by ε-greedy, too"

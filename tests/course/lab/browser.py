@@ -9,7 +9,7 @@ import sys
 import time
 import urllib.request
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -28,6 +28,12 @@ LESSON_SECONDS = 300
 FAILED = """cell => cell.cell_type === 'code' && !cell.metadata.tags?.includes('raises-exception')
             && cell.outputs.some(output => output.output_type === 'error')"""
 """What is true of a cell that failed and may not; cells of students may."""
+MIDDLE = """element => {
+    const {left, right, top, bottom} = element.getBoundingClientRect();
+    const middle = [(left + right) / 2, (top + bottom) / 2];
+    return element.contains(document.elementFromPoint(...middle)) ? middle : null;
+}"""
+"""Where the middle of an element lies, or null where the mouse would hit something else there."""
 
 
 def until(condition: Callable[[], Any], what: str, seconds: float = PATIENCE) -> Any:
@@ -179,11 +185,37 @@ class Page:
         found = "[...arguments[0].querySelectorAll('[data-mime-type$=stderr], [data-mime-type$=error]')]"
         return list(self(f"{found}.map(message => message.innerText)", box))
 
+    def reach(self, element: Any) -> None:
+        """Scroll to an element, and wait until it stands still where the mouse hits it: cells above may still grow."""
+        places: list[Any] = []
+
+        def stands_still() -> bool:
+            places.append(self(f"({MIDDLE})(arguments[0])", element))
+            if places[-1] is None:
+                self("arguments[0].scrollIntoView({block: 'center'})", element)
+            return places[-1] is not None and places[-3:] == 3 * places[-1:]
+
+        self("arguments[0].scrollIntoView({block: 'center'})", element)
+        until(stands_still, "an element that the mouse can reach", 30)
+
+    def press(self, button: Any) -> None:
+        """Click on a button with the mouse, again if another cell moved under the mouse at that moment."""
+        from selenium.common.exceptions import ElementClickInterceptedException
+
+        def hit() -> bool:
+            self.reach(button)
+            with suppress(ElementClickInterceptedException):
+                button.click()
+                return True
+            return False
+
+        until(hit, "a button that the mouse can hit", 30)
+
     def drag(self, handle: Any, end: str) -> None:
         """Move the handle of a slider to the left or right end, and release it."""
         from selenium.webdriver import ActionChains
 
-        self("arguments[0].scrollIntoView({block: 'center'})", handle)
+        self.reach(handle)
         track = "arguments[0].closest('.noUi-base').getBoundingClientRect()"
         handle_box = "arguments[0].getBoundingClientRect()"
         pixels = self(f"{track}.{end} - ({handle_box}.left + {handle_box}.right) / 2", handle)

@@ -116,8 +116,7 @@ def try_buttons(page: Page, box: Any) -> int:
     buttons = page("[...arguments[0].querySelectorAll('button:enabled')]", box)
     if buttons and page.picture(box):
         before = page.picture(box) + page.text(box)
-        page("arguments[0].scrollIntoView({block: 'center'})", buttons[0])
-        buttons[0].click()
+        page.press(buttons[0])
         until(lambda: page.picture(box) + page.text(box) != before, "an answer to the button", 30)
         assert page.errors(box) == []
     return len(buttons)
