@@ -151,7 +151,7 @@ class Page:
 
     def run_all(self) -> list[dict[str, Any]]:
         """Run all cells, wait until the kernel is idle, and return the cells with their outputs."""
-        self.command("notebook:run-all-cells")  # ends with the first error, while other cells still wait for their turn
+        self("void jupyterapp.commands.execute('notebook:run-all-cells')")  # Selenium waits at most 120 s
         cells = f"{PANEL}.content.model.sharedModel.toJSON().cells"
         has_run = "cell => cell.cell_type !== 'code' || cell.execution_count !== null"
         failed = f"{cells}.filter({FAILED}).map(cell => cell.source + JSON.stringify(cell.outputs))"
