@@ -1,7 +1,7 @@
 """The figures of lesson 12."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import With
 from edugym.experiments.figures.sheet import Sheet
 from edugym.mdp.protocol import Reals
+from edugym.rendering.palette import INK
 from edugym.training.train_vectors import VectorRun
 from edugym_course.lessons.objectives.methods import (
     LIMIT,
@@ -24,9 +25,14 @@ from edugym_course.lessons.objectives.methods import (
 )
 from edugym_course.lessons.objectives.panels import Front
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 BLOCK = 100
 """Over so many dives a share is taken."""
 CONCAVITIES = (0.0, 0.5, 1.0)
+TICKS = (0.15, 0.5, 1.5, 5.0, 15.0, 60.0)
+"""The weights of time that an axis names."""
 
 
 def front(concavity: float, **more: Any) -> Sheet:
@@ -52,10 +58,14 @@ def by_weights(concavities: Sequence[float] = CONCAVITIES, seed: int = 0) -> She
 def by_distance(concavity: float, found: Mapping[str, Sequence[int]]) -> Sheet:
     """Return which treasure is picked up against the weight of time, and which one is the closest."""
     lines = {label: np.array(treasures, float) for label, treasures in found.items()}
-    exact = {"closest": np.array(closest(concavity), float)}
     x = np.log10(TIME_WEIGHTS)
-    panel = Lines(x, lines, f"concavity {concavity:g}", "weight of time, power of ten", "treasure", exact)
-    return Sheet("by_distance", [[panel]])
+
+    def mark(ax: "Axes") -> None:
+        ax.scatter(x, closest(concavity), 30, facecolors="white", edgecolors=INK, zorder=3, label="closest")
+        ax.set_xticks(np.log10(TICKS), [f"{weight:g}" for weight in TICKS])
+
+    panel = Lines(x, lines, f"concavity {concavity:g}", "weight of time", "treasure")
+    return Sheet("by_distance", [[With(panel, mark)]])
 
 
 def shares_too_long(runs: Mapping[str, VectorRun], limit: int = LIMIT, most: int = 2_000) -> With:
