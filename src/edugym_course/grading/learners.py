@@ -91,6 +91,9 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
         "nothing is learned from the last step of an episode: where `terminated` is True, the target is R": Learner(
             make, skips=lambda step: step.terminated
         ),
+        "nothing is learned from a step that is truncated: it is a step like the others": Learner(
+            make, skips=lambda step: step.truncated
+        ),
     }
     if not remembers:
         sentence = "S' is the state after the reset where an episode was truncated: learn first, and reset then"

@@ -323,8 +323,9 @@ def actions_of(policy: Policy, observations: Iterable[Any], n_actions: int, noun
     drawn = sum(one != again for one, again in pairs)
     if drawn > SELDOM * len(pairs):
         raise WrongAnswer(
-            f"{POLICY} draws its actions: asked twice about one {noun}, it gives two of them in {drawn} of"
-            f" {len(pairs)} cases. It should take the *best* action, and never a random one"
+            f"{POLICY} draws its actions: asked twice about one {noun}, it gives two of them in {drawn} of {len(pairs)}"
+            " cases. It should take the *best* action, and never a random one. (Or does it look up what was never"
+            " learned, so that chance decides among equal values?)"
         )
     return [one for one, _ in pairs]
 
@@ -378,14 +379,22 @@ def require_reproducible(
     def actions(number: int) -> list[Any]:
         return [step.action for step in run_program(program, make(), n_steps, number, seed).steps]
 
-    first, again = actions(seed), actions(seed)
+    require_repeats(actions(seed), actions(seed), actions(seed + 1) if draws else None, seed)
+
+
+def require_repeats(first: list[Any], again: list[Any], other: list[Any] | None, seed: int) -> None:
+    """Refuse a program whose actions in two runs with one seed differ, or are those of the next seed.
+
+    Raises:
+        WrongAnswer: it is so.
+    """
     if first != again:
         raise WrongAnswer(
             f"{NAME} does not repeat itself: two runs with seed {seed} take different actions. Draw every random number"
             " from rng = np.random.default_rng(seed), and make all that it learns inside the function, so that nothing"
             " is left of the run before"
         )
-    if draws and first == actions(seed + 1):
+    if first == other:
         raise WrongAnswer(
             f"{NAME} takes the same actions with seed {seed} and with seed {seed + 1}: it should try actions at random,"
             " and draw them from rng = np.random.default_rng(seed)"

@@ -59,8 +59,9 @@ SWAPPED = (
     " update move another value than Q(S, A), that of the action taken in the state that was left?"
 )
 COST, MANY_BELOW_0 = 10.0, 0.2
-"""So much less does each step bring in the world in which all values are below 0; and how many actions of a policy may
-not be the best ones there. With γ = 0.97 for 0.99 it was 8 %, and 39 % in a search from 0."""
+"""So much less does each step bring in the world in which all values are below 0, before its rewards become so many
+times smaller, so that few are whole numbers; and how many actions of a policy may not be the best ones there. With
+γ = 0.97 for 0.99 it was 8 %, and 39 % in a search from 0."""
 FALLS = "Their share falls during a run: ε should be the same from the first step to the last, and rng made once"
 GROWS = (
     "Their share grows during a run: ε should be the same from the first step to the last, and rng made once; or does"
@@ -154,7 +155,9 @@ class Rule:
         self._require_equation(runs, shape, [*self.mistakes.items()][number], tries)
         self.require_best_actions(done[:1], shape)
         if self.costs:
-            costly: Any = gymnasium.wrappers.TransformReward(self._world(seeds[0]), lambda reward: float(reward) - COST)
+            costly: Any = gymnasium.wrappers.TransformReward(
+                self._world(seeds[0]), lambda reward: (float(reward) - COST) / COST
+            )
             self.require_best_actions([run_program(program, costly, self.n_steps, seeds[0])], shape, below_0=True)
 
     def look_closer(self, program: Any, seed: int, tries: float | None = None, longer: int = LONGER) -> None:
@@ -313,7 +316,7 @@ class Rule:
                 f"does this policy {look_up}, and take the *best* action, by values learned from all steps?"
                 if not below_0
                 else "does a search for the highest value begin at 0, in the policy or in a target? Begin it at −∞, or"
-                " take `max`"
+                " take `max`. Or does a reward lose what is behind its decimal point, as by `int(reward)`?"
             )
             raise WrongAnswer(
                 f"{'where all values are below 0, ' * below_0}in {other} of {total} {plural} {POLICY} takes another"
@@ -345,7 +348,9 @@ class Rule:
         if_others = self.epsilon * np.count_nonzero(right.chances)
         is_other = abs(found - if_others) < SIGMAS * right.deviation
         others = f", or the random action is drawn among the others: {OTHERS}" if is_other else ""
-        wild = f" {ELSEWHERE}" if found > MANY_OF_CHANCE * by_chance else ""
         if is_known:
             return f"ε is right, so compare {compare}"
+        wild = f" {ELSEWHERE}" if found > MANY_OF_CHANCE * by_chance else ""
+        if wild and not right.are_drawn():
+            return f"Compare {compare}.{wild}"
         return f"Compare {compare}.{wild} If all that is right, ε is about {found / by_chance:.2f}{others}"

@@ -5,25 +5,20 @@ from functools import partial
 from typing import Any
 
 import gymnasium
-from gymnasium import spaces
 
 from edugym.adapters.fitting import tabular
 from edugym.agents.n_step_sarsa import NStepSARSA
+from edugym_course.grading.close_calls import fits_better
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
-from edugym_course.grading.programs import NAME, Environment, run_program, shape_of
-from edugym_course.grading.replay import replay
+from edugym_course.grading.programs import NAME, Environment
 from edugym_course.grading.rule import Rule
-from edugym_course.grading.small_world import SmallWorld
-from edugym_course.grading.surprises import Surprises
 from edugym_course.lessons.depth.cuts import require_cuts
 from edugym_course.lessons.depth.slips import DISCOUNT, LEARNING_RATE, N, discounted, slips
 from edugym_course.lessons.depth.targets import EPSILON
 
 N_STEPS = 5_000
-AGAIN, AGAIN_STEPS = 4, 2_000
-"""How many numbers all states share where pairs come twice within n steps; and the steps there."""
 
 
 def agent(
@@ -96,7 +91,14 @@ RULE = Rule(
         "it is always the value of the newest pair that moves, and it should be that of S_τ and A_τ": Learner(
             partial(slips, newest=True)
         ),
-        "the first pair of an episode is never learned: τ = 0 counts, too": Learner(partial(slips, begin=1)),
+        "the last reward of each target is left out: range(τ, k) ends with k − 1": Learner(
+            partial(slips, total=lambda rewards: discounted(rewards[:-1]))
+        ),
+        "the value is that of S_τ+n with the action before: draw A_τ+n first, and learn then": Learner(
+            partial(slips, stale_action=True)
+        ),
+        "the first pair of an episode is never learned (τ = 0 counts, too), or its action is not chosen by ε-greedy in"
+        " the state that reset() gives": Learner(partial(slips, begin=1)),
         "the last pair of an episode is never learned, and it has its reward": Learner(partial(slips, forgotten=1)),
         "an episode is learned from its last pair to its first, and it should be from the oldest pair on": Learner(
             partial(slips, backwards=True)
@@ -134,15 +136,7 @@ def require_todays_values(program: Any, seed: int) -> None:
     Raises:
         WrongAnswer: it does, or it breaks the contract.
     """
-    world: Environment = gymnasium.wrappers.TransformObservation(
-        SmallWorld(seed, truncates=False), lambda state: state % AGAIN, spaces.Discrete(AGAIN)
-    )
-    steps = run_program(program, world, AGAIN_STEPS, seed).steps
-    today, old = (
-        Surprises.of(replay([steps], Learner(make), shape_of(world), EPSILON))
-        for make in (slips, partial(slips, old=True))
-    )
-    if old.explains_better_than(today):
+    if fits_better(program, seed, partial(slips, old=True), slips, EPSILON, truncates=False):
         raise WrongAnswer(
             f"where a pair comes twice within n steps, the actions of {NAME} fit a usual mistake: what is subtracted"
             " from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it may have changed"

@@ -30,6 +30,7 @@ class FromDefinition:
         total: the weighted sum of the rewards of a target.
         from_start: whether the power of γ of a reward is that of its place in the episode.
         early: whether the value is that of the pair one step earlier.
+        stale_action: whether the value is that of the state after n steps, with the action before.
         shift: how many steps too early the rewards of a target are.
         newest: whether the newest pair moves, not that of step τ.
         begin: the first pair that is learned.
@@ -51,6 +52,7 @@ class FromDefinition:
     total: Callable[[Sequence[float]], float] = discounted
     from_start: bool = False
     early: bool = False
+    stale_action: bool = False
     shift: int = 0
     newest: bool = False
     begin: int = 0
@@ -94,7 +96,7 @@ class FromDefinition:
             if tau + N < len(self._pairs) and not self.again:
                 after = self.bootstrap * self._value(tau, *self._pairs[tau + N])
             elif not over:
-                after = self.bootstrap * self._value(tau, next_state, next_action)
+                after = self.bootstrap * self._value(tau, next_state, action if self.stale_action else next_action)
             else:
                 after = self.cut_weight(len(self._pairs) - tau) * value_at_end
             first = max(tau - self.shift, 0)

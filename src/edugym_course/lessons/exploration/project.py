@@ -23,8 +23,8 @@ from edugym_course.grading.programs import (
 HEIGHT, N_STEPS, TRIAL = 30, 3_000, 200
 LONG, SHORT = 10 * HEIGHT, 35
 """After how many steps an episode is truncated. Where that is often, who goes on from the old state learns wrong
-grips; the five right programs tried need 2025 steps at most (40 walls, three grips)."""
-WALLS = ((2, LONG), (2, SHORT), (3, LONG), (2, SHORT))
+grips; the five right programs tried need 2025 steps at most (40 walls, three grips; 20 with the short limit)."""
+WALLS = ((2, LONG), (2, SHORT), (3, LONG), (3, SHORT))
 """The number of grips of each wall, and its step limit."""
 CUT = (
     "with longer episodes they do. Does it go on from the state that reset() gives, after each episode, and is a step"
@@ -99,11 +99,13 @@ def _why(run: Run, n_grips: int) -> str:
     if _wrong_where_known(run.steps) > BY_CHANCE * (1 - 1 / n_grips):
         return (
             f"{seen}, and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which"
-            " ones hold: below the top there is no reward to learn from, so remember what was tried and what held"
+            " ones hold: below the top there is no reward to learn from, so remember what was tried and what held, also"
+            " in a step that is truncated (is `state = next_state` missing?)"
         )
     return (
         f"{seen}, and {low:.0%} of the steps begin below place {LOW}: likely it still tries where it knows the way, at"
-        " random or by a bonus, and falls; go the known way without trying, and try at its end"
+        " random or by a bonus, and falls; go the known way without trying, and try at its end. Or it loses the way: is"
+        " what was learned kept from one episode to the next, and is a step that is truncated learned as any other?"
     )
 
 
@@ -117,8 +119,8 @@ def _never_taken(steps: Sequence[Any], n_grips: int) -> str:
         if missing and times > OFTEN * n_grips:
             return (
                 f"at place {place}, in {times} visits, grip {missing[0]} was never tried, and no other one holds: is"
-                f" what was tried first preferred for ever, are the {n_grips} grips not all counted, or is `state ="
-                " next_state` missing?"
+                f" what was tried first preferred for ever, are the {n_grips} grips not all counted, or does the update"
+                " move another value than that of the grip taken, at the place that was left?"
             )
     return ""
 

@@ -12,8 +12,9 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
-from edugym_course.grading.close_calls import require_close_calls
+from edugym_course.grading.close_calls import fits_better, require_close_calls
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import (
     Learner,
     mistakes_of_loops,
@@ -21,6 +22,7 @@ from edugym_course.grading.learners import (
     other_tables,
     too_early,
 )
+from edugym_course.grading.programs import NAME
 from edugym_course.grading.rule import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
@@ -65,6 +67,7 @@ class _Slips:
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
         of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
+        of_the_last_reset: whether values of next states are those of the last reset.
         next_action: whether it has that of the action that is taken next; after a cut nobody sees that one, so it has
             the highest there.
     """
@@ -81,13 +84,15 @@ class _Slips:
     forgets: bool = False
     whole_row: bool = False
     of_the_best: bool = False
+    of_the_last_reset: bool = False
     next_action: bool = False
     _updates: Integers = field(init=False)
+    _at_reset: Reals = field(init=False)
     _waiting: tuple[int, int, float, int] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         """Begin to count."""
-        self._updates = np.zeros(self.Q.shape, np.int64)
+        self._updates, self._at_reset = np.zeros(self.Q.shape, np.int64), self.Q.copy()
 
     def act(self, state: int, rng: np.random.Generator) -> int:
         """Choose an action by ε-greedy."""
@@ -103,7 +108,7 @@ class _Slips:
             before, taken, earlier, reached = self._waiting
             self._move(before, taken, earlier + DISCOUNT * float(self.Q[reached, action]))
         self._waiting = None
-        row = self.Q[next_state]
+        row = (self._at_reset if self.of_the_last_reset else self.Q)[next_state]
         if self.next_action and not (terminated or truncated):
             self._waiting = state, action, reward, next_state
         else:
@@ -112,6 +117,8 @@ class _Slips:
             earned = DISCOUNT * reward if self.discounts_all and not terminated else reward
             target = earned + (0.0 if terminated else DISCOUNT * float(future))
             self._move(state, moved, target)
+        if terminated or truncated:
+            self._at_reset = self.Q.copy()
 
     def _move(self, state: int, action: int, target: float) -> None:
         if self.only_best and self.Q[state, action] < self.Q[state].max():
@@ -170,9 +177,6 @@ RULE = Rule(
         "in its table all actions of a state are worth the same, or it does not look there: does the update change the"
         " value of the action taken, and no other, are the actions chosen by the values with probability 1 − ε, and is"
         " the table made once, and not in each episode?": Learner(partial(slips, whole_row=True)),
-        "nothing is learned from a step that is truncated: it is a step like the others": Learner(
-            agent, skips=lambda step: step.truncated
-        ),
         "the last reward of an episode is lost: after a terminated step the target is R, and not 0": Learner(
             agent, lambda step, before: step._replace(reward=0.0) if step.terminated else step
         ),
@@ -211,4 +215,9 @@ def project_0(answer: Any, seed: int) -> str:
     """Check a program with Q-learning."""
     RULE.check(answer, seed)
     require_close_calls(answer, seed, RULE.right, CLOSE_MISTAKES, EPSILON)
+    if fits_better(answer, seed, partial(slips, of_the_last_reset=True), slips, EPSILON):
+        raise WrongAnswer(
+            f"where a state comes twice in an episode, the actions of {NAME} fit a usual mistake: max_a Q(S', a) is"
+            " that of the last reset. Read it from the table as it is now, and learn from each step at once"
+        )
     return f"Right: that is all of it, the loop and the learner. {compare_with_ours(answer, SHOP, seed)}"

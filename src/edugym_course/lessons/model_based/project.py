@@ -186,20 +186,20 @@ RULE = Rule(
     Learner(Planner),
     mistakes_of_loops(Planner)
     | {
-        "nothing is planned: are the imagined steps learned from, and enough of them?": Learner(
-            q_learning, nats=CLEARLY
-        ),
+        "nothing is planned: are the imagined steps learned from, and enough of them, each drawn anew from all that was"
+        " tried?": Learner(q_learning, nats=CLEARLY),
         "pairs are imagined that were never tried: the model knows nothing of them": Learner(
             partial(Planner, untried=True)
         ),
-        "what is behind the decimal point of a reward is lost: the model holds whole numbers, as an array with"
+        "what is behind the decimal point is lost: the model or the table holds whole numbers, as an array with"
         " dtype=int does": Learner(Planner, lambda step, before: step._replace(reward=float(int(step.reward)))),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
     }
     | other_settings(Planner, discount=("γ", DISCOUNT, (1.0, 0.9))),
     EPSILON,
     otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action that"
-    " was tried, and of no other; where it ended an imagined step has no future either",
+    " was tried, and of no other; where it ended an imagined step has no future either; a step that is truncated is"
+    " learned, kept and planned after like any other, and not ended",
     noisy=False,
     worlds=8,
     n_steps=500,

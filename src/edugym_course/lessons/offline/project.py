@@ -12,7 +12,7 @@ from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, Policy, actions_of, require_policy
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.offline.methods import PESSIMISTIC, best_of, clock, learn, morning
-from edugym_course.lessons.offline.riddles import N_ACTIONS, RIDDLES, log_book
+from edugym_course.lessons.offline.riddles import RIDDLES, log_book
 from edugym_course.lessons.offline.sweeps import Step
 
 TASK = morning(length=10, ring=6.0, late=30.0)
@@ -82,8 +82,8 @@ def unsolved(program: Any, seed: int) -> str:
     missed = list[str]()
     for number, riddle in enumerate(RIDDLES):
         book = log_book(riddle, np.random.default_rng([seed, 2, number]))
-        policy = _policy_of(program, book.steps, book.n_states, N_ACTIONS, seed)
-        (action,) = actions_of(policy, [book.first], N_ACTIONS)
+        policy = _policy_of(program, book.steps, book.n_states, riddle.n_actions, seed)
+        action, _ = actions_of(policy, [book.first, book.never], riddle.n_actions)
         if action != riddle.right:
             missed.append(
                 f"{riddle.shows}, and in the first state the program takes action {action} instead of {riddle.right}:"
@@ -91,7 +91,8 @@ def unsolved(program: Any, seed: int) -> str:
             )
     if len(missed) < MANY:
         return missed[0] if missed else ""
-    return f"{missed[0]}. (It misses {len(missed)} of {len(RIDDLES)} such log-books, so {BASICS})"
+    stop = "" if missed[0].endswith(("?", ")")) else "."
+    return f"{missed[0]}{stop} (It misses {len(missed)} of {len(RIDDLES)} such log-books, so {BASICS})"
 
 
 @cache
@@ -121,9 +122,9 @@ def _why(program: Any, one: Run, seed: int) -> str:
     """Return what a policy that is worth too little looks like, or the riddle that its program does not solve."""
     if len({*one.actions[~TASK.model.terminal].tolist()}) == 1:
         return (
-            "it chooses the same action in every state, as it does where all values of a state are equal; are they"
-            " looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the"
-            " best action taken?"
+            "it chooses the same action in every state, as it does where all values of a state are equal; do the values"
+            " change from sweep to sweep, are they looked up in the state to which they belong, does nothing follow"
+            " where `terminated` is True, and is the best action taken?"
         )
     if one.kept < one.gathered:
         return (

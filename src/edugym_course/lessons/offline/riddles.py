@@ -30,6 +30,7 @@ class Riddle(NamedTuple):
         shows: what the log-book shows, for the sentence.
         asks: which part of the method it takes.
         rest: the reward of each step after the moves.
+        n_actions: how many actions there are.
         placed: of some nights, their number in the log-book, and their kind, an index of `nights`; the others come in
             any order.
     """
@@ -39,6 +40,7 @@ class Riddle(NamedTuple):
     shows: str
     asks: str
     rest: float = 1.0
+    n_actions: int = N_ACTIONS
     placed: Mapping[int, int] = MappingProxyType({})
 
 
@@ -97,7 +99,8 @@ RIDDLES = (
         shows="action 0 brings 3 at once and 6.9 in the last step, and action 2 brings 10 in the last step",
         asks=(
             "a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are"
-            " as many sweeps as a night has steps, or more"
+            " as many sweeps as a night has steps, or more. (Or does the table hold whole numbers, as np.full(..., -90)"
+            " makes them?)"
         ),
     ),
     Riddle(
@@ -190,6 +193,13 @@ RIDDLES = (
         ),
         asks="the penalty belongs to the last step of a night, too",
     ),
+    Riddle(
+        ((40, ((FIRST, 3, 6.0),)), (40, ((FIRST, 0, 1.0),))),
+        right=3,
+        shows="there are four actions, action 3 brought 6 in each of 40 nights, and action 0 brought 1 in each of 40",
+        asks="n_actions says how many there are",
+        n_actions=4,
+    ),
 )
 
 
@@ -200,11 +210,13 @@ class LogBook(NamedTuple):
         steps: the nights, one after the other.
         n_states: how many states there are.
         first: the number of the state in which every night begins.
+        never: that of a state which no night has.
     """
 
     steps: list[Step]
     n_states: int
     first: int
+    never: int
 
 
 def log_book(riddle: Riddle, rng: Random) -> LogBook:
@@ -215,13 +227,14 @@ def log_book(riddle: Riddle, rng: Random) -> LogBook:
     order = [placed[night] if night in placed else next(drawn) for night in range(others.total() + len(placed))]
     nights = [[*_moves(riddle, riddle.nights[kind][1], night)] for night, kind in enumerate(order)]
     places = {place: None for night in nights for place, *_ in night}
-    number_of = dict(zip([*places, ("end", LENGTH)], rng.permutation(len(places) + 1).tolist(), strict=True))
+    named = [*places, ("end", LENGTH), ("never", 0)]
+    number_of = dict(zip(named, rng.permutation(len(named)).tolist(), strict=True))
     steps = list[Step]()
     for night in nights:
         afters = [*(place for place, *_ in night[1:]), ("end", LENGTH)]
         for (place, action, reward), after in zip(night, afters, strict=True):
             steps.append((number_of[place], action, reward, number_of[after], after[1] == LENGTH))
-    return LogBook(steps, len(number_of), number_of[FIRST, 0])
+    return LogBook(steps, len(number_of), number_of[FIRST, 0], number_of["never", 0])
 
 
 def _moves(riddle: Riddle, begins: tuple[Move, ...], night: int) -> Iterator[tuple[Place, int, float]]:

@@ -2,7 +2,6 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Hashable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -66,7 +65,7 @@ def require_same(environment: Environment, problem: MDPEnv[Any], seed: int) -> N
 def _require_same_form(environment: Environment, problem: MDPEnv[Any]) -> None:
     """Refuse observations that cannot be compared with those of the problem."""
     mine, other = (one.reset(seed=0)[0] for one in (environment, problem))
-    if not isinstance(_plain(mine), Hashable) or np.shape(mine) != np.shape(other):
+    if isinstance(mine, dict) or np.size(_plain(mine)) != np.size(_plain(other)):
         raise WrongAnswer(
             f"an episode begins with the observation {in_short(mine)} in {NAME}, and with {in_short(other)} in your"
             " problem: to be compared they should have one form"
@@ -81,7 +80,7 @@ def _steps(environment: Environment, seed: int) -> _Steps:
     observation, over = None, True
     for count in range(COMPARED):
         if over:
-            observation = _plain(environment.reset(seed=None if count else seed)[0])
+            observation = _plain((environment.reset() if count else environment.reset(seed=seed))[0])
             steps.starts.append(observation)
         action = int(rng.integers(n_actions))
         came, reward, terminated, truncated, _ = environment.step(action)
@@ -94,11 +93,18 @@ def _steps(environment: Environment, seed: int) -> _Steps:
     return steps
 
 
-def _plain(observation: Any) -> Any:
-    """Return an observation as a number, or as a tuple of numbers; one that is neither as it is."""
+def parts(observation: Any) -> list[Any]:
+    """Return copies of all arrays and numbers of an observation, which may be a dictionary or a tuple of others."""
     if isinstance(observation, dict):
-        return observation
-    numbers = np.ravel(observation).tolist()
+        observation = tuple(observation[name] for name in sorted(observation))
+    if isinstance(observation, tuple):
+        return [part for one in observation for part in parts(one)]
+    return [np.array(observation)]
+
+
+def _plain(observation: Any) -> Any:
+    """Return an observation as a number, or as a tuple of numbers."""
+    numbers = [number for part in parts(observation) for number in np.ravel(part).tolist()]
     return numbers[0] if len(numbers) == 1 else tuple(numbers)
 
 

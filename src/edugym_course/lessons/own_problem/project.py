@@ -18,13 +18,13 @@ from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.programs import APART, Environment
 from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
-from edugym_course.lessons.own_problem.comparison import NAME, require_same
+from edugym_course.lessons.own_problem.comparison import NAME, parts, require_same
 
 EPISODES, SCRIPTED, MOST_STEPS = 100, 5, 10_000
 """How many episodes are played at random and with given actions, and how many steps one may take."""
-BEGUN, FIRST_STEPS, DIFFERENT = 60, 50, 5
+BEGUN, FIRST_STEPS, DIFFERENT, MOMENTS = 60, 50, 5, 30
 """So many episodes are begun without a seed, and with seeds, for a few steps; so many of the latter differ if chance
-plays a part that shows."""
+plays a part that shows; at so many moments of an episode another one is begun."""
 
 Episode = list[tuple[Any, float]]
 """The observations and rewards of an episode; the first reward is 0."""
@@ -48,12 +48,13 @@ def project_10(answer: Any, seed: int) -> str:
     ]
     script = [int(action) for action in rng.integers(n_actions, size=MOST_STEPS)]
     again, new, other = (_scripted(one, script, seed) for one in (environment, _made(answer), _made(answer)))
-    if not _same(new, other):
+    begun = [[_begun(_made(answer), script, number) for _ in range(2)] for number in range(BEGUN)]
+    if not (_same(new, other) and all(_same(*pair) for pair in begun)):
         raise WrongAnswer(
             f"two environments with seed {seed} and the same actions differ: begin reset with super().reset(seed=seed),"
             " draw all random numbers from the self.np_random that it makes, and keep nothing in the class itself"
         )
-    if not _same(again, new):
+    if not (_same(again, new) and _begins_anew(environment, script, seed, new)):
         raise WrongAnswer(
             f"after {EPISODES} episodes reset(seed={seed}) begins another episode than in a new environment: reset must"
             " set everything anew that an episode changes, and all random numbers should come from self.np_random"
@@ -76,7 +77,10 @@ def project_10(answer: Any, seed: int) -> str:
         raise WrongAnswer("whatever the actions are, the same is observed and paid: what should the agent decide?")
     with student_code("Gymnasium's check_env"):
         check_env(_made(answer), skip_render_check=True)
-    no_luck = all(_same(_scripted(_made(answer), script, seed + k), new) for k in (1, 2))
+    no_luck = all(
+        _same(*(_begun(_made(answer), script[number:], one) for one in (seed, seed + number)))
+        for number in range(BEGUN)
+    )
     lengths, totals = [len(one) for one in played], [_total(one) for one in played]
     return (
         f"Right{', if there is no chance in it (every seed gives the same episodes)' if no_luck else ''}: Gymnasium's"
@@ -117,6 +121,16 @@ def _made(answer: Any) -> Environment:
     return environment
 
 
+def _begins_anew(environment: Environment, script: list[int], seed: int, new: Episode) -> bool:
+    """Whether a reset with a seed begins the same episode at whatever moment it comes."""
+    begun = _begun(environment, script, seed)
+    for moment in range(MOMENTS):
+        _episode(environment, partial(next, iter(script[moment:])), None, 1 + moment)
+        if not _same(_begun(environment, script, seed), begun):
+            return False
+    return _same(begun, new[: len(begun)])
+
+
 def _plays_alone(environment: Environment, other: Environment, script: list[int], seed: int, alone: Episode) -> bool:
     """Whether the episodes of `_scripted` stay the same if another environment begins anew before each action."""
 
@@ -145,8 +159,8 @@ def _require_new_luck(answer: Any, script: list[int]) -> None:
         if sum(not _same(one, seeded[0]) for one in seeded) >= DIFFERENT:
             raise WrongAnswer(
                 f"{BEGUN} episodes that begin with reset(), without a seed, are all the same, and with other seeds they"
-                " differ: hand the seed that reset was given on as it is, super().reset(seed=seed); where it is None,"
-                " self.np_random goes on"
+                " differ: seed is None then, def reset(self, *, seed=None, options=None), and super().reset(seed=seed)"
+                " gets it as it is; self.np_random goes on"
             )
 
 
@@ -188,8 +202,8 @@ def _scripted(environment: Environment, script: list[int], seed: int) -> Episode
 
 def _episode(environment: Environment, choose: Callable[[], int], seed: int | None, most: int = MOST_STEPS) -> Episode:
     """Play an episode, or so many steps of one, and check all that comes."""
-    with student_code("reset(seed=...)"):
-        begun: Any = environment.reset(seed=seed)
+    with student_code("reset()" if seed is None else "reset(seed=...)"):
+        begun: Any = environment.reset() if seed is None else environment.reset(seed=seed)
     if not isinstance(begun, tuple) or len(begun) != 2 or not isinstance(begun[1], dict):
         raise WrongAnswer(
             f"reset should return two things, an observation and a dictionary, `return observation, {{}}`, but returns"
@@ -218,6 +232,11 @@ def _episode(environment: Environment, choose: Callable[[], int], seed: int | No
                 raise WrongAnswer(
                     f"step({action}) should say by True or False whether it is {name}, but says {in_short(ended)}"
                 )
+        if isinstance(truncated, np.bool_):
+            raise WrongAnswer(
+                f"step({action}) says by a {type(truncated).__name__} of NumPy whether it is truncated, and Gymnasium's"
+                " checker wants True or False of Python: bool(...)"
+            )
         episode.append((_observed(environment, observation, f"step({action})"), number("the reward", reward)))
         if terminated or truncated:
             return episode
@@ -237,7 +256,9 @@ def _observed(environment: Environment, observation: Any, call: str) -> Any:
     """Return a copy of an observation that lies in its space."""
     if not environment.observation_space.contains(observation):
         space, hint = environment.observation_space, ""
-        if np.shape(observation) != (space.shape or ()):
+        if isinstance(space, spaces.Dict | spaces.Tuple):
+            hint = ": does each of its parts lie in the space of that part?"
+        elif np.shape(observation) != (space.shape or ()):
             hint = f": it has the shape {np.shape(observation)}, and an element of the space has {space.shape or ()}"
         elif isinstance(space, spaces.Box | spaces.MultiDiscrete) and getattr(observation, "dtype", 0) != space.dtype:
             hint = f": make an array of its kind of numbers, np.array(..., dtype=np.{space.dtype})"
@@ -248,13 +269,14 @@ def _observed(environment: Environment, observation: Any, call: str) -> Any:
         raise WrongAnswer(
             f"{call} gives the observation {in_short(observation)}, which is not in the observation space {space}{hint}"
         )
-    return np.array(observation)
+    return parts(observation)
 
 
 def _same(one: Episode, other: Episode) -> bool:
     """Whether two episodes are the same."""
     return len(one) == len(other) and all(
-        np.array_equal(here[0], there[0]) and here[1] == there[1] for here, there in zip(one, other, strict=True)
+        len(here) == len(there) and all(map(np.array_equal, here, there)) and reward == other_reward
+        for (here, reward), (there, other_reward) in zip(one, other, strict=True)
     )
 
 

@@ -15,7 +15,7 @@ from edugym.exact.regularised import with_rewards
 from edugym.mdp.protocol import Integers, Random
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import NAME, actions_of, require_policy
+from edugym_course.grading.programs import NAME, actions_of, require_policy, require_repeats
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.own_problem.morning import Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
@@ -208,6 +208,7 @@ def project_14(answer: Any, seed: int) -> str:
     if (asked := min(one.asked for one in found)) < FEWEST:
         raise WrongAnswer(f"{NAME} calls compare(first, second) {asked} times, and nothing else says what is wanted")
     _require_fair_nights(found[0])
+    require_repeats(found[0].nights, judged(answer, SEEDS * seed).nights, None, SEEDS * seed)  # it need not draw nights
     ours, middle = our_returns(), sorted(found, key=lambda one: one.meant)[SEEDS // 2]
     told = f"the middle one of {SEEDS} runs makes a clock worth {middle.meant:.1f}"
     lowest = float(np.quantile(ours, LOW)) - SLACK
@@ -268,7 +269,8 @@ def _check_patience(answer: Any, seed: int) -> None:
             f" or {SETTLED.late:g} for silence in the last step, if she is still asleep. Her answers tell so, and yet"
             f" only {patient} of {PATIENT_SEEDS} clocks wait for it: what comes late counts in full, without a"
             " discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in"
-            " many passes; and Q-learning needs many nights, with random buttons in them"
+            " many passes, and a step may be worth another thing with each time, depth *and* action; and Q-learning"
+            " needs many nights, with random buttons in them"
         )
 
 
@@ -281,8 +283,10 @@ def _check_first_step(answer: Any, seed: int) -> None:
     found = [judged(answer, OTHER_SEEDS * seed + number, AT_ONCE).meant for number in range(OTHER_SEEDS)]
     if (taken := sum(meant > 0 for meant in found)) <= OTHER_SEEDS // 2:
         raise WrongAnswer(
-            f"A last sleeper never wakes, and the teacher pays {AT_ONCE.soon:g} for a chime in the first step of a"
-            f" night. Only {taken} of {OTHER_SEEDS} clocks ring it: the first step of both nights has its reward, too"
+            f"A last sleeper turns from deep sleep to a light one and back, whatever is done, and the teacher pays"
+            f" {AT_ONCE.soon:g} for a chime in the first step of a night. Only {taken} of {OTHER_SEEDS} clocks ring it:"
+            " the first step of both nights has its reward, too, and a reward belongs where it is looked up later: by"
+            " the depth from which the step comes in both places, or by the one to which it leads"
         )
 
 
@@ -296,8 +300,8 @@ def symptom(run: Judged) -> str:
     actions = run.actions[~model_of(TASK).terminal]
     if len({*actions.tolist()}) == 1:
         return (
-            f"it chooses action {actions[0]} in every state; are the rewards that were learned looked up in the state"
-            " and the action where they belong?"
+            f"it chooses action {actions[0]} in every state; are the rewards that were learned other than 0, and looked"
+            " up in the state and the action where they belong, and does each step begin where the last one ended?"
         )
     if run.meant < _random() - 2:
         return (

@@ -62,9 +62,10 @@ class Settled(NamedTuple):
 
 @wrapper
 class AtOnce(NamedTuple):
-    """A sleeper who never wakes, and a teacher who pays for a chime in the first step, and for nothing else.
+    """A sleeper who wakes in every other step, and a teacher who pays for a chime in the first, and for nothing else.
 
-    No state after it tells of the chime, so who does not learn from the first step of a night never finds it.
+    No state after it tells of the chime, so who does not learn from the first step of a night never finds it. No step
+    leads to the depth from which it comes, so who learns by the next depth and looks up by this one does not either.
 
     Attributes:
         mdp: the morning.
@@ -75,8 +76,8 @@ class AtOnce(NamedTuple):
     soon: float = 4.0
 
     def transition(self, state: State, action: int, rng: Random) -> State:
-        """Whatever is done, she sleeps."""
-        return state[0] + 1, ASLEEP
+        """Whatever is done, she wakes, and falls asleep again."""
+        return state[0] + 1, AWAKE if state[1] == ASLEEP else ASLEEP
 
     def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
         """Pay for a chime at first."""
@@ -115,7 +116,8 @@ PARTS = (
         0.65,
         "after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the"
         " error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few"
-        " comparisons asked, has each night the same luck, or is the depth left out?)",
+        " comparisons asked, is the depth left out, has Q-learning too few nights or too small an α, or is its largest"
+        " value that of another state than the next one?)",
     ),
     Other(
         Wish(TASK, (-6.0, 0.0, 8.0), (8.0, 0.0, 0.0)),

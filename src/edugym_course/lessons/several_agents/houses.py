@@ -21,6 +21,8 @@ TRAP = ((-2.0, -2.0, -12.0), (-3.0, -3.0, -3.0), (-4.0, -4.0, -3.5))
 """What player 0 gets in a room in which its first action is best until player 1 takes its third. Player 1 gains by all
 of its actions, so it has no reason to try another one, but for its random moves."""
 ROCK = np.array(DARING)
+LOADED = ((0.0, -9.0, 6.0), (9.0, 0.0, -5.0), (-6.0, 5.0, 0.0))
+"""Rock, paper and scissors in which the safe probabilities are 1/4, 3/10 and 9/20: who rounds them loses."""
 WILD = (0.1, 1.5, 0.5, 0.1, 0.5)
 """How much hangs on the actions in each room, from the one that is worth least on.
 
@@ -37,10 +39,11 @@ So neither what happens to players who toss a coin nor what happens with random 
 class House(NamedTuple):
     """A zero-sum game with a hall, in which the pair of actions decides the next room, and rooms, each of which pays.
 
-    After a room the game is over. What is seen then is the number of some place.
+    After a room the game is over. What is seen then is the number of some place. Places are numbered from the last to
+    the first: so the state 0 is a room, one that follows on others.
 
     Attributes:
-        hall: shape (n_actions, n_other_actions): the room that each pair of actions leads to, from 1 on.
+        hall: shape (n_actions, n_other_actions): the place that each pair of actions leads to, a room from 1 on.
         rooms: shape (n_rooms, n_actions, n_other_actions): what player 0 gets.
         seen_at_end: which place is seen after the end, by the number of the pair of actions.
         max_steps: the step limit.
@@ -62,7 +65,7 @@ class House(NamedTuple):
         return int(rng.random() * (1 + self.rooms.shape[0]))
 
     def transition(self, state: int, actions: tuple[int, int], rng: Random) -> int:
-        """From the hall into a room, and from a room to the end."""
+        """From the hall into a room, or back to it, and from a room to the end."""
         pair = N_ACTIONS * actions[0] + actions[1]
         if state == HALL:
             return int(self.hall[actions[0], actions[1]])
@@ -79,10 +82,14 @@ class House(NamedTuple):
         return state >= OVER
 
     def observation(self, state: int, player: int, rng: Random) -> int:
-        """The place, or what is seen after the end."""
+        """The number of the place, or what is seen after the end."""
         if state < OVER:
-            return state
-        return 1 + self.rooms.shape[0] if self.is_apart else self.seen_at_end[(state - OVER) % UNPAID]
+            return self.number(state)
+        return 1 + self.rooms.shape[0] if self.is_apart else self.number(self.seen_at_end[(state - OVER) % UNPAID])
+
+    def number(self, place: int) -> int:
+        """What is seen in a place."""
+        return self.rooms.shape[0] - place
 
     def observation_space(self, player: int) -> spaces.Discrete:
         """The places, and one number more if another one is seen after the end."""
@@ -115,7 +122,7 @@ def _rooms(rng: Random) -> House:
     safe = _turned(SAFE, rng)
     while safe.sum(axis=0).argmax() != safe.sum(axis=1).argsort()[1]:  # who takes columns for rows plays the middle one
         safe = _turned(SAFE, rng)
-    rooms = np.stack([_turned(ROCK, rng), safe])
+    rooms = np.stack([_turned(LOADED, rng), safe])
     return House(np.ones((N_ACTIONS, N_ACTIONS), int), rooms, (HALL,) * N_ACTIONS**2)
 
 
@@ -170,15 +177,19 @@ def _chance(rng: Random) -> House:
 
 
 def _traps(rng: Random) -> House:
-    """Rooms in which the danger shows in random moves of player 1 alone."""
+    """Rooms in which the danger shows in random moves of player 1 alone, and a hall in which one can stay at a cost."""
     rooms = np.stack([_turned(TRAP, rng) for _ in range(4)])
-    return House(rng.integers(1, 5, (N_ACTIONS, N_ACTIONS)), rooms, (HALL,) * N_ACTIONS**2)
+    hall, stays = rng.integers(1, 5, (N_ACTIONS, N_ACTIONS)), rng.integers(N_ACTIONS)
+    pays = np.zeros(hall.shape)
+    hall[stays], pays[stays] = HALL, -1.0
+    return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=pays)
 
 
 AFTER_THE_END = (
     "after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated`"
     " the target is R alone"
 )
+BACK = "there an action leads back to the same state, and costs 1: learn from it as from any other step"
 ROOMS = Riddle(
     _rooms,
     "its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] moved by α (T - Q) after"

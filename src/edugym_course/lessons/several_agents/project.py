@@ -21,7 +21,18 @@ from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import APART, NAME, POLICY, UNSEEDED, require_steps
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.several_agents.houses import AFTER_THE_END, CHANCE, N_ACTIONS, RIDDLES, ROOMS, House, Riddle
+from edugym_course.lessons.several_agents.houses import (
+    AFTER_THE_END,
+    BACK,
+    CHANCE,
+    HALL,
+    N_ACTIONS,
+    RIDDLES,
+    ROOMS,
+    TRAPS,
+    House,
+    Riddle,
+)
 from edugym_course.lessons.several_agents.methods import DISCOUNT
 
 N_STEPS, TRIAL, LONGER = 6_000, 60, 4
@@ -95,7 +106,7 @@ class Watched:
 
 
 def run(program: Any, game: House, n_steps: int, seed: int) -> tuple[list[tuple[int, int]], Reals]:
-    """Run a program, and return the actions that it took and its policy: shape (n_places, n_actions).
+    """Run a program, and return the actions that it took, and its policy by what is seen: shape (n_places, n_actions).
 
     Raises:
         WrongAnswer: it breaks the contract.
@@ -116,7 +127,7 @@ def run(program: Any, game: House, n_steps: int, seed: int) -> tuple[list[tuple[
             f"{call} should return the policy of player_0, a function from a state to the probabilities of its actions,"
             f" but returns {in_short(policy)}: for a table that is `lambda state: policy[state]`"
         )
-    return watched.actions, np.array([_probabilities(policy, place) for place in range(1 + len(game.rooms))])
+    return watched.actions, np.array([_probabilities(policy, number) for number in range(1 + len(game.rooms))])
 
 
 def _probabilities(policy: Callable[[int], Any], place: int) -> Reals:
@@ -158,12 +169,20 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> float:
     weak = weak_points(model, policy)
     if weak.max() < NEAR:
         return float(weak.max())
+    if riddle is CHANCE and (again := max(_won(program, riddle, seed + one) for one in (1, 2))) < NEAR:
+        return again  # bad luck in the last steps: it befell right programs in 2 of 139 runs
     place = int(weak.argmax())
     why = "" if nobody_asks_why() else _cause(program, riddle, game, policy, place, seed)
     raise WrongAnswer(
         f"in a small game with {len(weak)} states, who knows the policy of {NAME} wins {weak[place]:.2f} more from it"
-        f" in state {place} than from a safe one. {why}"
+        f" in state {game.number(place)} than from a safe one. {why}"
     )
+
+
+def _won(program: Any, riddle: Riddle, seed: int) -> float:
+    """Return the most that can be won from a program in a riddle."""
+    game = riddle.make(np.random.default_rng(seed))
+    return float(weak_points(game_model(game), run(program, game, N_STEPS, seed)[1]).max())
 
 
 def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int, seed: int) -> str:
@@ -175,26 +194,29 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
                 " of an episode learned from, too?"
             )
         is_same = np.abs(policy - policy[0]).max() == 0
-        if is_same and policy[1].max() > SURE:
+        if is_same and policy[0].max() > SURE:
             return f"{NO_CHANCE} And it is the same in each state: does it look up the state that it is given?"
         if is_same:
             return "It is the same in each state: does it look up the state that it is given?"
         worth = game.rooms[1].sum(axis=1)
-        if policy[2, worth.argmin()] > SURE:
+        first, second = (policy[game.number(place)] for place in (1, 2))
+        if second[worth.argmin()] > SURE:
             return (
                 "In one room it takes the worst action: is the reward that of player_0, with its own sign, and are"
                 " its actions the rows of the matrix game, and the probabilities that are returned its own?"
             )
-        if policy[2, worth.argmax()] < SURE / 2:
+        if second[worth.argmax()] < SURE / 2:
             return (
                 "In one room an action is best whatever the other does, and it is not taken: are the rows of the matrix"
                 " game the actions of player_0, is it the game of the state in which they acted, and does an episode"
                 " begin with the state that reset gives?"
             )
-        if policy[1].max() > SURE:
+        if first.max() > SURE:
             return NO_CHANCE
     if riddle is CHANCE:
         return f"Look at this state: {riddle.asks}"
+    if riddle is TRAPS and place == HALL:
+        return f"Look at this state: {BACK}"
     apart = game._replace(is_apart=True)
     if riddle is not ROOMS and weak_points(game_model(game), run(program, apart, N_STEPS, seed)[1]).max() < NEAR:
         return f"Look at the end of an episode: {AFTER_THE_END}"

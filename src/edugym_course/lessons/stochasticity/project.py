@@ -113,9 +113,6 @@ RULE = Rule(
     mistakes_of_loops(agent)
     | too_early(agent)
     | {
-        "nothing is learned from a step that is truncated: it is a step like the others": Learner(
-            agent, skips=lambda step: step.truncated
-        ),
         "all surprises weigh the same: that is Q-learning": Learner(neutral),
         "good surprises weigh more than bad ones: β is below 0": Learner(partial(agent, risk=-RISK)),
         "the steps are half as large as they should be: 2σ(βδ), not σ(βδ), is 1 where δ = 0, and α is 0.4": Learner(

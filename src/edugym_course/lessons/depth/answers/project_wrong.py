@@ -226,7 +226,7 @@
 
 # %% the first pair never learns
 # slow
-# says: the first pair of an episode is never learned: τ = 0 counts, too
+# says: the first pair of an episode is never learned (τ = 0 counts, too), or its action is not chosen by ε-greedy in the state that reset() gives
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 1 or (over and tau < len(R) - n):
@@ -247,6 +247,34 @@
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # + G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n - 1]))
+
+# %% without the last reward, also at the end
+# slow
+# says: the last reward of each target is left out: range(τ, k) ends with k − 1
+# in: three steps later
+# - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
+# + G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n][:-1]))
+
+# %% the action before
+# slow
+# says: the value is that of S_τ+n with the action before: draw A_τ+n first, and learn then
+# in: three steps later
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8**n * Q[S[tau + n], A[tau + n - 1]]
+
+# %% rewards in whole numbers
+# slow
+# says: take `max`. Or does a reward lose what is behind its decimal point, as by `int(reward)`?
+# in: three steps later
+# - R.append(r)
+# + R.append(int(r))
+
+# %% the first action by chance
+# slow
+# says: the first pair of an episode is never learned (τ = 0 counts, too), or its action is not chosen by ε-greedy in the state that reset() gives
+# in: three steps later
+# - S, A, R, over = [s], [choose(Q[s], rng)], [], False
+# + S, A, R, over = [s], [rng.integers(len(Q[s]))], [], False
 
 # %% rewards one step too early
 # slow

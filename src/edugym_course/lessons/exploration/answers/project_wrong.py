@@ -1,6 +1,6 @@
 # %% ε-greedy
 # says: 3000 steps do not reach the top: the highest place is
-# says: , and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which ones hold: below the top there is no reward to learn from, so remember what was tried and what held
+# says: , and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which ones hold: below the top there is no reward to learn from, so remember what was tried and what held, also in a step that is truncated (is `state = next_state` missing?)
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)
@@ -14,7 +14,7 @@ def my_program(environment, n_steps, seed):
 
 
 # %% slips on the known way
-# says: of the steps begin below place 3: likely it still tries where it knows the way, at random or by a bonus, and falls; go the known way without trying, and try at its end
+# says: of the steps begin below place 3: likely it still tries where it knows the way, at random or by a bonus, and falls; go the known way without trying, and try at its end. Or it loses the way: is what was learned kept from one episode to the next, and is a step that is truncated learned as any other?
 # in: a random grip where none is known
 # - a = known[s] if s in known else int(rng.integers(n_actions))
 # + a = known[s] if s in known and rng.random() > 0.3 else int(rng.integers(n_actions))
@@ -87,7 +87,7 @@ def my_program(environment, n_steps, seed):
 # + a = environment.unwrapped.mdp.grips[s]
 
 # %% without chance, and stays
-# says: grips not all counted, or is `state = next_state` missing?
+# says: grips not all counted, or does the update move another value than that of the grip taken, at the place that was left?
 # in: one grip after another, without chance
 # - s = environment.reset()[0] if over or cut else s2
 # + s = environment.reset()[0] if over or cut else s
@@ -128,6 +128,13 @@ def my_program(environment, n_steps, seed):
 # + s = s2
 # + if over or cut:
 # +     environment.reset()
+
+# %% optimism and random grips
+# slow
+# says: on a wall of height 30 with 3 grips, where an episode is truncated after 35 steps
+# in: optimism
+# - a = best(s)
+# + a = best(s) if rng.random() > 0.1 else int(rng.integers(len(Q[s])))
 
 # %% the last grip is not known
 # says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), and from the state that reset gives in each episode?

@@ -431,6 +431,20 @@ def my_program(environment, n_steps, seed):
 # + target = reward if truncated else reward + 0.99 * Q[next_state].max()
 
 
+# %% a copy of the table from the last reset
+# slow
+# says: where a state comes twice in an episode, the actions of
+# says: fit a usual mistake: max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at once
+# in: ε-greedy written out
+# - state, _ = environment.reset(seed=seed)
+# + state, _ = environment.reset(seed=seed)
+# + copy = Q.copy()
+# - target = reward if terminated else reward + 0.99 * Q[next_state].max()
+# + target = reward if terminated else reward + 0.99 * copy[next_state].max()
+# - if terminated or truncated:
+# + if terminated or truncated:
+# +     copy = Q.copy()
+
 # %% a policy whose search begins at 0
 # slow
 # says: where all values are below 0, in

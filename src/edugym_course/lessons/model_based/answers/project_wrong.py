@@ -1,6 +1,7 @@
 # %% nothing is imagined
 # slow
-# says: nothing is planned: are the imagined steps learned from, and enough of them?
+# says: nothing is planned: are the imagined steps learned from, and enough of them, each drawn anew from all that was
+#   tried?
 # in: a model in arrays
 # - for _ in range(10):
 # + for _ in range(0):
@@ -38,10 +39,21 @@
 # + s2, r, terminated, truncated, _ = environment.step(a)
 # + terminated = terminated or truncated
 
+# %% a truncated step is left out
+# slow
+# says: nothing is learned from a step that is truncated: it is a step like the others
+# in: a model in arrays
+# - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+# + if truncated:
+# +     s, _ = environment.reset()
+# +     continue
+# + Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+
 # %% a model of states
 # slow
 # says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action that was
-#   tried, and of no other; where it ended an imagined step has no future either
+#   tried, and of no other; where it ended an imagined step has no future either; a step that is truncated is learned,
+#   kept and planned after like any other, and not ended
 # in: a model in arrays
 # - R[s, a], S2[s, a], ends[s, a] = r, s2, terminated
 # + R[s], S2[s], ends[s] = r, s2, terminated
@@ -136,7 +148,7 @@
 
 # %% rewards in whole numbers
 # slow
-# says: what is behind the decimal point of a reward is lost: the model holds whole numbers, as an array with dtype=int
+# says: what is behind the decimal point is lost: the model or the table holds whole numbers, as an array with dtype=int
 #   does
 # in: a model in arrays
 # - R, S2, ends = np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions), int), np.zeros((n_states, n_actions))

@@ -28,13 +28,13 @@
 # + Q = counts
 
 # %% always quiet
-# says: it chooses the same action in every state, as it does where all values of a state are equal; are they looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the best action taken?
+# says: it chooses the same action in every state, as it does where all values of a state are equal; do the values change from sweep to sweep, are they looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the best action taken?
 def my_program(steps, n_states, n_actions, seed):
     return lambda state: 0
 
 
 # %% one sweep
-# says: a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are as many sweeps as a night has steps, or more
+# says: a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are as many sweeps as a night has steps, or more. (Or does the table hold whole numbers, as np.full(..., -90) makes them?)
 # in: sums and counts
 # - for _ in range(30):
 # + for _ in range(1):
@@ -201,9 +201,31 @@ def my_program(steps, n_states, n_actions, seed):
 # + counts, steps = np.zeros(shape), sorted(set(steps))
 
 # %% the index among the actions that were tried
-# says: . (It misses
+# says:  (It misses
 # says:  such log-books, so
 # says: look at what is simple first: the index of each count and value, whether every step is used, and what the policy returns
 # in: sums and counts
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: int(Q[state][counts[state] > 0].argmax()) if counts[state].any() else 0
+
+# %% whole numbers by the lowest value
+# says: (Or does the table hold whole numbers, as np.full(..., -90) makes them?)
+# in: sums and counts
+# - lowest = -100.0
+# + lowest = -90
+# - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
+# + Q = np.full(shape, lowest)
+# + Q[counts > 0] = np.maximum(lowest, sums / n - 2.0 / np.sqrt(n))[counts > 0]
+
+# %% always three actions
+# says: : n_actions says how many there are
+# in: sums and counts
+# - return lambda state: int(Q[state].argmax())
+# + return lambda state: int(Q[state][:3].argmax())
+
+# %% no action where nobody was
+# says: `return lambda state: best[state]` raises KeyError: there is no key
+# in: sums and counts
+# - return lambda state: int(Q[state].argmax())
+# + best = {s: int(Q[s].argmax()) for s, *_ in steps}
+# + return lambda state: best[state]

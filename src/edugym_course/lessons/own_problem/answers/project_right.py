@@ -45,6 +45,16 @@ class MyEnvironment(gymnasium.Env):
         return self.place, -1.0, over, self.steps == 50, {}
 
 
+# %% a dictionary and two numbers
+# slow
+# in: a walk in the wind
+# - self.observation_space = spaces.Discrete(9)
+# + self.observation_space = spaces.Dict({"at": spaces.MultiDiscrete([9, 51]), "odd": spaces.Discrete(2)})
+# - return self.place, {}
+# + return {"at": np.array([self.place, 0]), "odd": self.place % 2}, {}
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return {"at": np.array([self.place, self.steps]), "odd": self.place % 2}, -1.0, over, self.steps == 50, {}
+
 # %% a generator of its own
 # in: a walk in the wind
 # - super().reset(seed=seed)

@@ -309,10 +309,53 @@ class MyEnvironment(gymnasium.Env):
 
 # %% the same luck in each episode
 # slow
-# says:  episodes that begin with reset(), without a seed, are all the same, and with other seeds they differ: hand the seed that reset was given on as it is, super().reset(seed=seed); where it is None, self.np_random goes on
+# says:  episodes that begin with reset(), without a seed, are all the same, and with other seeds they differ: seed is None then, def reset(self, *, seed=None, options=None), and super().reset(seed=seed) gets it as it is; self.np_random goes on
 # in: a walk in the wind
 # - super().reset(seed=seed)
 # + super().reset(seed=seed or 0)
+
+# %% the same seed by default
+# says: the same, and with other seeds they differ: seed is None then, def reset(self, *, seed=None, options=None)
+# in: a walk in the wind
+# - def reset(self, *, seed=None, options=None):
+# + def reset(self, *, seed=0, options=None):
+
+# %% a part out of its space
+# says: : does each of its parts lie in the space of that part?
+# in: a walk in the wind
+# - self.observation_space = spaces.Discrete(9)
+# + self.observation_space = spaces.Dict({"at": spaces.MultiDiscrete([9, 51]), "odd": spaces.Discrete(2)})
+# - return self.place, {}
+# + return {"at": np.array([self.place, 0]), "odd": self.place}, {}
+
+# %% truncated by NumPy
+# says: of NumPy whether it is truncated, and Gymnasium's checker wants True or False of Python: bool(...)
+# in: a walk in the wind
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, -1.0, over, np.int64(self.steps) == 50, {}
+
+# %% truncated at once
+# slow
+# says: is that step `terminated`, and not truncated? Have the two changed places?
+# in: a walk in the wind
+# - return self.place, -1.0, over, self.steps == 50, {}
+# + return self.place, -1.0, False, True, {}
+
+# %% the place is kept sometimes
+# slow
+# says: episodes reset(seed=0) begins another episode than in a new environment
+# in: a walk in the wind
+# - self.place = int(self.np_random.integers(3, 6))
+# - self.steps = 0
+# + self.place = int(self.np_random.integers(3, 6)) if self.steps != 7 else 4
+# + self.steps = 0
+
+# %% another generator now and then
+# slow
+# says: two environments with seed 0 and the same actions differ
+# in: a walk in the wind
+# - wind = self.np_random.random() < 0.2
+# + wind = self.np_random.random() < 0.2 if self.place != 7 else np.random.random() < 0.2
 
 # %% the steps are counted on
 # says:  episodes reset() begins another one than in a new environment: also without a seed, it must set everything anew that an episode changes

@@ -1,6 +1,6 @@
 # %% nothing is learned of the comparisons
 # slow
-# says: it chooses action 0 in every state; are the rewards that were learned looked up in the state and the action where they belong?
+# says: it chooses action 0 in every state; are the rewards that were learned other than 0, and looked up in the state and the action where they belong, and does each step begin where the last one ended?
 # in: visits as vectors
 # - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
 # + rewards += 0.0 * (differences.T @ (preferred - p) - 0.1 * rewards)
@@ -26,7 +26,7 @@
 # slow
 # says: With a teacher who
 # says: hates to doze
-# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few comparisons asked, has each night the same luck, or is the depth left out?)
+# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few comparisons asked, is the depth left out, has Q-learning too few nights or too small an α, or is its largest value that of another state than the next one?)
 # in: visits as vectors
 # - p = 0.5 * (1 + np.tanh(differences @ rewards / 2))
 # + p = 0.5
@@ -191,7 +191,7 @@ my_program = [0, 1, 2]
 # says: Another sleeper stays as she is after the first step. The teacher pays
 # says: for a ring then, or
 # says: for silence in the last step, if she is still asleep. Her answers tell so, and yet only
-# says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes; and Q-learning needs many nights, with random buttons in them
+# says: clocks wait for it: what comes late counts in full, without a discount; the value of a state is that of its *best* action, not a mean; rewards are learned by y - p, in many passes, and a step may be worth another thing with each time, depth *and* action; and Q-learning needs many nights, with random buttons in them
 # in: visits as vectors
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
 # + target = rewards[state][action] + 0.95 * Q[next_state].max()
@@ -211,12 +211,26 @@ my_program = [0, 1, 2]
 
 # %% the first step has no reward
 # slow
-# says: A last sleeper never wakes, and the teacher pays
+# says: A last sleeper turns from deep sleep to a light one and back, whatever is done, and the teacher pays
 # says: for a chime in the first step of a night. Only
-# says: clocks ring it: the first step of both nights has its reward, too
+# says: clocks ring it: the first step of both nights has its reward, too, and a reward belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, depth), action, _ in steps[1:]:
+
+# %% learned by the next depth and looked up by this one
+# slow
+# says: a reward belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
+# in: visits as vectors
+# - for (time, depth), action, _ in steps:
+# + for (time, _), action, (_, depth) in steps:
+
+# %% luck of its own
+# slow
+# says: my_program does not repeat itself: two runs with seed 0 take different actions
+# in: visits as vectors
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng()
 
 # %% random nights without a ring
 # slow

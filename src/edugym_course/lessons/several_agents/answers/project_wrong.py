@@ -282,3 +282,26 @@ my_program = games.MinimaxQ
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda _: np.eye(shape[1])[Q[state].mean(axis=1).argmax()]
+
+# %% nothing from a step that leads back
+# slow
+# says: Look at this state: there an action leads back to the same state, and costs 1: learn from it as from any other step
+# in: all pairs at random
+# - Q[state, a, o] += 0.2 * (target - Q[state, a, o])
+# + if terminated[me] or int(seen[me]) != state:
+# +     Q[state, a, o] += 0.2 * (target - Q[state, a, o])
+
+# %% no future in the state 0
+# slow
+# says: in a small game with
+# in: all pairs at random
+# - if not terminated[me]:
+# + if not terminated[me] and seen[me]:
+
+# %% probabilities in tenths
+# slow
+# says: in a small game with 3 states
+# in: all pairs at random
+# - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
+# + tenths = {state: np.round(game.first, 1) for state, game in solved.items()}
+# + return lambda state: tenths[state] / tenths[state].sum() if state in solved else [1 / shape[1]] * shape[1]
