@@ -172,7 +172,7 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 # ### Values: the return to be expected
 # So an agent needs to know what return an action *leads to*. That is its **value**. With the best policy from then on
 # it is called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, without chance; $s'$ is the next state and $r$
-# the reward; the second line only gives the largest of these values a name):
+# the reward; the second equation only gives the largest of these values a name):
 #
 # $$
 # q_*(s, a) = r + \gamma \max_{a'} q_*(s', a') \qquad\qquad v_*(s) = \max_a q_*(s, a)
@@ -199,7 +199,8 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 source(QLearning.learn)
 
 # %% [markdown]
-# To have a chance of finding something better, it must also try what does not look best. **ε-greedy** takes a random
+# To find something better, it should also try what does not look best. (In this shop it often finds the way without that, since
+# first values of 0 look good where each step costs a point. On the wall of lesson 1 it does not.) **ε-greedy** takes a random
 # action with probability $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 2 000
 # steps:
 
@@ -237,7 +238,7 @@ frames(env, agent, max_steps=40)
 # **In other environments.** The loop stays the same. But a table has numbered rows, and in other tasks the agent
 # observes more than one number. On the road of lesson 2 there are two, the place of a runner and its speed.
 # `TabularObservation` makes them the number of a row. (`train` does so by itself. Images have too many values for a
-# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A step costs 1, the last one brings 1, and the best run brings −2. Braking at speed 0 ends the run at a cost of 100.
+# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A run ends well at the far end of the road. A step costs 1, the one that gets there brings 1, and the best run brings −2. Braking at speed 0 ends the run at a cost of 100.
 
 # %%
 road = gym.make("edugym/Roadrunner-v0")
@@ -350,7 +351,7 @@ sliders(
 # <details><summary>Answer</summary>
 #
 # On this slider: at $\gamma = 0$ all ways from the start are equal. From 0.5 to 0.89 one item is best (16 steps), from
-# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps).
+# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps). (Between 0 and 0.5 it is two again: try `figures.with_discount(gamma=0.3)`.)
 # </details>
 
 # %% [markdown]
@@ -371,7 +372,7 @@ sliders(
 # %% [markdown]
 # The colour starts beside the red item and comes back towards the entrance, a few cells from picture to picture. Later
 # the cells grow darker once more: now the value of the other items and of the exit has come back too. In the end the
-# value of the first state, the entrance with an empty bag, is exactly right. (The rest of the way has the bags "red",
+# value of the first state, the entrance with an empty bag, is exactly right, for this agent. (The rest of the way has the bags "red",
 # "red and green" and "all three".)
 
 # %% [markdown]
@@ -478,7 +479,7 @@ check(exercise_2, choose, seed=1, quiet=True)
 #
 # `act` is the ε-greedy of exercise 2, with $\varepsilon = 0.1$: `int(rng.random() * n)` is a random whole number from 0 to
 # n − 1, as `rng.integers(n)` is. (Your own `choose` works too, `return choose(self.Q[state], 0.1, rng)`, but the one of the
-# hint takes eight times as long.) `greedy_action` takes the highest
+# hint takes several times as long.) `greedy_action` takes the highest
 # value, and one of them at random if several have it.
 #
 # After the check your agent races the players of this lesson, with a table of 800 rows: 100 cells × 8 bags. You write
@@ -526,7 +527,7 @@ display(figures.race({"my agent": lambda shop: MyAgent(np.zeros((800, 4)))}))
 run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_every=3_000_000)
 
 # %% [markdown]
-# Your agent's line should lie on that of Q-learning with $\gamma = 0.99$: it is the same agent. The last line trains it for
+# Your agent's line should lie on that of Q-learning with $\gamma = 0.99$: it is the same agent. (With your own `choose`, which draws other random numbers, it lies near it.) The last line trains it for
 # 3 million steps: `run.seconds`, in a cell of your own, says how long they took. Now it is yours. Change its learning rate
 # or the 0.1 in `act`, and race again.
 
@@ -592,7 +593,7 @@ check(project_0, my_program)
 # An agent wants a high return, the discounted sum of all rewards from now on: $G_t = R_{t+1} + \gamma G_{t+1}$. A
 # reward alone does not tell whether an action was good: acting for the next reward brought −248 points (random play
 # −313, the best policy 95), and after 20 000 steps of learning the next reward alone, the agent without exploring was
-# still worse than random play. So the agent learns values, the returns that it can expect. Q-learning moves its guess
+# still worse than random play (with $\alpha = 0.5$). So the agent learns values, the returns that it can expect. Q-learning moves its guess
 # for an action towards the reward plus the discounted best guess for the next state, where there is one. With every
 # update the value of what is far away comes back by one state. *Now say this in your own words.*
 #

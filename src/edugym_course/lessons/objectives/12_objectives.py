@@ -245,7 +245,7 @@ figures.sets({steps: methods.pareto(0.5, n_steps=steps).front(0) for steps in (2
 # $$
 #
 # If a dive took longer than $L$ steps, a step becomes dearer; if it was shorter, cheaper. $\lambda$ is a *Lagrange multiplier*, and this rule is *dual ascent*. Here
-$\eta = 0.01$, and a training takes 50 000 steps.
+# $\eta = 0.01$, and a training takes 50 000 steps.
 # Beside it runs Q-learning, for the price of the moment: it has a *vector* for each action, as the agent of distances has, and its best action is the one with the largest weighted sum. It explores by first values that are too high, 100 for the value and 0 for time, and in no other way. In the
 # code:
 #

@@ -973,8 +973,8 @@ play("my_problem.py")
 #
 # - `__init__` sets `self.observation_space`, and `self.action_space`, which is `Discrete(n)` with two actions or more.
 # - `reset(self, *, seed=None, options=None)` begins with `super().reset(seed=seed)`, which makes the generator
-#   `self.np_random`; without a seed that one goes on. It sets everything anew, in `self` and not in the class, and returns the first observation and a dictionary.
-# - `step(self, action)` returns the observation, the reward, *terminated* (it is over), *truncated* (it is only cut off) and a dictionary. Every episode ends within 10 000 steps,
+#   `self.np_random`; if `seed` is None, the generator from before goes on. Then `reset` sets everything anew. All that changes belongs to `self`, and nothing to the class. It returns the first observation and a dictionary.
+# - `step(self, action)` returns the observation, the reward, *terminated* (it is over), *truncated* (it is only cut off, by the clock and not in the first step; True or False of Python) and a dictionary. Every episode ends within 10 000 steps,
 #   also if one action is taken again and again: if in doubt, truncate it. An action may be a whole number of Python or of NumPy.
 # - The same seed and the same actions give the same episode.
 #

@@ -458,9 +458,9 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - A night has no discount: what comes late counts in full. It ends with `terminated`, after the last action.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# How you learn from her answers is up to you; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
+# How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
 #
-# The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more; ours is worth 8.1, and random buttons much less than 0. (Ours is a plain one, from random nights: yours may well do better, and better still by asking in rounds, if the clock that plays them still tries things at random.) Then it lets three *other* teachers answer, who want something
+# The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more; ours is worth 8.1, and random buttons much less than 0. (Ours is a plain one, from random nights; yours may do better.) Then it lets three *other* teachers answer, who want something
 # else, and two more whose sleepers sleep otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>

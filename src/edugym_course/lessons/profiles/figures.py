@@ -26,7 +26,7 @@ def all_ladders(*agents: str) -> Sheet:
     return Sheet("all_ladders", [drawn[first : first + 3] for first in range(0, len(drawn), 3)])
 
 
-def beside_q_learning(agent: str = "DynaQ") -> Sheet:
+def beside_q_learning(agent: str = "QLearning") -> Sheet:
     """Draw all ladders of an agent, with those of Q-learning."""
     return all_ladders(*dict.fromkeys(("QLearning", agent)))
 

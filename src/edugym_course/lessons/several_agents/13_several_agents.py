@@ -528,10 +528,10 @@ check(exercise_3, learn, seed=1, quiet=True)
 #   When an episode is over, terminated or truncated, `environment.agents` is empty. Only `terminated["player_0"]` means that nothing follows.
 # - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions it has; `"player_1"` may have fewer.
 #   Both players see the same state.
-# - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player. Player 1 draws its other actions from the policy of the columns.
+# - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check lets your program learn eight small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. It may be 0.2 more than what a safe policy allows; payoffs go up to 24. It does not look
+# The check lets your program learn eight small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. The opponent may win 0.2 more than from a safe policy; payoffs go up to 24. It does not look
 # at your code. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]
