@@ -92,6 +92,10 @@ ERRORS = [
     ("return np.zeros(2)[0, 1]", "the array has fewer axes than there are indices"),
     ("return np.zeros(0)[0]", "it is empty, so it has no entries"),
     ("return np.zeros(2)[2]", "indices go from 0 to the size less 1"),
+    (
+        'raise AssertionError("Environment truncates after 1 step, something has gone very wrong.")',
+        "is that step `terminated`, and not truncated?",
+    ),
     ("return [1, 2][2]", "indices go from 0 to the size less 1"),
     ("return math.exp(710)", "the exponential of a number above 709 is too large"),
     ("return math.log(0)", "a logarithm needs a number above 0"),

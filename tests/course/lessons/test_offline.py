@@ -99,7 +99,7 @@ def test_a_riddle_has_one_answer_for_whoever_is_careful(riddle: riddles.Riddle) 
             truncated=np.zeros(800, bool),
             probabilities=np.ones(800),  # nobody asks for them
             n_states=book.n_states,
-            n_actions=riddles.N_ACTIONS,
+            n_actions=riddle.n_actions,
         )
         assert data.returns().min() >= -90
         for penalty, lowest in ((0.3, -90.0), (2.0, -90.0), (5.0, -90.0), (2.0, -1000.0)):
