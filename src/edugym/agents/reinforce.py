@@ -36,9 +36,9 @@ class REINFORCE(NamedTuple):
         θ(S_t, ·) <- θ(S_t, ·) + α^θ γ^t δ ∇ln π(A_t|S_t, θ)     with π(a|s, θ) ∝ exp(θ(s, a))
 
     The baseline V makes the gradient less noisy, and does not change its mean in episodes that visit no state twice. In
-    others V has already moved at the second visit, and then the order of the steps matters; `value_learning_rate=0`
-    goes without one. Where an episode is truncated, V of the last state stands
-    for the rewards that are missing (so without a baseline they count as 0).
+    others V has already moved at the second visit, and then the order of the steps matters. `value_learning_rate=0`
+    goes without a baseline. Where an episode is truncated, V of the last state stands for the rewards that are missing
+    (so without a baseline they count as 0).
 
     Attributes:
         preferences: shape (n_states, n_actions): θ.

@@ -8,10 +8,9 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from edugym_course.grading.learners import Learner, Maker
+from edugym_course.grading.learners import Learner
 from edugym_course.grading.programs import APART, run_program, shape_of
 from edugym_course.grading.replay import replay
-from edugym_course.grading.small_world import SmallWorld
 from edugym_course.grading.surprises import NEAR, Surprises, likeliest, refusal
 
 WORLDS, N_STEPS = 2, 3_000
@@ -29,10 +28,6 @@ TOLL, AROUND = -4.0, -3.98
 """What a toll costs, after which there is one more step, and what the way around it costs, which is a single step. Who
 discounts rewards as well pays the toll.
 """
-
-
-AGAIN, AGAIN_STEPS = 4, 2_000
-"""How many numbers all states share where they come twice in an episode; and the steps there."""
 
 
 class CloseCalls(gymnasium.Env[Any, Any]):
@@ -118,19 +113,3 @@ def require_close_calls(
             " rounded nor cut off?"
         )
     raise refusal("worlds where small differences decide,", epsilon, found, cause)
-
-
-def fits_better(
-    program: Any, seed: int, mistake: Maker, right: Maker, epsilon: float, *, truncates: bool = True
-) -> bool:
-    """Whether the actions of a program fit a mistake better where states come twice in an episode.
-
-    Raises:
-        WrongAnswer: the program breaks the contract.
-    """
-    world: Any = gymnasium.wrappers.TransformObservation(
-        SmallWorld(seed, truncates), lambda state: state % AGAIN, spaces.Discrete(AGAIN)
-    )
-    steps = run_program(program, world, AGAIN_STEPS, seed).steps
-    wrong, usual = (Surprises.of(replay([steps], Learner(make), shape_of(world), epsilon)) for make in (mistake, right))
-    return wrong.explains_better_than(usual)

@@ -9,9 +9,10 @@ from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium import spaces
 
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.learners import LOW, Learner
+from edugym_course.grading.learners import LOW, Learner, Maker
 from edugym_course.grading.programs import (
     NAME,
     POLICY,
@@ -77,6 +78,8 @@ LATE = 5.0
 a program, and do not to our agent, are rare at the beginning. Of 99 runs of right programs, 2.5 was the most."""
 MANY_OF_CHANCE = 0.4
 """From which share of those of chance alone the state itself may be another one."""
+AGAIN, AGAIN_STEPS = 4, 2_000
+"""How many numbers all states share where they come twice in an episode; and the steps there."""
 ELSEWHERE = (
     "Is each action chosen in the state that step() or reset() gave last? A loop inside the loop may have used its"
     " name."
@@ -354,3 +357,19 @@ class Rule:
         if wild and not right.are_drawn():
             return f"Compare {compare}.{wild}"
         return f"Compare {compare}.{wild} If all that is right, ε is about {found / by_chance:.2f}{others}"
+
+
+def fits_better(
+    program: Any, seed: int, mistake: Maker, right: Maker, epsilon: float, *, truncates: bool = True
+) -> bool:
+    """Whether the actions of a program fit a mistake better where states come twice in an episode.
+
+    Raises:
+        WrongAnswer: the program breaks the contract.
+    """
+    world: Any = gymnasium.wrappers.TransformObservation(
+        SmallWorld(seed, truncates), lambda state: state % AGAIN, spaces.Discrete(AGAIN)
+    )
+    steps = run_program(program, world, AGAIN_STEPS, seed).steps
+    wrong, usual = (Surprises.of(replay([steps], Learner(make), shape_of(world), epsilon)) for make in (mistake, right))
+    return wrong.explains_better_than(usual)

@@ -50,10 +50,7 @@ HINTS = (
         "could not be broadcast|boolean index did not match|mismatch in its core dimension|shapes .* not aligned",
         "two arrays of different sizes meet there: are rows and columns in order?",
     ),
-    (
-        "truncates after 1 step",
-        "is that step `terminated`, and not truncated? Have the two changed places?",
-    ),
+    ("truncates after 1 step", "is that step `terminated`, and not truncated? Have the two changed places?"),
     ("scale < 0", "a standard deviation is below 0: is it ln σ that is learned, and σ = e^(ln σ)?"),
     (
         "(function|method)' (object is not subscriptable|and )|and '\\w*(function|method)'",

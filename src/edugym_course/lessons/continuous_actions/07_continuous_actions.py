@@ -613,7 +613,7 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # **Measured.** The continuous agent, by far. About half of its runs end at 0: the arm picks up the box, and then stays
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
 # close to it. But what is possible and what is learned are two things. A collision costs 2. Holding the box costs 1, but only after 150 steps: discounted, that is 0.2. That drawn actions are
-# never exact ($\sigma$ is fixed) is not the reason: with more exact ones, $\sigma = 0.3$ for 0.5, more runs ended at 0 (58 % of 50, and not 32 %).
+# never exact ($\sigma$ is fixed) seems not to be the reason: with more exact ones, $\sigma = 0.3$ for 0.5, more runs ended at 0 (58 % of 50, and not 32 %).
 #
 # Three bins lose little more than what is no longer possible for them.
 # </details>
@@ -671,7 +671,7 @@ sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 
 # %% [markdown]
 # <details><summary>What we found</summary>
 #
-# From $\mu = -1$ even $\sigma = 2.5$ brings only 32 of 100 to the rich container (on the way it shrinks). From $\mu = 0$ and $\sigma = 2$, 98
+# From $\mu = -1$ even $\sigma = 2.5$ brings only 32 of 100 to the rich container ($\sigma$ shrinks on the way). From $\mu = 0$ and $\sigma = 2$, 98
 # of 100 arrive.
 # </details>
 

@@ -8,12 +8,11 @@ import gymnasium
 
 from edugym.adapters.fitting import tabular
 from edugym.agents.n_step_sarsa import NStepSARSA
-from edugym_course.grading.close_calls import fits_better
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
 from edugym_course.grading.programs import NAME, Environment
-from edugym_course.grading.rule import Rule
+from edugym_course.grading.rule import Rule, fits_better
 from edugym_course.lessons.depth.cuts import require_cuts
 from edugym_course.lessons.depth.slips import DISCOUNT, LEARNING_RATE, N, discounted, slips
 from edugym_course.lessons.depth.targets import EPSILON

@@ -12,7 +12,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
-from edugym_course.grading.close_calls import fits_better, require_close_calls
+from edugym_course.grading.close_calls import require_close_calls
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import (
@@ -23,7 +23,7 @@ from edugym_course.grading.learners import (
     too_early,
 )
 from edugym_course.grading.programs import NAME
-from edugym_course.grading.rule import Rule
+from edugym_course.grading.rule import Rule, fits_better
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000

@@ -283,7 +283,7 @@ def _check_first_step(answer: Any, seed: int) -> None:
     found = [judged(answer, OTHER_SEEDS * seed + number, AT_ONCE).meant for number in range(OTHER_SEEDS)]
     if (taken := sum(meant > 0 for meant in found)) <= OTHER_SEEDS // 2:
         raise WrongAnswer(
-            f"A last sleeper turns from deep sleep to a light one and back, whatever is done, and the teacher pays"
+            f"A last sleeper wakes and falls asleep again in turns, whatever is done, and the teacher pays"
             f" {AT_ONCE.soon:g} for a chime in the first step of a night. Only {taken} of {OTHER_SEEDS} clocks ring it:"
             " the first step of both nights has its reward, too, and a reward belongs where it is looked up later: by"
             " the depth from which the step comes in both places, or by the one to which it leads"

@@ -81,7 +81,7 @@ print(f"score {study.score('Q-learning', 'Study').estimate:.2f}")
 print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
 
 # %% [markdown]
-# Read the rungs before the score. Where it breaks is not known to the day: with other random numbers these five runs gave 39 to 87 days. Two agents with the same score may fail at different strengths.
+# Read the rungs before the score. Where it breaks is not known to the day: with other random numbers five runs broke at 39 to 87 days. Two agents with the same score may fail at different strengths.
 
 # %% [markdown]
 # ## The experiment: read a profile from an equation

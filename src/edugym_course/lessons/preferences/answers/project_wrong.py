@@ -211,7 +211,7 @@ my_program = [0, 1, 2]
 
 # %% the first step has no reward
 # slow
-# says: A last sleeper turns from deep sleep to a light one and back, whatever is done, and the teacher pays
+# says: A last sleeper wakes and falls asleep again in turns, whatever is done, and the teacher pays
 # says: for a chime in the first step of a night. Only
 # says: clocks ring it: the first step of both nights has its reward, too, and a reward belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
 # in: visits as vectors
