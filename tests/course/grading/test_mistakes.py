@@ -46,6 +46,7 @@ RIGHT = np.array([[1.0, 2.0], [3.0, 4.5]])
         ([1 / 3, 1 / 5.5, -0.5], "in all cases it is 1 divided by the right number"),
         ([-2.0, -4.5, 3.0], "in all cases it is 1 less the right number"),
         ([7.0, 7.0, 7.0], "in all cases it is 7, whatever it is given"),
+        ([1.0, 5.5, 4.0], ""),
         ([3.0, 5.5, 4.0], "it is right in 2 of 3 cases: what is special in this one?"),
         ([1.0, 2.0, 3.0], ""),
     ],

@@ -24,8 +24,8 @@ from edugym_course.notebook import play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: ten ladders
 #
-# Each environment of this course isolates one challenge, with a parameter that is its strength. So it is a *ladder* of tasks. Each
-# rung is a task of its own: the same challenge, a little stronger. (In the supermarket the task stays, and the steps get fewer.)
+# Ten environments of this course each isolate one challenge, with a parameter that is its strength. So each is a *ladder* of tasks. Each
+# rung is a task of its own: the same challenge, a little stronger. (In the supermarket the task stays, and the steps of its training get fewer.)
 
 # %%
 for ladder in LADDERS:
@@ -43,7 +43,7 @@ gym.make("edugym/Boulder-v0", height=boulder.strengths[0]).unwrapped.scene()
 gym.make("edugym/Boulder-v0", height=boulder.strengths[-1]).unwrapped.scene()
 
 # %% [markdown]
-# Climb the first rung yourself, a wall with other grips, seeing only what an agent sees. At each height one of the two grips holds, and it is the same one in every episode.
+# Climb the first rung yourself, a wall with other grips, seeing only what an agent sees. At each height one of the two grips holds, the same one in every episode, and a wrong grip takes you back to the ground.
 # How many wrong grips do you take until you reach the top for the first time? Then think of 100 levels. (Who remembers what failed takes one wrong grip a level, at most; who does not would need some $2^{100}$ climbs.)
 
 # %%
@@ -51,7 +51,7 @@ play("Boulder", height=boulder.strengths[0], layout_seed=1, blind=True)
 
 # %% [markdown]
 # On each rung an agent trains for a fixed number of steps, from the beginning: what it has learned on one rung is forgotten on the next. Then it
-# plays without exploring. All agents get the same number of steps on a rung, and nothing is tuned.
+# plays 10 to 100 episodes without exploring. All agents get the same number of steps on a rung, and nothing is tuned.
 
 # %% [markdown]
 # ## The idea: one scale for all rewards
@@ -70,7 +70,7 @@ play("Boulder", height=boulder.strengths[0], layout_seed=1, blind=True)
 source(Bounds.score)
 
 # %% [markdown]
-# Here Q-learning climbs Study. There an exam comes after 5, 10, 20, 40, 80 or 160 days. To pass, study on the one day of a lecture, sleep once (going out would undo it), and study on
+# Here Q-learning climbs Study. There an exam comes after 5, 10, 20, 40, 80 or 160 days. Two of the five actions do nothing. To pass, study on the one day of a lecture, sleep once (going out would undo it), and study on
 # the last day. Nothing but the exam has a reward.
 
 # %%
@@ -90,15 +90,15 @@ print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
 # $U$, so it goes and tries it, if it knows a way:
 #
 # $$
-# Q(s, a) = \begin{cases}
-# \sum_{s'} \hat p(s' \mid s, a) \left[ \hat r(s, a, s') + \gamma \max_{a'} Q(s', a') \right] & \text{if } (s, a) \text{ is known} \\
+# Q^+(s, a) = \begin{cases}
+# \sum_{s'} \hat p(s' \mid s, a) \left[ \hat r(s, a, s') + \gamma \max_{a'} Q^+(s', a') \right] & \text{if } (s, a) \text{ is known} \\
 # U & \text{otherwise}
 # \end{cases}
 # $$
 #
-# A pair is known after $m$ tries. Its $\hat p$ and $\hat r$ come from these $m$ tries and never change again. In the code
-# $m$ is `known_after`, and 1 by default; $U$ is `highest_return`, and 100.
-# In this way it acts while it learns. It is scored by a second table with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
+# A pair is known after $m$ tries. The estimates $\hat p$ and $\hat r$ of its probabilities and rewards come from these $m$ tries and never change again. In the code
+# $Q^+$ is `optimistic`, $m$ is `known_after`, and 1 by default, and $U$ is `highest_return`, and 100. (`given` says whether an exact model was handed in: not here. `becomes_known` adds the pair to those that it plans with.)
+# By $Q^+$ it acts while it learns. It is scored by a second table, `Q`, with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
 
 # %%
 source(RMax, "learn", "act", "greedy")
@@ -157,7 +157,7 @@ sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.9
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# - *The learning rate and* $\varepsilon$ hardly moved Study, whatever they were: its scores were 0.59 to 0.73. Tamagotchi (a pet tells by a message, noisy on the higher rungs, which action it wants, and its hit points fall with each wrong one) fell from 0.69 to 0.07 without exploration, and to 0.10 with
+# - *The learning rate and* $\varepsilon$ hardly moved Study, whatever they were: its scores were 0.59 to 0.73. Tamagotchi (a pet tells by a message, noisy on the higher rungs, which action it wants; each wrong one makes it less happy, and an unhappy pet loses hit points) fell from 0.69 to 0.07 without exploration, and to 0.10 with
 # a learning rate of 1 (with other random numbers to 0.1 to 0.5, on average to 0.34). With both at once it scored 0.65: two settings that are bad alone need not be so together.
 # - *One setting* left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2: only the very end of its slider does it.
 # </details>
@@ -234,7 +234,7 @@ for sentence in methods.whole_profile("QLearning"):
 figures.all_ladders("QLearning")
 
 # %% [markdown]
-# Q-learning masters no ladder up to its last rung. Choose another agent (first RMax, NStepSARSA and QLambda of lesson 3, or DynaQ of lesson 9), and say of each ladder, before you look, whether it climbs higher. Which part of
+# Q-learning masters no ladder up to its last rung. (Where a rung is near 0.5, as on the road of length 80, other runs may break one rung later.) Choose another agent (first RMax, NStepSARSA and QLambda of lesson 3, or DynaQ of lesson 9), and say of each ladder, before you look, whether it climbs higher. Which part of
 # its equation should help there?
 
 # %%
@@ -243,7 +243,9 @@ sliders(figures.beside_q_learning, agent=methods.stored_agents())
 # %% [markdown]
 # <details><summary>What came out, as the score less that of Q-learning</summary>
 #
-# - *RMax*: Boulder and Supermarket +0.6, Study +0.3, Roadrunner and Switches +0.2; but Golf −0.1, MemoryCorridor −0.25 and Tamagotchi −0.7, where one try shows one of many outcomes.
+# - *RMax*: Boulder and Supermarket +0.6, Study +0.3, Roadrunner and Switches +0.2; but Golf −0.1, where one try shows one of many outcomes, and Tamagotchi −0.7, for that and for its low $U$.
+# - MemoryCorridor −0.25, all of it on the first rung. Is this one try, too? No: ten tries or a hundred score the same −0.5 there. But the episode is always cut off behind the right door, so nothing is ever tried there and its value stays
+#   at −100. With 0 in the place of −100, as Q-learning has it, R-max scores 1 on this rung. (Over the ladder it then has 0.35; Q-learning has 0.37.)
 # - *DynaQ*, *NStepSARSA* and *QLambda*, which carry a value back over many steps at once: Supermarket +0.4, +0.3 and +0.35, Study +0.3, +0.2 and +0.3, Boulder +0.1 each.
 # </details>
 
@@ -282,7 +284,7 @@ check(exercise_1, ladder_score, seed=1, quiet=True)
 
 # %% [markdown]
 # ### Exercise 2: build a hole
-# Build an agent that is as good as Q-learning in Tamagotchi (or nearly: at most 0.1 lower), where every step has its reward, and no good in Study. Changing one setting is enough. The check
+# Build an agent that is as good as Q-learning in Tamagotchi (or nearly: at most 0.1 lower), and no good in Study. (In Tamagotchi every step has its reward.) Changing one setting is enough, and more than one can do it. The check
 # trains your agent and Q-learning on both ladders, five times on each rung. A hole is a score that is surely lower by 0.2: the whole 95 % interval of the difference lies below −0.2.
 # The settings of `QLearning.create(environment, ...)` are `learning_rate`, `discount`, `exploration` and `initial_value`.
 #
@@ -307,7 +309,7 @@ check(exercise_2, make_mine, seed=1, quiet=True)
 # %% [markdown]
 # More holes to build, with `profile` as the judge: an agent that masters Boulder and breaks in Golf; one that breaks in Boulder, but not in Golf; one that
 # gets further than Q-learning in MemoryCorridor (a wrapper is part of an agent: after `from edugym import FrameStack`, that is `(QLearning.create, lambda mdp: FrameStack.create(mdp, 4))`). Why
-# can this one not enter Roadrunner? (`profile(...).blank` says it.)
+# can this one not enter Roadrunner? (`profile({"mine": ...}, challenges=["Roadrunner"]).blank` says it.)
 
 # %% [markdown]
 # ## What you saw

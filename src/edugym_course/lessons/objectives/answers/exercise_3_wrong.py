@@ -210,6 +210,13 @@ def new_price(price, steps, limit, rate):
 # + return max(0.0, price + rate * (steps - 7))
 
 
+# %% the rate of the text
+# says: the rate is always 0.01, as in the text; use the `rate` that is given
+# in: max
+# - return max(0.0, price + rate * (steps - limit))
+# + return max(0.0, price + 0.01 * (steps - limit))
+
+
 # %% steps taken off
 # says: the steps lower the price, and they should raise it
 # in: max

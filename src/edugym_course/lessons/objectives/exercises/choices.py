@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from edugym.mdp.protocol import Reals
-from edugym_course.lessons.objectives.methods import LIMIT
+from edugym_course.lessons.objectives.methods import LIMIT, PRICE_RATE
 
 Choice = tuple[Reals, int, Reals, Reals]
 """A table Q of shape (states, actions, 2), a state, weights and the utopian point."""
@@ -183,6 +183,9 @@ PRICE_MISTAKES: Mapping[str, Callable[[float, float, float, float], float]] = {
     "the old price is missing: the step is added to it": lambda p, n, most, r: max(0.0, r * (n - most)),
     "the limit is always 7, as in the text; use the `limit` that is given": lambda p, n, most, r: max(
         0.0, p + r * (n - LIMIT)
+    ),
+    "the rate is always 0.01, as in the text; use the `rate` that is given": lambda p, n, most, r: max(
+        0.0, p + PRICE_RATE * (n - most)
     ),
     "the steps lower the price, and they should raise it": lambda p, n, most, r: max(0.0, p - r * (n + most)),
     "the limit is missing: what counts is how far the dive is above it": lambda p, n, most, r: max(0.0, p + r * n),
