@@ -40,7 +40,7 @@ env.unwrapped.scene()
 # %% [markdown]
 # Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto
 # an item has the reward 24. (The exit pays the same with an empty bag as with a full one, and it ends the visit.) What
-# is the highest total that you can get? (The line below the picture also shows a number, the *observation*. It stands
+# is the highest total that you can get? (You will see it below. The line below the picture also shows a number, the *observation*. It stands
 # for where the shopper is and what is in the bag.)
 
 # %%
@@ -200,7 +200,7 @@ source(QLearning.learn)
 
 # %% [markdown]
 # To find something better, it should also try what does not look best. (In this shop it often finds the way without that, since
-# first values of 0 look good where each step costs a point. On the wall of lesson 1 it does not.) **ε-greedy** takes a random
+# first values of 0 look good where each step costs a point.) **ε-greedy** takes a random
 # action with probability $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 2 000
 # steps:
 
@@ -222,7 +222,7 @@ print("values of the four actions in the first state:", agent.Q[8].round(2))
 frames(env, agent, max_steps=40)
 
 # %% [markdown]
-# The shopper stays at the entrance. Of the four values above that of action 0, up, is the highest. Up is a wall, and
+# The shopper stays at the entrance. Of the four values printed above, the highest is that of action 0, up. Up is a wall, and
 # without learning the values stay as they are, so it walks into the wall at every step. Here the agent knows only that
 # steps cost points. Each update carries value one step back, from $S'$ to $S$. The value of the red item has come back
 # nearly to the entrance, but not yet to it. And after 20 000 steps more? `train` is the loop that you have just seen,
@@ -238,7 +238,7 @@ frames(env, agent, max_steps=40)
 # **In other environments.** The loop stays the same. But a table has numbered rows, and in other tasks the agent
 # observes more than one number. On the road of lesson 2 there are two, the place of a runner and its speed.
 # `TabularObservation` makes them the number of a row. (`train` does so by itself. Images have too many values for a
-# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A run ends well at the far end of the road. A step costs 1, the one that gets there brings 1, and the best run brings −2. Braking at speed 0 ends the run at a cost of 100.
+# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A run ends well exactly on the last cell of the road. A step costs 1, the one that gets there brings 1, and the best run brings −2 points. Running past the last cell, over a cliff, or braking at speed 0 ends the run at a cost of 100.
 
 # %%
 road = gym.make("edugym/Roadrunner-v0")
@@ -294,14 +294,14 @@ worst.measured(min(late, key=late.get))
 # $\gamma = 0.99$ find the optimum in most runs (here in 28 of 30, with 59 other seeds in 19 to 28), and in the rest
 # a worse way, mostly with two items.
 #
-# At first this learner is as bad as the other one. It has to meet the items and the exit. Every step costs a point,
+# At first this learner is as bad as the one with $\gamma = 0$. It has to meet the items and the exit. Every step costs a point,
 # so an action that it has tried soon looks worse than one that it has not, and it tries them all. Then the value of
 # the items and the exit comes back along the way, one state after the other. </details>
 #
 # <details><summary>Why is γ = 0 worse than random play, and why does its line rise later?</summary>
 #
 # Where the agent has often been, its values are about −1, except beside an item or the exit. With exactly right values
-# it would be the player of −248. But they are not quite right, and in these episodes they do not change. So the
+# it would be the player with −248 points from above. But they are not quite right, and in these episodes they do not change. So the
 # smallest difference decides, in the same way at every visit, and the shopper stands at a wall or wanders in one part
 # of the shop until the clock stops. While it learns (right panel) it is no worse than random play.
 #
@@ -405,7 +405,7 @@ everywhere.measured(100 * share)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was
-# 36 %. With 10 % random actions Q-learning learns *its way* and little else. In about half of the states it never
+# 36 %. In 20 000 steps with 10 % random actions Q-learning learns *its way* and little else. (With wholly random actions it was 55 %.) In about half of the states it never
 # acted, and these keep their first values (35 % right, by luck). Most of the others it visited fewer than 50 times.
 # </details>
 
@@ -487,7 +487,7 @@ check(exercise_2, choose, seed=1, quiet=True)
 #
 # After the check your agent races the players of this lesson, with a table of 800 rows: 100 cells × 8 bags. You write
 # plain Python, and it is translated into machine code, which takes some seconds, once. Then it runs millions of steps a
-# second. That works for a `NamedTuple`, and without a `print` in its methods. With one, or with an ordinary class, the cell
+# second. That works for a `NamedTuple`, and without a `print` in its methods. With a `print`, or with an ordinary class, the cell
 # takes half a minute or more.
 #
 # <details><summary>Hint</summary><code>state</code>, <code>action</code>, <code>reward</code> and <code>next_state</code> are
@@ -597,8 +597,8 @@ check(project_0, my_program)
 # reward alone does not tell whether an action was good: acting for the next reward brought −248 points (random play
 # −313, the best policy 95), and after 20 000 steps of learning the next reward alone, the agent without exploring was
 # still worse than random play (with $\alpha = 0.5$). So the agent learns values, the returns that it can expect. Q-learning moves its guess
-# for an action towards the reward plus the discounted best guess for the next state, where there is one. With every
-# update the value of what is far away comes back by one state. *Now say this in your own words.*
+# for an action towards the reward plus the discounted best guess for the next state, where there is one. One
+# update carries value back by one state, so the value of what is far away comes back by about one state with each walk along the way. *Now say this in your own words.*
 #
 # ### What comes next
 # The shop was easy in many ways. Lessons 1 to 9 take these away, one by one; below are their environments. (Lesson 0b
