@@ -6,7 +6,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym_course.grading.programs import Step
+from edugym.checks.contract import learns_from
+from edugym.mdp.protocol import Random, Reals
+from edugym_course.grading.programs import Step, learn_from
 from edugym_course.grading.surprises import NATS, UNEXPLAINED
 
 LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
@@ -114,6 +116,42 @@ def too_early(make: Maker) -> dict[str, Learner]:
     """Return the mistake of a loop that goes on to the next state before it learns, by its sentence."""
     sentence = "`state = next_state` comes before the update, which then moves a value of S' in place of one of S"
     return {sentence: Learner(make, stale=True)}
+
+
+class AtTheEnd:
+    """An agent that learns from the steps of an episode when it is over."""
+
+    def __init__(self, make: Maker, shape: tuple[int, int]) -> None:
+        """Make the agent."""
+        self._agent = make(shape)
+        self._names, self._steps = learns_from(self._agent), list[Step]()
+
+    @property
+    def Q(self) -> Reals:
+        """Its table."""
+        table: Reals = self._agent.Q
+        return table
+
+    def act(self, state: Any, rng: Random) -> int:
+        """Choose an action by ε-greedy."""
+        return int(self._agent.act(state, rng))
+
+    def learn(self, state: Any, action: int, reward: float, next_state: Any, terminated: bool, truncated: bool) -> None:
+        """Note the step."""
+        self._steps.append(Step(state, action, reward, next_state, terminated, truncated))
+        if terminated or truncated:
+            for step in self._steps:
+                learn_from(self._agent, self._names, step, step.action)
+            self._steps.clear()
+
+
+def at_the_end(make: Maker) -> dict[str, Maker]:
+    """Return the mistake of a program that learns too late, by its sentence."""
+    sentence = (
+        "nothing is learned before the episode is over, or the actions are chosen by a copy of the table from its"
+        " beginning. Learn from each step at once, and choose by the table as it is now"
+    )
+    return {sentence: partial(AtTheEnd, make)}
 
 
 def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Sequence[float]]) -> dict[str, Learner]:

@@ -30,7 +30,7 @@ Program = Callable[[Environment, int, int], Policy]
 NAME = "my_program"
 POLICY = f"the policy that {NAME} returns"
 ENOUGH = 0.9
-"""The share of the steps that a program must take."""
+"""The share of the steps that a program must take if it ends with an episode."""
 UNSEEDED = "gives no seed to its first reset, so two runs with one seed differ: begin with"
 """What is said of a program without a seed, before how its first reset should look."""
 FEWEST_STARTS, ALIKE = 200, 0.97
@@ -66,7 +66,7 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
 
     Attributes:
         steps: the steps so far.
-        is_seeded: whether the first reset gave a seed.
+        given_seed: the seed that the first reset gave, None if it gave none.
         slip: the sentence of the first thing that was refused, "" if there is none.
     """
 
@@ -83,7 +83,7 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         self._chance = environment.action_space.np_random
         self._unused = self._chance.bit_generator.state
         self.steps: list[Step] = []
-        self.is_seeded = False
+        self.given_seed: int | None = None
         self.slip = ""
         self._most, self._seed, self._who, self._fixed = n_steps, seed, who, fixed
         self._state: Any = None
@@ -110,7 +110,7 @@ class Recorder(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not self._is_over and not self._is_new:
             self._refuse("calls reset() in the middle of an episode: go on until `terminated` or `truncated` is True")
         if not self._has_begun:
-            self.is_seeded = seed is not None
+            self.given_seed = seed
             seed = APART + (self._fixed if self._fixed is not None else self._seed if seed is None else seed)
         state, _ = self.env.reset(seed=seed, options=options)
         self._state, self._has_begun, self._is_new, self._is_over = state, True, True, False
@@ -176,10 +176,12 @@ class Run(NamedTuple):
     Attributes:
         steps: all its steps.
         policy: what it returned.
+        given_seed: the seed that it gave to its environment.
     """
 
     steps: Sequence[Step]
     policy: Policy
+    given_seed: int | None = None
 
     @property
     def returns(self) -> Reals:
@@ -227,7 +229,7 @@ def run_program(
     if not recorder.steps:
         raise WrongAnswer(f"{NAME} takes no step in the environment that it is given: does it make one of its own?")
     require_steps(len(recorder.steps), n_steps, recorder.steps[-1].terminated or recorder.steps[-1].truncated)
-    if not recorder.is_seeded:
+    if recorder.given_seed is None:
         raise WrongAnswer(f"{NAME} {UNSEEDED} state, info = environment.reset(seed=seed)")
     if recorder.samples_unseeded:
         raise WrongAnswer(
@@ -235,7 +237,7 @@ def run_program(
             " differ: draw from rng = np.random.default_rng(seed), or begin with environment.action_space.seed(seed)"
         )
     require_policy(call, policy, noun, is_real=isinstance(environment.action_space, spaces.Box))
-    return Run(recorder.steps, policy)
+    return Run(recorder.steps, policy, recorder.given_seed)
 
 
 def require_steps(taken: int, n_steps: int, is_over: bool) -> None:
@@ -249,14 +251,14 @@ def require_steps(taken: int, n_steps: int, is_over: bool) -> None:
     Raises:
         WrongAnswer: it does.
     """
-    if taken < ENOUGH * n_steps:
-        raise WrongAnswer(
-            f"{NAME} takes {taken} of its {n_steps} steps: go on, episode after episode, until all are taken"
-        )
     if taken == n_steps - 1 and not is_over:
         raise WrongAnswer(
             f"{NAME} takes {taken} of its {n_steps} steps: one is missing; does the loop begin at 1, or end at"
             " n_steps - 1?"
+        )
+    if taken < (ENOUGH if is_over else 1) * n_steps:
+        raise WrongAnswer(
+            f"{NAME} takes {taken} of its {n_steps} steps: go on, episode after episode, until all are taken"
         )
     if taken == n_steps + 1 and not is_over:
         raise WrongAnswer(
@@ -365,37 +367,3 @@ def shape_of(environment: Environment) -> tuple[int, int]:
 def learn_from(agent: Any, names: Sequence[str], step: Step, next_action: int) -> None:
     """Let an agent of the package learn from a step; `names` are what its `learn` asks for."""
     agent.learn(**{name: next_action if name == "next_action" else getattr(step, name) for name in names})
-
-
-def require_reproducible(
-    program: Any, make: Callable[[], Environment], n_steps: int, seed: int, draws: bool = True
-) -> None:
-    """Refuse a program that does not repeat itself with the same seed or, if it must draw, whose seed changes nothing.
-
-    Raises:
-        WrongAnswer: it does one of the two, or it breaks the contract.
-    """
-
-    def actions(number: int) -> list[Any]:
-        return [step.action for step in run_program(program, make(), n_steps, number, seed).steps]
-
-    require_repeats(actions(seed), actions(seed), actions(seed + 1) if draws else None, seed)
-
-
-def require_repeats(first: list[Any], again: list[Any], other: list[Any] | None, seed: int) -> None:
-    """Refuse a program whose actions in two runs with one seed differ, or are those of the next seed.
-
-    Raises:
-        WrongAnswer: it is so.
-    """
-    if first != again:
-        raise WrongAnswer(
-            f"{NAME} does not repeat itself: two runs with seed {seed} take different actions. Draw every random number"
-            " from rng = np.random.default_rng(seed), and make all that it learns inside the function, so that nothing"
-            " is left of the run before"
-        )
-    if first == other:
-        raise WrongAnswer(
-            f"{NAME} takes the same actions with seed {seed} and with seed {seed + 1}: it should try actions at random,"
-            " and draw them from rng = np.random.default_rng(seed)"
-        )

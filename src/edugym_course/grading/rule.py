@@ -9,10 +9,9 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from gymnasium import spaces
 
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.learners import LOW, Learner, Maker
+from edugym_course.grading.learners import LOW, Learner
 from edugym_course.grading.programs import (
     NAME,
     POLICY,
@@ -21,11 +20,11 @@ from edugym_course.grading.programs import (
     Step,
     actions_of,
     begins,
-    require_reproducible,
     require_varied_starts,
     run_program,
     shape_of,
 )
+from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.replay import best_of, histories, learning, looks_best, replay
 from edugym_course.grading.small_world import ACTIONS, SmallWorld
 from edugym_course.grading.surprises import (
@@ -78,8 +77,6 @@ LATE = 5.0
 a program, and do not to our agent, are rare at the beginning. Of 99 runs of right programs, 2.5 was the most."""
 MANY_OF_CHANCE = 0.4
 """From which share of those of chance alone the state itself may be another one."""
-AGAIN, AGAIN_STEPS = 4, 2_000
-"""How many numbers all states share where they come twice in an episode; and the steps there."""
 ELSEWHERE = (
     "Is each action chosen in the state that step() or reset() gave last? A loop inside the loop may have used its"
     " name."
@@ -299,6 +296,7 @@ class Rule:
             noun, plural = "history", "histories"
             look_up = "look up the end of the history that it is given, and a short one as your program does itself"
         other = total = 0
+        taken = set[int]()
         for run in runs:
             ((agent, _),) = deque(learning(run.steps, self.right, shape), maxlen=1)
             if self.remembers:
@@ -314,13 +312,20 @@ class Rule:
             found = actions_of(run.policy, [question for question, _ in clear], shape[1], noun)
             other += sum(action != best for action, (_, best) in zip(found, clear, strict=True))
             total += len(clear)
+            taken |= {*found}
         if other > (MANY_BELOW_0 if below_0 else most) * total:
-            cause = (
-                f"does this policy {look_up}, and take the *best* action, by values learned from all steps?"
-                if not below_0
-                else "does a search for the highest value begin at 0, in the policy or in a target? Begin it at −∞, or"
-                " take `max`. Or does a reward lose what is behind its decimal point, as by `int(reward)`?"
-            )
+            cause = f"does this policy {look_up}, and take the *best* action, by values learned from all steps?"
+            if below_0 and len(taken) == 1:
+                cause = (
+                    "it is always the same one. Does a search for the highest value begin at 0? Begin it at −∞, or take"
+                    " `max`"
+                )
+            elif below_0:
+                cause = (
+                    "does a search for the highest value begin at 0, in a target? Begin it at −∞, or take `max`. Or"
+                    " does a reward lose what is behind its decimal point, as by `int(reward)`? Small mistakes in a"
+                    f" number show most there, too, so compare {self.settings}"
+                )
             raise WrongAnswer(
                 f"{'where all values are below 0, ' * below_0}in {other} of {total} {plural} {POLICY} takes another"
                 f" action than the one that the steps of the program make look best: {cause}"
@@ -357,19 +362,3 @@ class Rule:
         if wild and not right.are_drawn():
             return f"Compare {compare}.{wild}"
         return f"Compare {compare}.{wild} If all that is right, ε is about {found / by_chance:.2f}{others}"
-
-
-def fits_better(
-    program: Any, seed: int, mistake: Maker, right: Maker, epsilon: float, *, truncates: bool = True
-) -> bool:
-    """Whether the actions of a program fit a mistake better where states come twice in an episode.
-
-    Raises:
-        WrongAnswer: the program breaks the contract.
-    """
-    world: Any = gymnasium.wrappers.TransformObservation(
-        SmallWorld(seed, truncates), lambda state: state % AGAIN, spaces.Discrete(AGAIN)
-    )
-    steps = run_program(program, world, AGAIN_STEPS, seed).steps
-    wrong, usual = (Surprises.of(replay([steps], Learner(make), shape_of(world), epsilon)) for make in (mistake, right))
-    return wrong.explains_better_than(usual)

@@ -13,7 +13,8 @@ from gymnasium import spaces
 from edugym import QLearning
 from edugym_course.grading import WrongAnswer, curves
 from edugym_course.grading.curves import Race, Result, compare_with_ours, lowest, our_results, program_of, symptom
-from edugym_course.grading.programs import Recorder, Run, Step, require_reproducible, returns_of, run_program
+from edugym_course.grading.programs import Recorder, Run, Step, returns_of, run_program
+from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.small_world import SmallWorld
 
 N_STEPS = 60

@@ -15,15 +15,8 @@ from gymnasium import spaces
 from edugym.checks.parameters import in_short
 from edugym_course.grading.curves import Race, compare_with_ours
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.programs import (
-    NAME,
-    POLICY,
-    Environment,
-    Policy,
-    Step,
-    require_reproducible,
-    run_program,
-)
+from edugym_course.grading.programs import NAME, POLICY, Environment, Policy, Step, run_program
+from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.rule import TRIAL
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.continuous_actions.draws import Maker, fit, follow, require_drawn, require_gaussian

@@ -8,11 +8,11 @@ import gymnasium
 
 from edugym.adapters.fitting import tabular
 from edugym.agents.n_step_sarsa import NStepSARSA
+from edugym_course.grading.again import require_no_mistake
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables
-from edugym_course.grading.programs import NAME, Environment
-from edugym_course.grading.rule import Rule, fits_better
+from edugym_course.grading.programs import Environment
+from edugym_course.grading.rule import Rule
 from edugym_course.lessons.depth.cuts import require_cuts
 from edugym_course.lessons.depth.slips import DISCOUNT, LEARNING_RATE, N, discounted, slips
 from edugym_course.lessons.depth.targets import EPSILON
@@ -135,9 +135,8 @@ def require_todays_values(program: Any, seed: int) -> None:
     Raises:
         WrongAnswer: it does, or it breaks the contract.
     """
-    if fits_better(program, seed, partial(slips, old=True), slips, EPSILON, truncates=False):
-        raise WrongAnswer(
-            f"where a pair comes twice within n steps, the actions of {NAME} fit a usual mistake: what is subtracted"
-            " from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it may have changed"
-            " since"
-        )
+    mistake = (
+        "what is subtracted from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it"
+        " may have changed since"
+    )
+    require_no_mistake(program, seed, slips, {mistake: partial(slips, old=True)}, EPSILON, truncates=False)

@@ -16,15 +16,8 @@ from edugym.envs.catch import Catch
 from edugym.mdp.brightness import Brightness
 from edugym_course.grading.curves import symptom
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import (
-    NAME,
-    Environment,
-    Run,
-    actions_of,
-    require_reproducible,
-    returns_of,
-    run_program,
-)
+from edugym_course.grading.programs import NAME, Environment, Run, actions_of, returns_of, run_program
+from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.rule import ASKED, TRIAL
 from edugym_course.lessons.dimensionality.riddles import BAD, CHOOSY, DARK, GOOD, LOW, N_ACTIONS, RIDDLES, Album, Riddle
 from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS, Twins

@@ -10,15 +10,8 @@ import numpy as np
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.envs.boulder import Boulder
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import (
-    APART,
-    Environment,
-    Run,
-    actions_of,
-    require_reproducible,
-    returns_of,
-    run_program,
-)
+from edugym_course.grading.programs import APART, Environment, Run, actions_of, returns_of, run_program
+from edugym_course.grading.repeats import require_reproducible
 
 HEIGHT, N_STEPS, TRIAL = 30, 3_000, 200
 LONG, SHORT = 10 * HEIGHT, 35

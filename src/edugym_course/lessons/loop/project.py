@@ -1,5 +1,6 @@
 """The project of lesson 0: Q-learning and its loop, from a blank file."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -12,18 +13,19 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Reals
+from edugym_course.grading.again import require_no_mistake
 from edugym_course.grading.close_calls import require_close_calls
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import (
     Learner,
+    Maker,
+    at_the_end,
     mistakes_of_loops,
     other_settings,
     other_tables,
     too_early,
 )
-from edugym_course.grading.programs import NAME
-from edugym_course.grading.rule import Rule, fits_better
+from edugym_course.grading.rule import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
 
 N_STEPS = 10_000
@@ -208,6 +210,13 @@ CLOSE_MISTAKES = {
     "the first values are above 0": Learner(partial(agent, first=0.5)),
 }
 """Those that change actions only where small differences decide."""
+TOO_LATE: Mapping[str, Maker] = {
+    "max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at once": (
+        partial(slips, of_the_last_reset=True)
+    ),
+    **at_the_end(agent),
+}
+"""Those that show only where a state comes twice in an episode."""
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))
 
 
@@ -215,9 +224,5 @@ def project_0(answer: Any, seed: int) -> str:
     """Check a program with Q-learning."""
     RULE.check(answer, seed)
     require_close_calls(answer, seed, RULE.right, CLOSE_MISTAKES, EPSILON)
-    if fits_better(answer, seed, partial(slips, of_the_last_reset=True), slips, EPSILON):
-        raise WrongAnswer(
-            f"where a state comes twice in an episode, the actions of {NAME} fit a usual mistake: max_a Q(S', a) is"
-            " that of the last reset. Read it from the table as it is now, and learn from each step at once"
-        )
+    require_no_mistake(answer, seed, agent, TOO_LATE, EPSILON)
     return f"Right: that is all of it, the loop and the learner. {compare_with_ours(answer, SHOP, seed)}"

@@ -22,12 +22,8 @@ from edugym.envs.casino import CASINO, HOME, IN, STREET, Casino
 from edugym.mdp.protocol import Integers
 from edugym_course.grading.curves import program_of
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import (
-    APART,
-    Run,
-    require_reproducible,
-    run_program,
-)
+from edugym_course.grading.programs import APART, Run, run_program
+from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.surprises import SIGMAS, Surprises, require_any_of_two
 from edugym_course.grading.ties import require_new_draws
 from edugym_course.lessons.maximisation_bias.methods import DISCOUNT, EPSILON, LEARNING_RATE, MIDDLE

@@ -15,7 +15,8 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.envs.diver import N_COLUMNS, Diver
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import POLICY, Environment, Recorder, require_reproducible, run_program
+from edugym_course.grading.programs import POLICY, Environment, Recorder, run_program
+from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.objectives.methods import LIMIT, PRICES
 

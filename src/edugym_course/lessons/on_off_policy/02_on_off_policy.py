@@ -786,15 +786,15 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: SARSA and its loop, some 35 lines. It
-# chooses $A'$ before it learns, and then really takes it.
+# chooses $A'$ before it learns, and then really takes it. (After a reset it draws a new first action, in the new state.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
-# episode, and learns from each of them. In the end it returns its *policy*: a function that takes a state and returns the
+# episode, and learns from them at once. In the end it returns its *policy*: a function that takes a state and returns the
 # action with the highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
-# - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ and first values of 0.
+# - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ (a random action is any of all $n$) and first values of 0.
 # - Only `terminated` means that nothing follows. Where a step is truncated, draw an $A'$ for its target
 #   $R + \gamma Q(S', A')$, though nobody takes it, or do not learn from this step.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.

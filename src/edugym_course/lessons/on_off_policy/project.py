@@ -4,17 +4,23 @@ from functools import partial
 from typing import Any
 
 import gymnasium
+import numpy as np
 
 from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables, too_early
+from edugym_course.grading.programs import NAME, run_program, shape_of
+from edugym_course.grading.replay import best_of, learning
 from edugym_course.grading.rule import Rule
+from edugym_course.grading.small_world import SmallWorld
+from edugym_course.grading.surprises import NATS
 from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISCOUNT, EPSILON
 from edugym_course.lessons.on_off_policy.riddles import require_riddles
 
-N_STEPS, LEARNING_RATE = 10_000, 0.5
+N_STEPS, CUT_STEPS, LEARNING_RATE = 10_000, 3_000, 0.5
 
 
 def agent(
@@ -54,8 +60,30 @@ CLIFF_WALK = Race(
 """What counts is what it earns while it explores: that is what SARSA learns."""
 
 
+def require_new_actions(program: Any, seed: int) -> None:
+    """Refuse a program that begins an episode, after a truncated one, with the action for the state of the cut.
+
+    Raises:
+        WrongAnswer: it does, or it breaks the contract.
+    """
+    world = SmallWorld(seed)
+    steps, logs, before = run_program(program, world, CUT_STEPS, seed).steps, np.zeros(2), None
+    for learned, step in learning(steps, RULE.right, shape_of(world)):
+        if before and before.truncated:
+            looks = [best_of(learned, state) for state in (step.state, before.next_state)]
+            logs += np.log([EPSILON / len(best) + (1 - EPSILON) * best[step.action] / sum(best) for best in looks])
+        before = step
+    new, old = logs
+    if old > new + NATS:
+        raise WrongAnswer(
+            f"after an episode that was truncated, {NAME} begins with the action for the state in which the clock"
+            " stopped: after every reset() choose a new action, in the state that it gives"
+        )
+
+
 def project_2(answer: Any, seed: int) -> str:
     """Check a program with SARSA."""
     RULE.check(answer, seed)
+    require_new_actions(answer, seed)
     require_riddles(answer, seed)
     return f"Right: A' is both in the target and on the road. {compare_with_ours(answer, CLIFF_WALK, seed)}"

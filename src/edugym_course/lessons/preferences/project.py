@@ -15,7 +15,8 @@ from edugym.exact.regularised import with_rewards
 from edugym.mdp.protocol import Integers, Random
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
-from edugym_course.grading.programs import NAME, actions_of, require_policy, require_repeats
+from edugym_course.grading.programs import NAME, actions_of, require_policy
+from edugym_course.grading.repeats import require_repeats
 from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.own_problem.morning import Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned

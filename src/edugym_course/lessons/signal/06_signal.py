@@ -819,7 +819,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # for each word $w$ and each action $a$, and what it learns of a word it knows in every message. Of a message it keeps
 # only $x_w(o)$, how often word $w$ occurs in it, divided by its length $L$. The value of an action is linear in these
 # shares, and the weights of the action that was taken move along their gradient (Sutton and Barto, sections 9.3 and
-# 9.4). The reward stands alone, since $\gamma = 0$ did no harm in "Your turn". So `terminated` has no part in the update.
+# 9.4). The reward stands alone, as with $\gamma = 0$ (which did no harm in "Your turn"). So the last step of an episode is learned like the others.
 #
 # $$
 # q(o, a) = \sum_w x_w(o)\, \theta_{w,a}
@@ -833,8 +833,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - An observation is an array of whole numbers: the hit points, which the equation leaves out, and then the words.
 #   `environment.observation_space.nvec[1]` says how many different words there are, and `environment.action_space.n` how
-#   many actions. What a word means differs from one environment to the next.
-# - Take $\alpha = 0.01$, $\varepsilon = 0.1$ and first weights of 0.
+#   many actions. What a word means and how many words a message has differ from one environment to the next.
+# - Take $\alpha = 0.01$, $\varepsilon = 0.1$ (a random action is any of all $n$) and first weights of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own, and for 5 000 steps on a toy with $\tau = 0.05$ and eight words

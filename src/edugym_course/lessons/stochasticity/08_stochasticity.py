@@ -913,7 +913,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a learner that avoids risk, and its
 # loop, some 35 lines. It moves $Q(S, A)$ by $\alpha \, 2\sigma(\beta \delta) \, \delta$, with the TD error $\delta =
 # R + \gamma \max_a Q(S', a) - Q(S, A)$ and $\sigma(x) = 1 / (1 + e^{-x})$. Where `terminated` is True, the target is $R$
-# alone; a truncated step is a step like the others.
+# alone; the target of a truncated step has the value of $S'$, as that of any other.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode, and learns from each of them at once. In the end it returns its *policy*: a function that takes a state and returns the
@@ -921,7 +921,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
-# - Take $\alpha = 0.4$, $\beta = -0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of 0.
+# - Take $\alpha = 0.4$, $\beta = -0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ (a random action is any of all $n$) and first values of 0.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and at a fork, where one way pays a sure 1 and the other

@@ -60,7 +60,10 @@ def exercise_1(answer: Any, seed: int, held: Held = 2) -> str:
         size = answer(joints, bins, cells)
     exact(call, size, held * (cells * bins) ** joints)
     many = held * (30 * 5) ** 6
-    return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
+    return (
+        f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. Most are rows; 5 bins make 15 625 columns, and"
+        " a Gaussian has 6 means in each row."
+    )
 
 
 def _size_mistakes(m: int, n: int, c: int, h: int) -> dict[str, float]:

@@ -376,7 +376,8 @@
 
 # %% the old value of the pair
 # slow
-# says: where a pair comes twice within n steps, the actions of my_program fit a usual mistake: what is subtracted from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it may have changed since
+# says: where a state comes twice in an episode, the actions of
+# says: what is subtracted from the target is Q(S_τ, A_τ) as it was in step τ. Read it when you update the pair: it may have changed since
 # in: three steps later
 # - S, A, R, over = [s], [choose(Q[s], rng)], [], False
 # + S, A, R, over, old = [s], [choose(Q[s], rng)], [], False, []

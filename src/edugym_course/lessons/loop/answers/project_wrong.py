@@ -375,7 +375,7 @@ def my_program(environment, n_steps, seed):
 # %% a maximum that starts from 0
 # slow
 # says: where all values are below 0, in
-# says: does a search for the highest value begin at 0, in the policy or in a target? Begin it at −∞, or take `max`
+# says: does a search for the highest value begin at 0, in a target? Begin it at −∞, or take `max`
 # in: episode after episode
 # - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
 # + Q[s, a] += 0.5 * (r + (not end) * 0.99 * max(0.0, *Q[s2]) - Q[s, a])
@@ -434,7 +434,7 @@ def my_program(environment, n_steps, seed):
 # %% a copy of the table from the last reset
 # slow
 # says: where a state comes twice in an episode, the actions of
-# says: fit a usual mistake: max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at once
+# says: max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at once
 # in: ε-greedy written out
 # - state, _ = environment.reset(seed=seed)
 # + state, _ = environment.reset(seed=seed)
@@ -448,7 +448,7 @@ def my_program(environment, n_steps, seed):
 # %% a policy whose search begins at 0
 # slow
 # says: where all values are below 0, in
-# says: takes another action than the one that the steps of the program make look best: does a search for the highest value begin at 0, in the policy or in a target? Begin it at −∞, or take `max`
+# says: takes another action than the one that the steps of the program make look best: it is always the same one. Does a search for the highest value begin at 0? Begin it at −∞, or take `max`
 # in: an agent of its own
 # - return learner.best
 # + return lambda state: int(np.argmax(np.maximum(learner.row(state), 0.0)))

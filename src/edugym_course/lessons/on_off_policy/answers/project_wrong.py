@@ -246,3 +246,17 @@
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r if terminated else (0.0 if truncated else r) + Q[s2, a2]
+
+# %% an old action after an episode that was cut off
+# slow
+# says: after an episode that was truncated,
+# says: begins with the action for the state in which the clock stopped: after every reset() choose a new action, in the state that it gives
+# in: the next action is kept
+# - a2 = choose(Q[s2], rng)
+# - target = r if terminated else r + Q[s2, a2]
+# + a2 = choose(Q[s2], rng)
+# + target = r if terminated else r + Q[s2, a2]
+# - s2, _ = environment.reset()
+# - a2 = choose(Q[s2], rng)
+# + s2, _ = environment.reset()
+# + a2 = choose(Q[s2], rng) if terminated else a2

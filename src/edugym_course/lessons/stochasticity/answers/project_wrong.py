@@ -63,12 +63,12 @@
 # - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
 # + Q[s, a] += 0.1 * 2 / (1 + np.exp(0.5 * delta)) * delta
 
-# %% a weight without δ
+# %% the value of the same action
 # slow
-# says: ; the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
+# says: ; look at two places: the target is R + γ max_a Q(S', a), and R alone where `terminated` is True; and the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
 # in: the weight in one line
-# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
-# + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta))
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * Q[s2, a] - Q[s, a]
 
 # %% a weight by the reward
 # slow
@@ -202,3 +202,60 @@
 # - values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
 # + if not cut:
 # +     values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
+
+# %% actions from a copy of the table
+# slow
+# says: where a state comes twice in an episode, the actions of
+# says: nothing is learned before the episode is over, or the actions are chosen by a copy of the table from its beginning. Learn from each step at once, and choose by the table as it is now
+# in: the weight in one line
+# - s, _ = environment.reset(seed=seed)
+# + s, _ = environment.reset(seed=seed)
+# + copy = Q.copy()
+# - a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
+# + a = rng.integers(len(Q[s])) if rng.random() < 0.1 else copy[s].argmax()
+# - s = environment.reset()[0] if over or cut else s2
+# + s = environment.reset()[0] if over or cut else s2
+# + copy = Q.copy() if over or cut else copy
+
+# %% targets from a copy of the table
+# slow
+# says: max_a Q(S', a) is that of the last reset: read it from the table as it is now
+# in: the weight in one line
+# - s, _ = environment.reset(seed=seed)
+# + s, _ = environment.reset(seed=seed)
+# + copy = Q.copy()
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * copy[s2].max() - Q[s, a]
+# - s = environment.reset()[0] if over or cut else s2
+# + s = environment.reset()[0] if over or cut else s2
+# + copy = Q.copy() if over or cut else copy
+
+# %% an episode from its last step to its first
+# slow
+# says: where a state comes twice in an episode,
+# in: the weight in one line
+# - s, _ = environment.reset(seed=seed)
+# + s, _ = environment.reset(seed=seed)
+# + noted = []
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + noted.insert(0, (s, a, r, s2, over))
+# + if over or cut:
+# +     for s0, a0, r0, s1, end in noted:
+# +         delta = r0 + 0.9 * (1 - end) * Q[s1].max() - Q[s0, a0]
+# +         Q[s0, a0] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# +     noted = []
+
+# %% the weight alone
+# slow
+# says: δ is missing behind the weight: the step is α times the weight 2σ(βδ), times δ
+# in: the weight in one line
+# - Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta)) * delta
+# + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.5 * delta))
+
+# %% a seed of its own
+# says: calls reset(seed=7) with seed
+# says: : give its own `seed` to the environment, reset(seed=seed)
+# in: the weight in one line
+# - s, _ = environment.reset(seed=seed)
+# + s, _ = environment.reset(seed=7)
