@@ -11,7 +11,10 @@ from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.programs import Step, learn_from
 from edugym_course.grading.surprises import NATS, UNEXPLAINED
 
-LOW = "low values are preferred to high ones: is there an `argmin`, or a minus sign too many?"
+LOW = (
+    "low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one"
+    " action stand at the place of another?"
+)
 
 Maker = Callable[[tuple[int, int]], Any]
 """Makes an agent for the shape of a table."""

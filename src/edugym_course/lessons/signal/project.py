@@ -116,6 +116,7 @@ class Listener:
         surprised: whether it learns from R less the value, or from R alone.
         largest: whether the value in the difference is the largest one, and not that of the action.
         largest_words: whether it is the sum of the largest weights of the words.
+        move: what it takes from a message to move its weights, with the share of each; by default as `take`.
         one: whether the weights of the action that was taken change, or those of all.
         moved: whether the weights of the message "before" the action move, or of the one "after" it.
         valued: whether the value in the difference is that "before" the action, or "after" it.
@@ -142,6 +143,7 @@ class Listener:
         fully: bool = False,
         unheard: bool = False,
         largest_words: bool = False,
+        move: Callable[[Message], Weights] | None = None,
     ) -> None:
         """Know no word."""
         self._alone, self._fully, self._unheard, self._largest = alone, fully, unheard, largest
@@ -149,7 +151,7 @@ class Listener:
         self._theta: defaultdict[Hashable, Reals] = defaultdict(lambda: np.full(shape[1], first))
         self._take, self._learning_rate, self._surprised, self._one = take, learning_rate, surprised, one
         self._moved, self._valued, self._discount = moved, valued, discount
-        self._largest_words = largest_words
+        self._largest_words, self._move = largest_words, move or take
 
     def values(self, state: Message) -> Reals:
         """The value of each action after an observation."""
@@ -163,7 +165,7 @@ class Listener:
         future = self._discount * self.values(next_state).max() if self._discount and not terminated else 0.0
         values = self.values(messages[self._valued])
         delta = reward + future - (values.max() if self._largest else values[actions]) * self._surprised
-        heard = self._take(messages[self._moved][1:])
+        heard = self._move(messages[self._moved][1:])
         if self._largest_words:
             delta = reward - sum(weight * float(self._theta[word].max()) for word, weight in heard)
         for word, weight in [(word, 1.0) for word in range(WORDS)] if self._unheard else heard:
@@ -198,6 +200,14 @@ RULE = Rule(
             unheard=True
         ),
         "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
+        "a word moves once, however often it occurs: `theta[words, a] += ...` adds to a row once, `np.add.at` for each"
+        " word": mistake(move=presence),
+        "nothing is learned from the last step of an episode: its reward counts like any other": Learner(
+            Listener, skips=lambda step: step.terminated
+        ),
+        "nothing is learned from a step that is truncated: its reward counts like any other": Learner(
+            Listener, skips=lambda step: step.truncated
+        ),
         "words with the same rest, divided by the number of actions, share their weights; what a word means has to be"
         " learned": mistake(take=kinds),
         "each weight moves by R − θ, the error of its own word alone; q(O, A) is the sum over all words": mistake(
@@ -221,8 +231,8 @@ RULE = Rule(
         ),
         "the sum of the largest weights of the words is subtracted from R; it should be q(O, A), of the action that was"
         " taken": mistake(largest_words=True),
-        "the values of all actions are alike: do the weights of all move, or of none? Learn about the one "
-        "that was taken": mistake(one=False)._replace(nats=ALIKE),
+        "the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode? "
+        "Learn about the one that was taken": mistake(one=False)._replace(nats=ALIKE),
         "the weights of the *next* message move: those of the message before the action should": mistake(moved="after"),
         "it learns from the *next* message alone: keep the one before the action until its weights have moved": mistake(
             moved="after", valued="after"
@@ -248,7 +258,8 @@ RULE = Rule(
         ),
     },
     EPSILON,
-    otherwise="; the first entry of an observation is no word, it is the hit points",
+    otherwise="; the words are all entries of an observation but the first, and only the weights of the action taken"
+    " move",
     world=TalkingWorld,
 )
 TOY = Race(

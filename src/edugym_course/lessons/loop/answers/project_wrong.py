@@ -44,13 +44,13 @@ my_program = ...
 
 # %% the lowest value
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
 # in: ε-greedy written out
 # - action = Q[state].argmax()
 # + action = Q[state].argmin()
 
 # %% costs
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = -reward if terminated else -reward + 0.99 * Q[next_state].max()

@@ -21,7 +21,7 @@
 
 # %% the least value
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
 # + a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmin())
@@ -88,7 +88,7 @@ def my_program(environment, n_steps, seed):
 
 # %% all actions
 # slow
-# says: the values of all actions are alike: do the weights of all move, or of none? Learn about the one that was taken
+# says: the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode? Learn about the one that was taken
 # in: weights in an array
 # - delta = r - q[a]
 # - theta[:, a] += 0.01 * delta * x
@@ -104,7 +104,7 @@ def my_program(environment, n_steps, seed):
 
 # %% the hit points as a word
 # slow
-# says: ; the first entry of an observation is no word, it is the hit points
+# says: ; the words are all entries of an observation but the first, and only the weights of the action taken move
 # in: weights in an array
 # - for k in range(1, L + 1):
 # -     x[o[k]] += 1 / L
@@ -137,7 +137,7 @@ def my_program(environment, n_steps, seed):
 
 # %% nothing is learned
 # slow
-# says: the values of all actions are alike: do the weights of all move, or of none? Learn about the one that was taken
+# says: the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode? Learn about the one that was taken
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 
@@ -317,3 +317,24 @@ def my_program(environment, n_steps, seed):
 # +         old = theta.copy()
 # - return lambda o: int((shares(o) @ theta).argmax())
 # + return lambda o: int((shares(o) @ old).argmax())
+
+# %% each row moves once
+# slow
+# says: a word moves once, however often it occurs: `theta[words, a] += ...` adds to a row once, `np.add.at` for each word
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[o[1:], a] += 0.01 * delta / L
+
+# %% nothing from the last step
+# slow
+# says: nothing is learned from the last step of an episode: its reward counts like any other
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.01 * delta * x * (not terminated)
+
+# %% nothing from a truncated step
+# slow
+# says: nothing is learned from a step that is truncated: its reward counts like any other
+# in: weights in an array
+# - theta[:, a] += 0.01 * delta * x
+# + theta[:, a] += 0.01 * delta * x * (not truncated)
