@@ -10,6 +10,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import LOW, Learner
 from edugym_course.grading.programs import (
@@ -47,6 +48,9 @@ ASKED = 200
 RARELY, SELDOM, BY_CHANCE, ENOUGH = 0.25, 0.75, 5.0, 30
 """The shares of its chances below which an action is hardly tried, and tried too seldom if that is so many standard
 deviations below them; and how many chances are enough to tell."""
+MANY_ACTIONS, EVEN_STEPS, UNEVEN = 7, 8_000, 35.0
+"""The actions of a world in which random ones are counted, and the steps there; and how large χ², with six degrees of
+freedom, may be: by chance it is larger once in 200 000 times."""
 WAITING = 3
 """So many of the last steps may wait for an action that nobody takes any more. A program may have learned from them."""
 OTHERWISE = 0.05
@@ -140,7 +144,8 @@ class Rule:
             WrongAnswer: they do not; or the program breaks the contract.
         """
         seeds = range(self.worlds * seed, self.worlds * (seed + 1))
-        if isinstance(self._world(seeds[0]), SmallWorld):  # does it ask for the number of actions, and reset?
+        is_small = isinstance(self._world(seeds[0]), SmallWorld)
+        if is_small:  # does it ask for the number of actions, and reset?
             run_program(program, SmallWorld(seed, n_actions=ACTIONS - 1), TRIAL, seed)
         require_reproducible(program, partial(self._world, seeds[0]), TRIAL, seed)
         shape = shape_of(self._world(seeds[0]))
@@ -154,6 +159,8 @@ class Rule:
         runs += self._longer_runs(program, seed) if self.looks_closer else []
         self._require_equation(runs, shape, [*self.mistakes.items()][number], tries)
         self.require_best_actions(done[:1], shape)
+        if is_small:
+            self._require_even_tries(program, seed)
         if self.costs:
             costly: Any = gymnasium.wrappers.TransformReward(
                 self._world(seeds[0]), lambda reward: (float(reward) - COST) / COST
@@ -261,12 +268,7 @@ class Rule:
 
     def _require_tries(self, runs: Sequence[Sequence[Step]], shape: tuple[int, int]) -> None:
         """Refuse a program that hardly ever tries one of the actions where another one looks better."""
-        tries, chances = np.zeros(shape[1]), np.zeros(shape[1])
-        for steps in runs:
-            for agent, step in learning(steps, self.right, shape):
-                best = best_of(agent, step.state)
-                chances += [self.epsilon / len(best) * (not looks) for looks in best]
-                tries[step.action] += not best[step.action]
+        tries, chances = self._tries(runs, shape)
         seldom = (tries < SELDOM * chances) & (tries < chances - BY_CHANCE * np.sqrt(chances))
         few = (tries < RARELY * chances) | seldom
         for action in np.flatnonzero(few & (chances > ENOUGH)):
@@ -274,6 +276,28 @@ class Rule:
                 f"{NAME} tries the action {action} {tries[action]:.0f} times where another one looks better, and with"
                 f" ε = {self.epsilon:g} it should be some {chances[action]:.0f} times: is the random action one of"
                 " *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so"
+            )
+
+    def _tries(self, runs: Sequence[Sequence[Step]], shape: tuple[int, int]) -> tuple[Reals, Reals]:
+        """Return how often each action was tried where another one looked better, and how often it should be."""
+        tries, chances = np.zeros(shape[1]), np.zeros(shape[1])
+        for steps in runs:
+            for agent, step in learning(steps, self.right, shape):
+                best = best_of(agent, step.state)
+                chances += [self.epsilon / len(best) * (not looks) for looks in best]
+                tries[step.action] += not best[step.action]
+        return tries, chances
+
+    def _require_even_tries(self, program: Any, seed: int) -> None:
+        """Refuse a program some of whose random actions are likelier than others, where there are many actions."""
+        world = SmallWorld(seed, self.truncates, self.noisy, MANY_ACTIONS)
+        tries, chances = self._tries([run_program(program, world, EVEN_STEPS, seed).steps], shape_of(world))
+        expected = chances * tries.sum() / chances.sum()
+        if ((tries - expected) ** 2 / expected).sum() > UNEVEN:
+            raise WrongAnswer(
+                f"of {MANY_ACTIONS} actions {NAME} tries some {tries.min():.0f} times where another one looks better,"
+                f" and others {tries.max():.0f} times: a random action is one of all n, each as likely."
+                " rng.integers(n) draws so"
             )
 
     def require_best_actions(

@@ -48,6 +48,9 @@ MISTAKES: dict[str, Maker] = {
     "the return sums up the rewards up to a step, and it should be those from it to the end": partial(
         Gaussians, returns=returns_until
     ),
+    "each G is that of the next step: is it noted before the reward of its own step is added?": partial(
+        Gaussians, returns=lambda rewards, discount: [*returns_from(rewards, discount)[1:], 0.0]
+    ),
     "the return is not discounted: γ is 0.8 in the text": partial(
         Gaussians, returns=lambda rewards, _: returns_from(rewards, 1.0)
     ),

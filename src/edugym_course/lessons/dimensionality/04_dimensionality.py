@@ -79,7 +79,7 @@ print(observation.astype(int))
 # "vectorised" is the state itself: the *positions*. "grid" is the *board* above, with a 1 at the ball and at the
 # paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue for each of the 50 cells.
 #
-# **Play it yourself, blind.** You see "grid" as ten lines of five numbers. How long until you find out what the ones
+# **Play it yourself, blind.** You see "grid" as ten lines of five numbers. What do the ones
 # mean? An agent starts with less: it does not even know that two pixels are neighbours.
 
 # %%
@@ -171,13 +171,12 @@ source(dqn.forward)
 # DQN (section 16.5) learns $\theta$ by the same idea, with three additions:
 #
 # - **A memory.** The latest 10 000 transitions $(S, A, R, S')$ are kept, each with a note whether $S'$ is terminal.
-#   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from about eight times, and those in a
+#   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from about eight times on average, and those in a
 #   batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up
-#   to date every 100 updates. (An aside below shows why.)
+#   to date every 100 updates. (An aside shows why. Catch needs none of the three.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
-#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This error is the value less the
-#   target, and not the target less the value, since we go *down* the slope of the loss.)
+#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (The value less the target, and not the other way round, since we go *down* the slope of the loss.)
 #
 # Learning starts after 200 steps. Adam chooses the step for each weight.
 #
@@ -345,7 +344,7 @@ sliders(one_network, hidden=[2, 4, 16, 64], sigma=(0.0, 0.3, 0.05), **rates)
 # <details><summary>What came out, as the mean of ten runs at 5 000 steps (to about 0.2)</summary>
 #
 # At this learning rate no smaller number: 2, 4 and 16 hidden units came to -0.30, -0.35 and 0.27, and 64 to 0.75. The learning rate
-# 0.01 was *faster* here (0.92), and with it 16 units come nearly as far as 64 (0.85 and 0.96 in 60 other runs), but later (0.39 and 0.79 at 2 500 steps). With $\sigma$ = 0.1, 0.2 and 0.3 the return was 0.45, -0.15 and -0.46. But 5 000 steps
+# 0.01 was *faster* here (0.92). With it 16 units came to 0.39 by step 2 500 and 0.85 by step 5 000, and 64 to 0.79 and 0.96. With $\sigma$ = 0.1, 0.2 and 0.3 the return was 0.45, -0.15 and -0.46. But 5 000 steps
 # are few: with $\sigma = 0.1$ it came to 0.99 in the 30 000 steps above. </details>
 
 # %% [markdown]
@@ -509,7 +508,7 @@ for row in touched:
 # %% [markdown]
 # In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
 # and a weight from an input that is always 0 never moves. A ball there is multiplied by the first, random weights. This is a sign of
-# what is missing and not the reason: where noise in training moved every weight, 15 of 20 runs missed every withheld ball.
+# what is missing and not the reason: where noise in training ($\sigma = 0.1$) moved every weight, 15 of 20 runs missed every withheld ball.
 #
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
 # network on pixels shares much between boards in which the same pixels are lit, as with noise. But a ball in column 1
@@ -714,7 +713,7 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 80 times as many in these three runs; in other sets of ten runs and more it was 65 to 100 times. So the steps
-# grow faster than the boards. The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
+# grow faster than the boards (the episodes, which are longer too, only 24 times). The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
 # the median of ten runs was 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. With 9 columns they took 560 with 6 rows,
 # and 800 to 880 with 18. DQN needs more steps than the table on all four boards, but the ratio falls. (The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
@@ -747,7 +746,7 @@ hill.measured(hill.options[0 if straight and tiled else 1 if tiled else 2 if str
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Tile coding only. (The figure shows episodes of training, single runs as thin lines. There the linear
-# agent sometimes gets up, while its weights still change. With its weights held still it does not.) A value linear in
+# agent sometimes gets up, while its weights still change. With its weights held still it hardly ever does.) A value linear in
 # position and speed is a plane, one for each action. Planes cannot have the shape of the true values. They could still
 # rank the actions well: the rule "push the way you move" is linear and gets up. This agent did not find it. Its step
 # size and the scale of its features differ as well.
@@ -1097,7 +1096,7 @@ check(project_4, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, and knows nothing of
 # those that it has not met. Function approximation gives states weights in common, so that what is learned in one
-# changes the others. That is its use and its danger. It carries over to new states exactly what the weights share. A
+# changes the others. That is its use and its danger. It carries over to new states what the weights share. A
 # network with pixels as inputs shares much between images in which the same pixels are lit. But the weights that read a
 # ball in one column are not those that read it in another, if some weight belongs to one column alone.
 #

@@ -12,7 +12,7 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import LOW, Learner, mistakes_of_loops, other_settings
-from edugym_course.grading.programs import Environment
+from edugym_course.grading.programs import Environment, Step
 from edugym_course.grading.rule import Rule
 
 N_STEPS, LEARNING_RATE, DISCOUNT, EPSILON = 20_000, 0.5, 0.9, 0.1
@@ -50,6 +50,7 @@ class Hindsight:
         sweeps: how often the steps are learned again.
         own: whether each step is learned at once for the goal of the episode.
         knows_goal: whether values hang on the goal.
+        shares_rows: whether all rows of the table are one and the same list.
         least: whether the lowest value looks best.
         first: whether the first of equal values looks best.
         first_value: of every action.
@@ -83,9 +84,11 @@ class Hindsight:
         discount: float = DISCOUNT,
         own_looks_on: bool | None = None,
         own_discount: float | None = None,
+        shares_rows: bool = False,
     ) -> None:
         """Know nothing."""
-        self._Q: defaultdict[tuple[Pattern, Pattern], Row] = defaultdict(lambda: [first_value] * shape[1])
+        one = [first_value] * shape[1]
+        self._Q: defaultdict[tuple[Pattern, Pattern], Row] = defaultdict(lambda: one if shares_rows else [*one])
         self._steps: list[tuple[Pattern, int, float, Pattern]] = []
         self._goal, self._when, self._order, self._kept, self._empties = goal, when, order, kept, empties
         self._reward, self._ends, self._own, self._knows_goal = reward, ends, own, knows_goal
@@ -194,6 +197,12 @@ def panel(seed: int, truncates: bool = True, noisy: bool = True) -> Environment:
     return made
 
 
+def keeps_goal(step: Step, before: Step | None) -> Step:
+    """Take the goal of the first episode for that of all."""
+    goal = (before or step).state["desired_goal"]
+    return step._replace(state={**step.state, "desired_goal": goal})
+
+
 def mistake(**how: Any) -> Learner:
     """Return an agent that makes a mistake."""
     return Learner(partial(Hindsight, **how))
@@ -206,6 +215,10 @@ RULE = Rule(
         LOW: mistake(least=True),
         "where several actions look best the first is taken, so it flips switch 0 for ever; draw one of them": mistake(
             first=True
+        ),
+        "the goal is always that of the first episode: each reset gives a new one": Learner(Hindsight, keeps_goal),
+        "all rows of the table are one and the same list or array: make a new one for each pair": mistake(
+            shares_rows=True
         ),
         "there is no hindsight: nothing is learned again when an episode is over": mistake(goal="none"),
         "the steps are learned again for the goal that the episode *had*; take what its last step achieved": mistake(

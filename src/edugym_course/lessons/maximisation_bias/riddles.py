@@ -187,7 +187,7 @@ RIDDLES = (
         0.25,
         f"{_ONCE}, and the same action then pays -1.07 and leads to state 0 again, where the episode is truncated",
         "the table that *learns* chooses the action in the next state, and the *other* one says what it is worth: are"
-        " the two swapped?",
+        " the two swapped, or is the value of the other table taken from the target?",
         _OTHER,
         reward=-1.07,
         with_mean=-1.05,

@@ -60,5 +60,5 @@ def require_coin_apart(answer: Any, seed: int) -> None:
             "of two actions the one that is taken first pays a little, so the other one is only tried at random; it"
             f" pays {FIRST:g} and then {SECOND:g}, which is a gain if one table has learned both. In"
             f" {np.mean(same):.0%} of {len(same)} runs it has, and it should in about 50%: throw the coin anew in each"
-            " step, with another random number than the one that is compared with ε"
+            " step, with another random number than the one that is compared with ε, and act by the *sum* of both"
         )

@@ -74,9 +74,9 @@ def _of_all_nights(n_rooms: int = 14) -> Riddle:
 
 RIDDLES = (
     Riddle(
-        ((70, ((FIRST, 0, 1.0),)), (10, ((FIRST, 1, 6.0),))),
+        ((70, ((FIRST, 0, 1.0),)), (10, ((FIRST, 1, 3.0),))),
         right=1,
-        shows="action 0 brought 1 in each of 70 nights, and action 1 brought 6 in each of 10",
+        shows="action 0 brought 1 in each of 70 nights, and action 1 brought 3 in each of 10",
         asks="what counts is the *mean* of the targets, not their sum or their number; a penalty is small beside that",
     ),
     Riddle(
@@ -138,6 +138,31 @@ RIDDLES = (
             "what is seldom counts in the mean, too; a median forgets it, and so does the most frequent next state. (Or"
             " is an action that was never tried worth 0 in the targets, where it should be worth −90?)"
         ),
+    ),
+    Riddle(
+        (
+            (39, ((FIRST, 2, 0.0), ("well", 0, 6.0))),
+            (1, ((FIRST, 2, 0.0), ("ill", 0, -20.0))),
+            (40, ((FIRST, 1, 0.0), ("so-so", 0, 1.0))),
+        ),
+        right=2,
+        shows=(
+            "action 2 led in 39 nights to a state that brought 6, and in one to another that cost 20, and action 1 in"
+            " 40 to one that brought 1"
+        ),
+        asks="what counts is the *mean* of the targets of a pair, and not the lowest of them, or of its next states",
+    ),
+    Riddle(
+        ((40, ((FIRST, 2, 1.9), ("nearly two", 0, 1.9))), (40, ((FIRST, 0, 1.1), ("two", 0, 2.1)))),
+        right=2,
+        shows="action 2 brought 1.9 twice in each of 40 nights, and action 0 brought 1.1 and then 2.1 in each of 40",
+        asks="does a reward lose what is behind its decimal point, as by int(reward)?",
+    ),
+    Riddle(
+        ((78, ((FIRST, 2, 7.0),)), (2, ((FIRST, 1, 5.0),))),
+        right=2,
+        shows="action 2 brought 7 in each of 78 nights, and action 1 brought 5 in each of 2",
+        asks="a mean divides the sum by the *number* of the steps of its pair",
     ),
     Riddle(
         (

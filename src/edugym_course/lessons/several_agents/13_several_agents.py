@@ -518,7 +518,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 # %% [markdown]
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and `games.solve_zero_sum` only: minimax Q-learning, and a loop in which it plays both
-# sides: `games.solve_zero_sum(Q[state])` gives the value of the matrix game, the policy of the rows, and that of the columns. Some 30 lines.
+# sides: `value, rows, columns = games.solve_zero_sum(Q[state])` gives the value of the matrix game, the policy of the rows, and that of the columns. Some 30 lines.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a zero-sum game, episode after episode, and learns from each of
 # them. In the end it returns the policy of player 0: a function that takes a state and returns the probabilities of its actions. All else is up to you.
@@ -531,7 +531,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 # - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check lets your program learn eight small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. The opponent may win 0.2 more than from a safe policy; payoffs go up to 24. It does not look
+# The check lets your program learn nine small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. In each state the opponent may win 0.2 points more than from a safe policy; payoffs go up to 24. It does not look
 # at your code. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]

@@ -20,6 +20,8 @@ SAFE = ((9.0, 6.0, 12.0), (0.0, -3.0, 3.0), (-6.0, -9.0, -3.0))
 TRAP = ((-2.0, -2.0, -12.0), (-3.0, -3.0, -3.0), (-4.0, -4.0, -3.5))
 """What player 0 gets in a room in which its first action is best until player 1 takes its third. Player 1 gains by all
 of its actions, so it has no reason to try another one, but for its random moves."""
+NARROW = ((8.0, -2.0), (-2.0, 8.0), (-6.0, -6.0))
+"""What player 0 gets in a room in which player 1 has two actions: 3 by the safe policy."""
 ROCK = np.array(DARING)
 LOADED = ((0.0, -9.0, 6.0), (9.0, 0.0, -5.0), (-6.0, 5.0, 0.0))
 """Rock, paper and scissors in which the safe probabilities are 1/4, 3/10 and 9/20: who rounds them loses."""
@@ -152,8 +154,10 @@ def _cut(rng: Random) -> House:
     return _way(rng, max_steps=1)
 
 
-def _soon(rng: Random, at_once: float = 18.5) -> House:
-    """A hall in which player 0 chooses between a room that is worth 20, so much at once, and nothing.
+def _soon(rng: Random, at_once: float = 18.5, least: float = 0.0) -> House:
+    """A hall in which player 0 chooses between a room worth 20, and so much at once or nothing before one worth 0.
+
+    `least` is added to what both rooms are worth.
 
     Player 1 has one good action there, and loses 5 by the two others: so it takes the same one nearly always.
     """
@@ -162,7 +166,7 @@ def _soon(rng: Random, at_once: float = 18.5) -> House:
     hall[order[0]] = 2
     pays[:, good] = 0.0
     pays[order[1]] += at_once
-    rooms = np.stack([_turned(ROCK, rng) / 2 + one for one in (0.0, 20.0)])
+    rooms = np.stack([_turned(ROCK, rng) / 2 + one + least for one in (0.0, 20.0)])
     return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=pays)
 
 
@@ -174,6 +178,15 @@ def _chance(rng: Random) -> House:
     table = np.array([[6.0, 7.0], [2.0, 1.0], [1.0, 2.0]])
     rooms = np.stack([table[rng.permutation(N_ACTIONS)][:, rng.permutation(2)] for _ in range(4)])
     return House(rng.integers(1, 5, (N_ACTIONS, 2)), rooms, (HALL,) * UNPAID, pays=np.zeros((N_ACTIONS, 2)), luck=0.8)
+
+
+def _narrow(rng: Random) -> House:
+    """Rooms in which player 1 has two actions, and player 0 wins whichever it takes, if it draws one of two at random.
+
+    With a third column of zeros they would be worth 0, and many policies would look as good.
+    """
+    rooms = np.stack([np.array(NARROW)[rng.permutation(N_ACTIONS)][:, rng.permutation(2)] for _ in range(4)])
+    return House(rng.integers(1, 5, (N_ACTIONS, 2)), rooms, (HALL,) * UNPAID, pays=np.zeros((N_ACTIONS, 2)))
 
 
 def _traps(rng: Random) -> House:
@@ -219,9 +232,9 @@ RIDDLES = (
         " is random, so that all are tried; and Q moves by α (T - Q))",
     ),
     Riddle(
-        partial(_soon, at_once=17.5),
-        "there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less; and Q"
-        " moves by α (T - Q)",
+        _narrow,
+        "player_1 has two actions there, and player_0 three: a table has a column for each action that player_1 *has*,"
+        " and no other",
     ),
     Riddle(
         _alike,
@@ -233,4 +246,9 @@ RIDDLES = (
         " only `terminated` makes R alone the target; and S' is what step() gave, not what reset() gives after it",
     ),
     TRAPS,
+    Riddle(
+        partial(_soon, at_once=17.5, least=-30.0),
+        "there a room that costs 10 is better than 17.5 at once and then a room that costs 30: what follows is"
+        " multiplied by γ = 0.9, and by no less, and it may be far below 0; and Q moves by α (T - Q)",
+    ),
 )

@@ -553,3 +553,10 @@
 # in: lists of an episode
 # - for k in range(len(S)):
 # + for k in range(min(len(S), 4)):
+
+# %% a return that is noted too early
+# slow
+# says: each G is that of the next step: is it noted before the reward of its own step is added?
+# in: lists of an episode
+# - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
+# + G = sum(0.8**i * r for i, r in enumerate(R[k + 1 :]))

@@ -393,3 +393,20 @@ def my_program(environment, n_steps, seed):
 # in: numbers for patterns
 # - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
 # + target = r if s2 == new else r + 0.9 * Q[s, new].max()
+
+# %% the goal of the first episode
+# slow
+# says: the goal is always that of the first episode: each reset gives a new one
+# in: numbers for patterns
+# - o, _ = environment.reset()
+# - s, g = o["achieved_goal"] @ powers, o["desired_goal"] @ powers
+# + o, _ = environment.reset()
+# + s = o["achieved_goal"] @ powers
+
+# %% one row for all pairs
+# slow
+# says: all rows of the table are one and the same list or array: make a new one for each pair
+# in: a class
+# - self.values = defaultdict(lambda: [-10.0] * n)
+# + row = [-10.0] * n
+# + self.values = defaultdict(lambda: row)

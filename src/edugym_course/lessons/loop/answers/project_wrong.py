@@ -461,3 +461,18 @@ def my_program(environment, n_steps, seed):
 # - taken += 1
 # + taken += 1
 # + learner.values = {} if terminated or truncated else learner.values
+
+# %% random actions among four
+# slow
+# says: of 7 actions
+# says:  times: a random action is one of all n, each as likely. rng.integers(n) draws so
+# in: ε-greedy written out
+# - action = rng.integers(len(Q[state]))
+# + action = rng.integers(min(4, len(Q[state])))
+
+# %% the first and the last action half as often
+# slow
+# says: is the random action one of *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so
+# in: ε-greedy written out
+# - action = rng.integers(len(Q[state]))
+# + action = round(rng.random() * (len(Q[state]) - 1))

@@ -56,7 +56,7 @@
 
 # %% the roles swapped
 # slow
-# says: are the two swapped?
+# says: are the two swapped, or is the value of the other table taken from the target?
 # in: two tables and a dictionary of names
 # - target += other[after, own[after].argmax()]
 # + target += own[after, other[after].argmax()]
@@ -399,7 +399,7 @@
 # %% random actions are learned by one table
 # slow
 # says: of two actions the one that is taken first pays a little, so the other one is only tried at random; it pays -1 and then 0.96, which is a gain if one table has learned both. In
-# says: runs it has, and it should in about 50%: throw the coin anew in each step, with another random number than the one that is compared with ε
+# says: runs it has, and it should in about 50%: throw the coin anew in each step, with another random number than the one that is compared with ε, and act by the *sum* of both
 # in: two tables and a dictionary of names
 # - if rng.random() < 0.1:
 # + draw = rng.random()

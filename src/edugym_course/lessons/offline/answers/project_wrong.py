@@ -229,3 +229,27 @@ def my_program(steps, n_states, n_actions, seed):
 # - return lambda state: int(Q[state].argmax())
 # + best = {s: int(Q[s].argmax()) for s, *_ in steps}
 # + return lambda state: best[state]
+
+# %% the lowest of the next states
+# says: what counts is the *mean* of the targets of a pair, and not the lowest of them, or of its next states
+# in: only what was done often
+# - mean = sum(r + (0 if end else V[after]) for r, after, end in found) / len(found)
+# + mean = min(r + (0 if end else V[after]) for r, after, end in found)
+
+# %% whole rewards
+# says: does a reward lose what is behind its decimal point, as by int(reward)?
+# in: sums and counts
+# - sums[s, a] += r if terminated else r + V[after]
+# + sums[s, a] += int(r) if terminated else int(r) + V[after]
+
+# %% one step less
+# says: a mean divides the sum by the *number* of the steps of its pair
+# in: sums and counts
+# - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
+# + Q = np.where(counts > 0, np.maximum(lowest, sums / np.maximum(n - 1, 1) - 2.0 / np.sqrt(n)), lowest)
+
+# %% a large penalty
+# says: what counts is the *mean* of the targets, not their sum or their number; a penalty is small beside that
+# in: sums and counts
+# - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
+# + Q = np.where(counts > 0, np.maximum(lowest, sums / n - 20.0 / np.sqrt(n)), lowest)

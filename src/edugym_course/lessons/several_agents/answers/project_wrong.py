@@ -156,7 +156,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.8
 # slow
-# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less; and Q moves by α (T - Q)
+# says: there a room that costs 10 is better than 17.5 at once and then a room that costs 30: what follows is multiplied by γ = 0.9, and by no less, and it may be far below 0; and Q moves by α (T - Q)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.8 * value(int(seen[me]))
@@ -180,7 +180,7 @@ my_program = games.MinimaxQ
 
 # %% γ = 0.85
 # slow
-# says: there 20 a step later is more than 17.5 at once: what follows is multiplied by γ = 0.9, and by no less; and Q moves by α (T - Q)
+# says: there a room that costs 10 is better than 17.5 at once and then a room that costs 30: what follows is multiplied by γ = 0.9, and by no less, and it may be far below 0; and Q moves by α (T - Q)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.85 * value(int(seen[me]))
@@ -305,3 +305,18 @@ my_program = games.MinimaxQ
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + tenths = {state: np.round(game.first, 1) for state, game in solved.items()}
 # + return lambda state: tenths[state] / tenths[state].sum() if state in solved else [1 / shape[1]] * shape[1]
+
+# %% as many columns as player 0 has actions
+# slow
+# says: player_1 has two actions there, and player_0 three: a table has a column for each action that player_1 *has*, and no other
+# in: all pairs at random
+# - Q = np.zeros(shape)
+# + Q = np.zeros((shape[0], shape[1], shape[1]))
+
+
+# %% no value below −5
+# slow
+# says: there a room that costs 10 is better than 17.5 at once and then a room that costs 30: what follows is multiplied by γ = 0.9, and by no less, and it may be far below 0; and Q moves by α (T - Q)
+# in: all pairs at random
+# - return solved[state].value if state in solved else 0.0
+# + return max(-5.0, solved[state].value) if state in solved else 0.0
