@@ -13,7 +13,7 @@ from edugym_course.grading.surprises import NATS, UNEXPLAINED
 
 LOW = (
     "low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one"
-    " action stand at the place of another?"
+    " action stand in the place of another?"
 )
 
 Maker = Callable[[tuple[int, int]], Any]

@@ -138,8 +138,8 @@ def how_they_differ(found: Sequence[float], expected: Sequence[float]) -> str:
             return f"{where} it is 1 less the right number"
         if all(same(a, one) for a, _ in pairs):
             return f"{where} it is {one:.4g}, whatever it is given"
-    few = n_right > n_cases / 2
-    return f"it is right in {n_right} of {n_cases} cases: what is special in this one?" if few else ""
+    mostly_right = n_right > n_cases / 2
+    return f"it is right in {n_right} of {n_cases} cases: what is special in this one?" if mostly_right else ""
 
 
 def in_terms(found: Sequence[float], terms: Sequence[Mapping[str, float]], wrong: Sequence[bool]) -> str:

@@ -1,4 +1,4 @@
-"""Whether a program from a blank file repeats itself with one seed, and takes other ways with another."""
+"""Whether a program from a blank file repeats itself with one seed, and another seed changes what it does."""
 
 from collections.abc import Callable
 from typing import Any
@@ -12,10 +12,10 @@ def require_reproducible(
 ) -> None:
     """Refuse a program that does not repeat itself with the same seed or, if it must draw, whose seed changes nothing.
 
-    If it must draw, it must also give its environment another seed.
+    If it must draw, it must also give its environment another seed where its own is another one.
 
     Raises:
-        WrongAnswer: it does one of the two, or it breaks the contract.
+        WrongAnswer: it is so, or it breaks the contract.
     """
     given = []
 

@@ -293,11 +293,13 @@ class Rule:
         world = SmallWorld(seed, self.truncates, self.noisy, MANY_ACTIONS)
         tries, chances = self._tries([run_program(program, world, EVEN_STEPS, seed).steps], shape_of(world))
         expected = chances * tries.sum() / chances.sum()
-        if ((tries - expected) ** 2 / expected).sum() > UNEVEN:
+        off = (tries - expected) ** 2 / expected
+        if off.sum() > UNEVEN:
+            action = int(off.argmax())
             raise WrongAnswer(
-                f"of {MANY_ACTIONS} actions {NAME} tries some {tries.min():.0f} times where another one looks better,"
-                f" and others {tries.max():.0f} times: a random action is one of all n, each as likely."
-                " rng.integers(n) draws so"
+                f"of {MANY_ACTIONS} actions {NAME} tries action {action} {tries[action]:.0f} times where another one"
+                f" looks better, and by the number of all such tries it should be some {expected[action]:.0f}: a random"
+                " action is one of all n, each as likely. rng.integers(n) draws so"
             )
 
     def require_best_actions(

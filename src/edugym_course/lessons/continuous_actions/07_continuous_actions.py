@@ -59,7 +59,7 @@ env.scene()
 # | discount | $\gamma = 0.99$ | used by the agents of this lesson, but PPO has 0.999; returns in the figures are not discounted |
 #
 # The best possible return is 5. An agent that picks up the box and does nothing more gets $1 - 1 = 0$, and one that
-# never picks it up and hits nothing gets −1. (−1 is also what one gets who picks it up and then crashes.) You will meet
+# never picks it up and hits nothing gets −1. (One that picks it up and then crashes gets −1.) You will meet
 # these numbers again.
 #
 # These are the reward and what an action means. The last of the next two cells belongs to the arm with $n$ bins, which
@@ -143,7 +143,7 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # same: $(R - b)\, \nabla \ln \pi(A \mid \theta)$. What changes is its *noise*: how far the single estimates lie apart.
 #
 # **Many decisions.** In an episode the return $G_t$ from step $t$ takes the place of $R$, and a learned value $V(s)$
-# that of $b$. The policy gradient theorem says that this works (sections 13.2 to 13.4) (but see exercise 3). The algorithm is **REINFORCE** with a
+# that of $b$. The policy gradient theorem says that this works (sections 13.2 to 13.4; exercise 3 shows a catch). The algorithm is **REINFORCE** with a
 # baseline. For each step $t$ of an episode:
 #
 # $$
@@ -430,7 +430,7 @@ first.measured(min(soon, key=soon.get))
 # nine make 81; that this is the reason is our guess.) But three bins cannot get more than 4.31: twelve of the 20 runs
 # reach it, and eight stop at 4.07. Five and nine end above them on average.
 #
-# The continuous agent needs about as many steps as 5 bins. Learned in the reverse order, 5 bins are sooner (see exercise 3). (The aside
+# The continuous agent needs about as many steps as 5 bins. With the updates in the reverse order 5 bins learn faster (see exercise 3). (The aside
 # on PPO has a fair comparison.) </details>
 
 # %% [markdown]
@@ -608,9 +608,9 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The continuous agent, by far. About half of these runs end at 0 (of 200, two in five): the arm picks up the box, and then stays
+# **Measured.** The continuous agent, by far. About half of these runs end at 0 (of 100 others, 38): the arm picks up the box, and then stays
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
-# close to it. But what is possible and what is learned are two things. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0, in place of 38. (A dearer wait, or no discount, helped little.) That drawn actions are
+# close to it. But what is possible and what is learned are two things. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0. (A dearer wait, or no discount, helped little.) That drawn actions are
 # never exact ($\sigma$ is fixed) seems not to be the reason: with more exact ones, $\sigma = 0.3$ for 0.5, more runs ended at 0 (67 % of 100).
 #
 # Three bins lose little more than what is no longer possible for them.
@@ -880,7 +880,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
 # The baseline itself is not to blame, but the order is. When the arm is in a cell for the second time, $V$ has already moved to the return of the first, so it depends on the actions, and a baseline must not. Move
-# $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the order of the box. (With 9 bins this baseline was still later than none in 120 runs, 25 700 steps against 19 200. And the reverse order, in which $V$ depends on the actions too, is the fastest of all with 5 and 9 bins: depending on them need not make it slower.) A baseline
+# $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the order of the box. (With 9 bins this baseline was still later than none in 120 runs, 25 700 steps against 19 200. And the reverse order, in which $V$ depends on the actions too, is the fastest of all with 5 and 9 bins: so the bias need not make it slower.) A baseline
 # makes each estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
 # </details>
 

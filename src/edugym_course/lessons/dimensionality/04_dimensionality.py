@@ -174,9 +174,11 @@ source(dqn.forward)
 #   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from about eight times on average, and those in a
 #   batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up
-#   to date every 100 updates. (An aside shows why. Catch needs none of the three.)
+#   to date every 100 updates. (An aside shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
-#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (The value less the target, and not the other way round, since we go *down* the slope of the loss.)
+#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This error is the value less the target, since we go *down* the slope of the loss.)
+#
+# (Catch needs none of the three.)
 #
 # Learning starts after 200 steps. Adam chooses the step for each weight.
 #

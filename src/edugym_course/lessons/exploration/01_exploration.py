@@ -266,7 +266,7 @@ middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore",
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** ε-greedy solves only the low wall, at first faster and then more slowly: after 2 000 steps it solves
+# **Measured.** ε-greedy solves only the low wall. It is faster than the novelty reward at first, and slower later: after 2 000 steps it solves
 # it in about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well.
 # Go-Explore solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high
 # they got. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so the two
@@ -304,7 +304,7 @@ sliders(
 #
 # **Measured.** With ten runs each:
 #
-# - **height.** The novelty reward solves 20 in all runs and 40 in half of these ten (of 100, in 22 to 34). At 60 and 80 it gets to just below 40.
+# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (in sets of 100 runs, 22 to 34 %). At 60 and 80 it gets to just below 40.
 # - **n_grips.** At height 60 the novelty agent gets to 40 with two grips, to 27 with three and to 19 with five. Go-Explore
 #   still solves it with three, and with five in eight of ten runs (in nearly all of 100).
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
@@ -387,8 +387,8 @@ for method in causes.methods:
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Without a bonus for the ground nothing changes. With values that start at 10, as much as bonuses of 1 would add up
-# to with $\gamma = 0.9$, the agent takes the right grip nine times of ten. So it is the first value: what was never tried is worth 0, and even
+# **Measured.** Without a bonus for the ground nothing changes. With values that start at 10, the discounted sum of a bonus of 1
+# in every step, the agent takes the right grip nine times of ten. So it is the first value: what was never tried is worth 0, and even
 # the ground is worth more.
 # </details>
 
@@ -617,9 +617,9 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 # **Measured.** It is optimism. With $\alpha = 1$ it solves both walls, it first gets to the top sooner than Go-Explore, and
 # it is ahead in the evaluations, with two grips hardly, with three clearly. (With $\alpha = 0.5$, in your race above, it
 # rarely solves the high wall: each disappointment then takes only half of the optimism away.) But this is Go-Explore
-# with 20 random steps. With 10 it is ahead of optimism on three grips (in 60 other runs 24 % of the evaluations against 21 %), and on
-# four it solves the wall in a fifth of the runs, where optimism never does. Random steps cost it so much since it
-# reaches also for grips that it has tried: taking untried ones first, it was ahead on all these walls (with three grips 54 % of the evaluations).
+# with 20 random steps. With 10 it is ahead of optimism with three grips (in 60 other runs 24 % of the evaluations against 21 %), and with
+# four it solves the wall in a fifth of the runs, where optimism never does. Random steps cost so much because they
+# repeat grips that failed: when it took untried grips first, it was ahead on all these walls (with three grips 54 % of the evaluations).
 # </details>
 #
 # <details><summary>A trap: values that are equal but for rounding</summary>
@@ -722,7 +722,7 @@ display(figures.race({"my explorer": MyExplorer.create}))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In the end it solves the high wall in every run shown (in 97 to 100 of 100 in others): systematic trying takes the place of random steps. It needs
-# more steps than Go-Explore: it is first at the top after 12 900 steps, and Go-Explore after 9 400 (60 other runs). The learning rate is the reason, for one
+# more steps than Go-Explore: it first reaches the top after 12 900 steps, and Go-Explore after 9 400 (60 other runs). The learning rate is the reason, for one
 # try of the right grip moves its value only half of the way (low on the wall this holds up the novelty agent, too): with $\alpha = 1$ it is there after 8 000. (But then fewer runs end with a policy that solves the wall.) On the middle wall its line trembles after 12 000 steps, since the bonus is still paid and still
 # moves the values of the grips: with bonuses of 0.3 it does not.
 # </details>

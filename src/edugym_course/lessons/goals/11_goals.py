@@ -474,7 +474,7 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program with four switches, and for 20 000 steps with six: a good program comes to about −2.6 there, and one without
-# hindsight stays below −4. That takes half a minute or more. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the
+# hindsight stays below −4. The check takes half a minute or more. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the
 # likely one.
 
 # %% tags=["project"]

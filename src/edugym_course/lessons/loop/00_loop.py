@@ -40,7 +40,7 @@ env.unwrapped.scene()
 # %% [markdown]
 # Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto
 # an item has the reward 24. (The exit pays the same with an empty bag as with a full one, and it ends the visit.) What
-# is the highest total that you can get? (You will see it below. The line below the picture also shows a number, the *observation*. It stands
+# is the highest total that you can get? (The text below tells you. The line under the picture shows a number too, the *observation*. It stands
 # for where the shopper is and what is in the bag.)
 
 # %%
@@ -238,7 +238,7 @@ frames(env, agent, max_steps=40)
 # **In other environments.** The loop stays the same. But a table has numbered rows, and in other tasks the agent
 # observes more than one number. On the road of lesson 2 there are two, the place of a runner and its speed.
 # `TabularObservation` makes them the number of a row. (`train` does so by itself. Images have too many values for a
-# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A run ends well exactly on the last cell of the road. A step costs 1, the one that gets there brings 1, and the best run brings −2 points. Running past the last cell, over a cliff, or braking at speed 0 ends the run at a cost of 100.
+# table: lesson 4.) Action 0 brakes there, 1 keeps the speed and 2 adds to it. A run ends well if the runner lands exactly on the last cell. A step costs 1, the one that gets there brings 1, and the best run brings −2 points. Running past the last cell, over a cliff, or braking at speed 0 ends the run at a cost of 100.
 
 # %%
 road = gym.make("edugym/Roadrunner-v0")
@@ -405,7 +405,7 @@ everywhere.measured(100 * share)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was
-# 36 %. In 20 000 steps with 10 % random actions Q-learning learns *its way* and little else. (With wholly random actions it was 55 %.) In about half of the states it never
+# 36 %. In 20 000 steps with 10 % random actions Q-learning learns *its way* and little else. (With random actions only, the share was 55 %.) In about half of the states it never
 # acted, and these keep their first values (35 % right, by luck). Most of the others it visited fewer than 50 times.
 # </details>
 

@@ -392,7 +392,7 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# - $n$: the first ten updates save some 1 750 steps, forty more save a few hundred.
+# - $n$: the first ten updates save some 1 750 steps, thirty more save a few hundred.
 # - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (In 200 runs all three end
 #   between 85 and 90, Q-learning lowest.)
 # - $\alpha$: with 0.1 all need at least twice as many steps, and prioritised sweeping four to six times (but it ends higher, at some 88).
@@ -462,14 +462,14 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In 7 of 12. (In one of these the two are nearly equal, and more runs change its side.) In the others it ends below, in some of them far below. So "planning makes the last policy
+# **Measured.** In 7 of 12. (In one of these the two are nearly equal, and with more runs it changes sides.) In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
 # has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
 # This is the same everywhere. Q-learning gets to know nearly all that a best plan needs in every shop, and in some it does not make a
 # policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each of them, and its policy *is*
 # the best plan by what it knows. Who ends higher depends on which of the two costs more there.
 #
-# Do first values of 0 make Q-learning wander? Any above −100, the value of walking for ever, did as well in our shop. With −100 Q-learning ended at 84 and Dyna-10 at 80, but even then the best plan by what Q-learning had seen was 95.
+# Are first values of 0 the reason? Not alone. Any above −100, the value of walking for ever, did as well in our shop. With −100 Q-learning ended at 84 and Dyna-10 at 80, but even then the best plan by what Q-learning had seen was 95.
 # </details>
 
 # %% [markdown]
@@ -655,9 +655,9 @@ saved.measured(saved.options[slow + 2 * fast])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Only with $\alpha = 0.1$ (in the right panel). With $\alpha = 1$ a value is what the last update says: one imagined update
-# at a wall brings its whole error back. With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are
+# at a wall brings the whole error of the model back (with *one* imagined update a step, not ten, the last policy was good in 45 of 48 runs). With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are
 # spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often, reality
-# wins: a bump that disappoints again and again is given up. (With $\alpha = 1$ and *one* imagined update a step the last policy was good in 45 of 48 runs: it matters how often a wall is looked at before the next real step.) If that is the reason, then more imagined steps should turn
+# wins: a bump that disappoints again and again is given up. If that is the reason, then more imagined steps should turn
 # it round. They push that way: with 200 for each real one 9 of 24 last policies never get to the exit (which ones changes in each evaluation), and with 10 none; but most still do. With the right
 # model (left) the small rate is the slowest, and at the end 9 of its 24 runs (with other seeds, 13) still leave an item out. What is best
 # depends on how far you trust your model.

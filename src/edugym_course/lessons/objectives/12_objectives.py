@@ -407,9 +407,9 @@ for label, settings in {
 # They change for ever between two treasures and miss the one between them: with a limit of seven nearly always between 2 and 4. $\mathbf{Q}(s, a)$ also holds the rest of the dive, as it was when this pair was last
 # tried. At a new $\lambda$ another rest may be better, but a greedy agent never goes there to see it. We computed all vectors exactly for the last $\lambda$, by planning, and let the training go on: all 29 runs came to rest. When it just went on, none did.
 #
-# With a limit of 9, 11 or 13 this happens more often (12 to 25 of 60 runs never rested), and with 8 or 10 the same runs bring less than the best mixture (25 and 35 of 60). The step $\eta$ of the price and the first values decide together. With $\eta = 0.005$
+# With a limit of 9, 11 or 13 this happens more often (12 to 25 of 60 runs never rested), and with 8 or 10 such runs bring less than the best mixture (25 and 35 of 60). The step $\eta$ of the price and the first values decide together. With $\eta = 0.005$
 # and twice as many steps only 19 of 40 runs came to rest at a limit of seven; with 0.02 all 60 did, and all 40 at each of 9, 11 and 13; with 0.05, or from a first price of 30, all 30 runs at 8 and at 10 brought the best mixture. With first values of 110, 299 of 300 runs
-# came to rest, but with 90 only two thirds of them. So with these first values the usual advice, that the price should learn more slowly than the values, does harm.
+# came to rest, but with 90 only two thirds of them. So with first values of 100 the usual advice, that the price should learn more slowly than the values, does harm.
 # </details>
 #
 # <details><summary>Why about 10, and not 100 / 5 = 20, with η five times as large?</summary>

@@ -150,7 +150,10 @@ RIDDLES = (
             "action 2 led in 39 nights to a state that brought 6, and in one to another that cost 20, and action 1 in"
             " 40 to one that brought 1"
         ),
-        asks="what counts is the *mean* of the targets of a pair, and not the lowest of them, or of its next states",
+        asks=(
+            "what counts is the *mean* of the targets of a pair, not the lowest of them, and not the value of the worst"
+            " next state"
+        ),
     ),
     Riddle(
         ((40, ((FIRST, 2, 1.9), ("nearly two", 0, 1.9))), (40, ((FIRST, 0, 1.1), ("two", 0, 2.1)))),

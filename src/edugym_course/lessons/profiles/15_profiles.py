@@ -97,7 +97,7 @@ print(f"breaks at {study.breaks('Q-learning', 'Study').strength:.0f} days")
 # $$
 #
 # A pair is known after $m$ tries. The estimates $\hat p$ and $\hat r$ of its probabilities and rewards come from these $m$ tries and never change again. In the code
-# $Q^+$ is `optimistic`, $m$ is `known_after`, and 1 by default, and $U$ is `highest_return`, and 100. (`given` says whether an exact model was handed in: not here. `becomes_known` adds the pair to those that it plans with.)
+# $Q^+$ is `optimistic`, $m$ is `known_after` (1 by default), and $U$ is `highest_return` (100). (`given` says whether an exact model was handed in: not here. `becomes_known` adds the pair to those that it plans with.)
 # By $Q^+$ it acts while it learns. It is scored by a second table, `Q`, with the same equation, in which $-100$ stands in the place of $U$: what is not known is not trusted.
 
 # %%
@@ -244,7 +244,7 @@ sliders(figures.beside_q_learning, agent=methods.stored_agents())
 # <details><summary>What came out, as the score less that of Q-learning</summary>
 #
 # - *RMax*: Boulder and Supermarket +0.6, Study +0.3, Roadrunner and Switches +0.2; but Golf −0.1, where one try shows one of many outcomes, and Tamagotchi −0.7, for that and for its low $U$.
-# - MemoryCorridor −0.25, all of it on the first rung. Is this one try, too? No: ten tries or a hundred score the same −0.5 there. But the episode is always cut off behind the right door, so nothing is ever tried there and its value stays
+# - MemoryCorridor −0.25, all of it on the first rung. Is one try the reason here, too? No: ten tries or a hundred score the same −0.5 there. The reason is the −100: the episode is always cut off behind the right door, so nothing is ever tried there and its value stays
 #   at −100. With 0 in the place of −100, as Q-learning has it, R-max scores 1 on this rung. (Over the ladder it then has 0.35; Q-learning has 0.37.)
 # - *DynaQ*, *NStepSARSA* and *QLambda*, which carry a value back over many steps at once: Supermarket +0.4, +0.3 and +0.35, Study +0.3, +0.2 and +0.3, Boulder +0.1 each.
 # </details>

@@ -155,7 +155,7 @@ def _cut(rng: Random) -> House:
 
 
 def _soon(rng: Random, at_once: float = 18.5, least: float = 0.0) -> House:
-    """A hall in which player 0 chooses between a room worth 20, and so much at once or nothing before one worth 0.
+    """A hall with three ways: to a room worth 20, to one worth 0 with `at_once` on the way, or to that one for nothing.
 
     `least` is added to what both rooms are worth.
 
@@ -170,14 +170,19 @@ def _soon(rng: Random, at_once: float = 18.5, least: float = 0.0) -> House:
     return House(hall, rooms, (HALL,) * N_ACTIONS**2, pays=pays)
 
 
+def _of_two_columns(table: Reals, rng: Random, luck: float = 1.0) -> House:
+    """Four rooms with the same table in another order; player 1 has two actions."""
+    rooms = np.stack([table[rng.permutation(N_ACTIONS)][:, rng.permutation(2)] for _ in range(4)])
+    return House(rng.integers(1, 5, (N_ACTIONS, 2)), rooms, (HALL,) * UNPAID, pays=np.zeros((N_ACTIONS, 2)), luck=luck)
+
+
 def _chance(rng: Random) -> House:
     """Rooms that pay in eight of ten times, and player 1 has two actions; in each an action is best in the mean.
 
     Who believes the last reward takes another action whenever the best one was not paid.
     """
     table = np.array([[6.0, 7.0], [2.0, 1.0], [1.0, 2.0]])
-    rooms = np.stack([table[rng.permutation(N_ACTIONS)][:, rng.permutation(2)] for _ in range(4)])
-    return House(rng.integers(1, 5, (N_ACTIONS, 2)), rooms, (HALL,) * UNPAID, pays=np.zeros((N_ACTIONS, 2)), luck=0.8)
+    return _of_two_columns(table, rng, luck=0.8)
 
 
 def _narrow(rng: Random) -> House:
@@ -185,8 +190,7 @@ def _narrow(rng: Random) -> House:
 
     With a third column of zeros they would be worth 0, and many policies would look as good.
     """
-    rooms = np.stack([np.array(NARROW)[rng.permutation(N_ACTIONS)][:, rng.permutation(2)] for _ in range(4)])
-    return House(rng.integers(1, 5, (N_ACTIONS, 2)), rooms, (HALL,) * UNPAID, pays=np.zeros((N_ACTIONS, 2)))
+    return _of_two_columns(np.array(NARROW), rng)
 
 
 def _traps(rng: Random) -> House:

@@ -51,7 +51,7 @@
 # + means[arm] = (means[arm] * (pulls[arm] - 1) + (reward > 0)) / pulls[arm]
 
 # %% the worst arm
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: with lists
 # - top = max(means)
 # + top = min(means)

@@ -275,8 +275,8 @@ def learn(self, state, action, reward, terminated, truncated):
 
 
 # %% every δ before any change
-# says: δ is computed with V from before the episode; a sound variant, but in this box V is as the updates so far have
-#   left it
+# says: δ is computed with V from before the episode; that is sound too, but in this box V is the one that the
+#   updates so far have left
 def update(self, n):
     G = 0.0
     for t in range(n - 1, -1, -1):

@@ -61,8 +61,8 @@ def exercise_1(answer: Any, seed: int, held: Held = 2) -> str:
     exact(call, size, held * (cells * bins) ** joints)
     many = held * (30 * 5) ** 6
     return (
-        f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. Most are rows; 5 bins make 15 625 columns, and"
-        " a Gaussian has 6 means in each row."
+        f"Right: with 6 joints, 30 cells and 5 bins that is {many:.1e}, {many / 5**6:.1e} rows of 15 625 columns. A"
+        " Gaussian has 6 means in each row."
     )
 
 

@@ -75,7 +75,7 @@
 
 # %% the lowest value
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: three steps later
 # - return values.argmax()
 # + return values.argmin()

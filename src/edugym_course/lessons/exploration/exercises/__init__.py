@@ -247,7 +247,7 @@ def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -
     return (
         f"Right. Runs that solve the lake: {solved}. The novelty reward solves walls of this depth in all runs, and"
         " this lake in not all of them. The bonuses are too large, as they were with γ = 0.99 on the low wall: the"
-        " reward, 14 steps away, is discounted to a quarter of the first one. With β = 0.1 nine of ten runs solve the"
+        " reward, 14 steps away, is discounted to a quarter of the first bonus. With β = 0.1 nine of ten runs solve the"
         " lake, and all do if it has no holes."
     )
 

@@ -173,7 +173,7 @@
 
 # %% the least value
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: numbers for patterns
 # - a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].max())))
 # + a = int(rng.choice(np.flatnonzero(Q[s, g] == Q[s, g].min())))

@@ -44,13 +44,13 @@ my_program = ...
 
 # %% the lowest value
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: ε-greedy written out
 # - action = Q[state].argmax()
 # + action = Q[state].argmin()
 
 # %% costs
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = -reward if terminated else -reward + 0.99 * Q[next_state].max()
@@ -465,7 +465,8 @@ def my_program(environment, n_steps, seed):
 # %% random actions among four
 # slow
 # says: of 7 actions
-# says:  times: a random action is one of all n, each as likely. rng.integers(n) draws so
+# says:  times where another one looks better, and by the number of all such tries it should be some
+# says: : a random action is one of all n, each as likely. rng.integers(n) draws so
 # in: ε-greedy written out
 # - action = rng.integers(len(Q[state]))
 # + action = rng.integers(min(4, len(Q[state])))

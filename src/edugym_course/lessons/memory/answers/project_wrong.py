@@ -37,7 +37,7 @@
 
 # %% the least value
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: tuples in a dictionary
 # - a = int(values(w).argmax())
 # + a = int(values(w).argmin())

@@ -67,7 +67,7 @@
 
 # %% costs
 # slow
-# says: The likely cause: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: The likely cause: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: a model in arrays
 # - a = rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
 # + a = rng.choice(np.flatnonzero(Q[s] == Q[s].min()))

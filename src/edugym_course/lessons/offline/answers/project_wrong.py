@@ -231,7 +231,7 @@ def my_program(steps, n_states, n_actions, seed):
 # + return lambda state: best[state]
 
 # %% the lowest of the next states
-# says: what counts is the *mean* of the targets of a pair, and not the lowest of them, or of its next states
+# says: what counts is the *mean* of the targets of a pair, not the lowest of them, and not the value of the worst next state
 # in: only what was done often
 # - mean = sum(r + (0 if end else V[after]) for r, after, end in found) / len(found)
 # + mean = min(r + (0 if end else V[after]) for r, after, end in found)

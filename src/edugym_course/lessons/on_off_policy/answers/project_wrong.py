@@ -50,7 +50,7 @@
 
 # %% costs
 # slow
-# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand at the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: the next action is kept
 # - return values.argmax()
 # + return values.argmin()
