@@ -148,13 +148,41 @@ class AtTheEnd:
             self._steps.clear()
 
 
-def at_the_end(make: Maker) -> dict[str, Maker]:
-    """Return the mistake of a program that learns too late, by its sentence."""
-    sentence = (
+class OfTheLastReset:
+    """An agent that looks the next state up in a copy of its table, which is made when an episode begins."""
+
+    def __init__(self, make: Maker, shape: tuple[int, int]) -> None:
+        """Make the agent; the second half of its table is the copy."""
+        self._n_states, n_actions = shape
+        self._agent = make((2 * self._n_states, n_actions))
+        self._names = learns_from(self._agent)
+
+    @property
+    def Q(self) -> Reals:
+        """Its table, without the copy."""
+        table: Reals = self._agent.Q[: self._n_states]
+        return table
+
+    def act(self, state: int, rng: Random) -> int:
+        """Choose an action by ε-greedy."""
+        return int(self._agent.act(state, rng))
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
+        """Learn from the step and the copy, and copy the table at the end of an episode."""
+        step = Step(state, action, reward, self._n_states + next_state, terminated, truncated)
+        learn_from(self._agent, self._names, step, action)
+        if terminated or truncated:
+            self._agent.Q[self._n_states :] = self.Q
+
+
+def too_late(make: Maker) -> dict[str, Maker]:
+    """Return the mistakes that show only where a state comes twice in an episode, by their sentences."""
+    return {
+        "max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at"
+        " once": partial(OfTheLastReset, make),
         "nothing is learned before the episode is over, or the actions are chosen by a copy of the table from its"
-        " beginning. Learn from each step at once, and choose by the table as it is now"
-    )
-    return {sentence: partial(AtTheEnd, make)}
+        " beginning. Learn from each step at once, and choose by the table as it is now": partial(AtTheEnd, make),
+    }
 
 
 def other_settings(make: Callable[..., Any], **settings: tuple[str, float, Sequence[float]]) -> dict[str, Learner]:

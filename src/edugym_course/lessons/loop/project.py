@@ -1,6 +1,5 @@
 """The project of lesson 0: Q-learning and its loop, from a blank file."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -18,12 +17,11 @@ from edugym_course.grading.close_calls import require_close_calls
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.learners import (
     Learner,
-    Maker,
-    at_the_end,
     mistakes_of_loops,
     other_settings,
     other_tables,
     too_early,
+    too_late,
 )
 from edugym_course.grading.rule import Rule
 from edugym_course.lessons.loop.methods import DISCOUNT, EPSILON, LEARNING_RATE
@@ -69,7 +67,6 @@ class _Slips:
         forgets: whether the old value is not added to the step.
         whole_row: whether the values of all actions move.
         of_the_best: whether the value of the action that looks best moves, not that of the one that was taken.
-        of_the_last_reset: whether values of next states are those of the last reset.
         next_action: whether it has that of the action that is taken next; after a cut nobody sees that one, so it has
             the highest there.
     """
@@ -86,15 +83,13 @@ class _Slips:
     forgets: bool = False
     whole_row: bool = False
     of_the_best: bool = False
-    of_the_last_reset: bool = False
     next_action: bool = False
     _updates: Integers = field(init=False)
-    _at_reset: Reals = field(init=False)
     _waiting: tuple[int, int, float, int] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         """Begin to count."""
-        self._updates, self._at_reset = np.zeros(self.Q.shape, np.int64), self.Q.copy()
+        self._updates = np.zeros(self.Q.shape, np.int64)
 
     def act(self, state: int, rng: np.random.Generator) -> int:
         """Choose an action by ε-greedy."""
@@ -110,7 +105,7 @@ class _Slips:
             before, taken, earlier, reached = self._waiting
             self._move(before, taken, earlier + DISCOUNT * float(self.Q[reached, action]))
         self._waiting = None
-        row = (self._at_reset if self.of_the_last_reset else self.Q)[next_state]
+        row = self.Q[next_state]
         if self.next_action and not (terminated or truncated):
             self._waiting = state, action, reward, next_state
         else:
@@ -119,8 +114,6 @@ class _Slips:
             earned = DISCOUNT * reward if self.discounts_all and not terminated else reward
             target = earned + (0.0 if terminated else DISCOUNT * float(future))
             self._move(state, moved, target)
-        if terminated or truncated:
-            self._at_reset = self.Q.copy()
 
     def _move(self, state: int, action: int, target: float) -> None:
         if self.only_best and self.Q[state, action] < self.Q[state].max():
@@ -210,13 +203,6 @@ CLOSE_MISTAKES = {
     "the first values are above 0": Learner(partial(agent, first=0.5)),
 }
 """Those that change actions only where small differences decide."""
-TOO_LATE: Mapping[str, Maker] = {
-    "max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at once": (
-        partial(slips, of_the_last_reset=True)
-    ),
-    **at_the_end(agent),
-}
-"""Those that show only where a state comes twice in an episode."""
 SHOP = Race(partial(gymnasium.make, "edugym/Supermarket-v0"), N_STEPS, program_of(agent))
 
 
@@ -224,5 +210,5 @@ def project_0(answer: Any, seed: int) -> str:
     """Check a program with Q-learning."""
     RULE.check(answer, seed)
     require_close_calls(answer, seed, RULE.right, CLOSE_MISTAKES, EPSILON)
-    require_no_mistake(answer, seed, agent, TOO_LATE, EPSILON)
+    require_no_mistake(answer, seed, agent, too_late(agent), EPSILON)
     return f"Right: that is all of it, the loop and the learner. {compare_with_ours(answer, SHOP, seed)}"

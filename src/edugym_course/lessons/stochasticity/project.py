@@ -1,8 +1,8 @@
 """The project of lesson 8: a learner that avoids risk, from a blank file."""
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -18,12 +18,11 @@ from edugym_course.grading.again import require_no_mistake
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import (
     Learner,
-    Maker,
-    at_the_end,
     mistakes_of_loops,
     other_settings,
     other_tables,
     too_early,
+    too_late,
 )
 from edugym_course.grading.programs import run_program
 from edugym_course.grading.rule import Rule
@@ -86,19 +85,12 @@ class _Slips:
         future: the value of the next state, from its row.
         weighed: what the weight is made of, from the reward, the target and δ.
         moves: by how much the value moves, from the weight and δ; it is multiplied by α.
-        of_the_last_reset: whether values of next states are those of the last reset.
     """
 
     Q: Reals
     future: Callable[[Reals], float] = np.max
     weighed: Callable[[float, float, float], float] = lambda reward, target, delta: delta
     moves: Callable[[float, float], float] = lambda weight, delta: weight * delta
-    of_the_last_reset: bool = False
-    _at_reset: Reals = field(init=False)
-
-    def __post_init__(self) -> None:
-        """Begin with the first values."""
-        self._at_reset = self.Q.copy()
 
     def act(self, state: int, rng: np.random.Generator) -> int:
         """Choose an action by ε-greedy."""
@@ -108,15 +100,12 @@ class _Slips:
         """Choose the action with the highest value."""
         return int(greedy_action(self.Q, state, rng))
 
-    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
         """Move Q(S, A) by δ, weighted."""
-        row = (self._at_reset if self.of_the_last_reset else self.Q)[next_state]
-        target = one_step_target(reward, DISCOUNT, float(self.future(row)), terminated)
+        target = one_step_target(reward, DISCOUNT, float(self.future(self.Q[next_state])), terminated)
         delta = target - float(self.Q[state, action])
         weight = 1.0 + math.tanh(RISK * self.weighed(reward, target, delta) / 2.0)
         self.Q[state, action] += LEARNING_RATE * self.moves(weight, delta)
-        if terminated or truncated:
-            self._at_reset = self.Q.copy()
 
 
 def slips(shape: tuple[int, int], **how: Any) -> _Slips:
@@ -182,19 +171,12 @@ RULE = Rule(
     otherwise="; look at two places: the target is R + γ max_a Q(S', a), and R alone where `terminated` is True; and"
     " the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it",
 )
-TOO_LATE: Mapping[str, Maker] = {
-    "max_a Q(S', a) is that of the last reset: read it from the table as it is now": (
-        partial(slips, of_the_last_reset=True)
-    ),
-    **at_the_end(agent),
-}
-"""Mistakes that show only where a state comes twice in an episode."""
 
 
 def project_8(answer: Any, seed: int) -> str:
     """Check a program with risk-sensitive Q-learning."""
     RULE.check(answer, seed)
-    require_no_mistake(answer, seed, agent, TOO_LATE, EPSILON)
+    require_no_mistake(answer, seed, agent, too_late(agent), EPSILON)
     careful = 0
     for number in range(FORKS * seed, FORKS * (seed + 1)):
         risky = number % 2

@@ -219,7 +219,7 @@
 
 # %% targets from a copy of the table
 # slow
-# says: max_a Q(S', a) is that of the last reset: read it from the table as it is now
+# says: max_a Q(S', a) is that of the last reset. Read it from the table as it is now, and learn from each step at once
 # in: the weight in one line
 # - s, _ = environment.reset(seed=seed)
 # + s, _ = environment.reset(seed=seed)
