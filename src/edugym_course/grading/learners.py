@@ -16,6 +16,10 @@ LOW = (
     " action stand in the place of another?"
 )
 
+BEYOND = (
+    "the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone"
+)
+
 Maker = Callable[[tuple[int, int]], Any]
 """Makes an agent for the shape of a table."""
 
@@ -59,7 +63,8 @@ def _swapped(step: Step, before: Step | None) -> Step:
     return step._replace(terminated=step.truncated, truncated=step.terminated)
 
 
-def _old_start(step: Step, before: Step | None) -> Step:
+def old_start(step: Step, before: Step | None) -> Step:
+    """Take the last state of an episode for the first one of the next."""
     return step._replace(state=before.next_state) if before and (before.terminated or before.truncated) else step
 
 
@@ -86,8 +91,7 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
         remembers: whether it learns from windows. One that goes on into the next episode is like none that was met.
     """
     beyond_an_end = {
-        "the value of a state after the end is looked up; a terminal state has no future, so its target is the reward"
-        " alone": Learner(make, _goes_on),
+        BEYOND: Learner(make, _goes_on),
         "a truncated episode is learned as a terminated one: somebody stopped the clock, and the next state still has"
         " its value": Learner(make, _ends),
         "`terminated` and `truncated` have changed places: step returns state, reward, terminated, truncated, info": (
@@ -107,7 +111,7 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
         "what is learned at the end of an episode is left out, and that is where the reward often is: learn first, and"
         " look then whether the episode is over": Learner(make, skips=lambda step: step.terminated or step.truncated),
         "after an end the program goes on from the last state of the old episode: state, info = environment.reset()"
-        " gives the first state of the new one": Learner(make, _old_start),
+        " gives the first state of the new one": Learner(make, old_start),
         "after an end the program goes on from the state that it left last: state, info = environment.reset() gives the"
         " first state of the new episode": Learner(make, _last_left),
         "the state stays the first one of the episode: is `state = next_state` missing?": Learner(make, stays),

@@ -241,7 +241,7 @@ def run_program(
 
 
 def require_steps(taken: int, n_steps: int, is_over: bool) -> None:
-    """Refuse a program that takes too few steps, or one too many.
+    """Refuse a program that takes too few steps, or too many.
 
     Args:
         taken: how many it takes.
@@ -260,10 +260,10 @@ def require_steps(taken: int, n_steps: int, is_over: bool) -> None:
         raise WrongAnswer(
             f"{NAME} takes {taken} of its {n_steps} steps: go on, episode after episode, until all are taken"
         )
-    if taken == n_steps + 1 and not is_over:
+    if taken > n_steps and not is_over:
         raise WrongAnswer(
-            f"{NAME} takes {taken} steps, and {n_steps} were asked for: one too many; is there a `<=` in place of"
-            " `<`, or does the loop end at n_steps + 1?"
+            f"{NAME} takes {taken} steps, and {n_steps} were asked for: {taken - n_steps} too many; is there a `<=` in"
+            " place of `<`, or does the loop end at n_steps + 1?"
         )
 
 
@@ -325,9 +325,9 @@ def actions_of(policy: Policy, observations: Iterable[Any], n_actions: int, noun
     drawn = sum(one != again for one, again in pairs)
     if drawn > SELDOM * len(pairs):
         raise WrongAnswer(
-            f"{POLICY} draws its actions: asked twice about one {noun}, it gives two of them in {drawn} of {len(pairs)}"
-            " cases. It should take the *best* action, and never a random one. (Or does it look up what was never"
-            " learned, so that chance decides among equal values?)"
+            f"{POLICY} draws its actions: asked twice about one {noun}, it gives two different actions in {drawn} of"
+            f" {len(pairs)} cases. It should take the *best* action, and never a random one. (Or does it look up what"
+            " was never learned, so that chance decides among equal values?)"
         )
     return [one for one, _ in pairs]
 

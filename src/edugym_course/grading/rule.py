@@ -273,7 +273,7 @@ class Rule:
         few = (tries < RARELY * chances) | seldom
         for action in np.flatnonzero(few & (chances > ENOUGH)):
             raise WrongAnswer(
-                f"{NAME} tries the action {action} {tries[action]:.0f} times where another one looks better, and with"
+                f"{NAME} tries action {action} only {tries[action]:.0f} times where another one looks better, and with"
                 f" ε = {self.epsilon:g} it should be some {chances[action]:.0f} times: is the random action one of"
                 " *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so"
             )
@@ -381,10 +381,14 @@ class Rule:
         is_known = tries is not None and abs(tries / self.epsilon - 1) <= NEAR
         if_others = self.epsilon * np.count_nonzero(right.chances)
         is_other = abs(found - if_others) < SIGMAS * right.deviation
-        others = f", or the random action is drawn among the others: {OTHERS}" if is_other else ""
         if is_known:
             return f"ε is right, so compare {compare}"
+        if is_other and right.are_drawn():
+            return (
+                f"ε is about {found / by_chance:.2f}, or the random action is drawn among the others: {OTHERS}. If both"
+                f" are right, compare {compare}"
+            )
         wild = f" {ELSEWHERE}" if found > MANY_OF_CHANCE * by_chance else ""
         if wild and not right.are_drawn():
             return f"Compare {compare}.{wild}"
-        return f"Compare {compare}.{wild} If all that is right, ε is about {found / by_chance:.2f}{others}"
+        return f"Compare {compare}.{wild} If all that is right, ε is about {found / by_chance:.2f}"

@@ -9,9 +9,11 @@ import pytest
 
 from edugym import policy_evaluation, value_iteration, with_rewards
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.agents.preferences import preference
+from edugym.mdp.protocol import Integers
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.lessons.own_problem.morning import Morning
-from edugym_course.lessons.preferences import methods, project, teachers
+from edugym_course.lessons.preferences import methods, project, replay, teachers
 
 MODEL, REFERENCE = methods.model_of(Morning()), methods.half_right(Morning())
 
@@ -84,3 +86,34 @@ def test_the_teacher_remembers_a_slip() -> None:
 
     with pytest.raises(WrongAnswer, match="a night has 10 steps"):
         project.project_14(program, 0)
+
+
+def compared_nights(mdp: Morning, n: int, seed: int) -> list[replay.Comparison]:
+    """Comparisons of random nights by a teacher with the noise of the lesson."""
+    rng = np.random.default_rng(seed)
+
+    def night() -> tuple[list[replay.Step], float]:
+        state, steps, worth = mdp.initial(rng), list[replay.Step](), 0.0
+        for _ in range(mdp.length):
+            action = int(rng.integers(3))
+            after = mdp.transition(state, action, rng)
+            worth += mdp.reward(state, action, after, rng)
+            steps.append((state, action, after))
+            state = after
+        return steps, worth
+
+    pairs = [(night(), night()) for _ in range(n)]
+    return [(one, other, bool(rng.random() < preference(a, b, 1.0))) for (one, a), (other, b) in pairs]
+
+
+@pytest.mark.parametrize("method", [replay.Replay.right, *replay.MISTAKES.values()])
+def test_what_a_policy_has_learned(method: Callable[[replay.Replay], Integers]) -> None:
+    """A policy that comes from a mistake is told as that, and a right one as none, though some actions are others."""
+    rng, runs = np.random.default_rng(0), []
+    for seed in range(2):
+        comparisons = compared_nights(Morning(), 200, seed)
+        actions = method(replay.Replay(Morning(), comparisons))
+        others = rng.random(actions.shape) < 0.1
+        runs.append((comparisons, np.where(others, rng.integers(3, size=actions.shape), actions)))
+    told = {sentence for sentence, mistake in replay.MISTAKES.items() if mistake is method}
+    assert replay.likely_mistake(Morning(), runs) == next(iter(told), "")

@@ -289,7 +289,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # %% [markdown] tags=["aside"]
 # ### Aside: what a baseline does to learning
 # One hundred policies learn $\mu$ and $\sigma$ in 2 000 updates, with one action each
-# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards up to this one, so that the first update is 0). The code keeps
+# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards up to this one, so that the first update is 0; with this one in it, each step is only a little smaller). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
 
@@ -383,7 +383,7 @@ source(GaussianActorCritic.learn)
 # | setting | value |
 # |---|---|
 # | 3, 5, 9 bins | REINFORCE with a baseline on a table, 30 by 30 cells, $\alpha^\theta = \alpha^w = 0.4$ |
-# | continuous | Gaussian actor-critic on tile coding, $\sigma = 0.5$, $\alpha^\theta = 0.02$, $\alpha^w = 0.4$; all values start at 1 (optimistic: more than a state is worth at first; starting at 0 did about as well) |
+# | continuous | Gaussian actor-critic on tile coding, $\sigma = 0.5$, $\alpha^\theta = 0.02$, $\alpha^w = 0.4$; all values start at 1 (optimistic: more than a state is worth at first; 0 did about as well, −1 did not) |
 # | all | $\gamma = 0.99$, 100 000 steps |
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
@@ -394,7 +394,7 @@ source(GaussianActorCritic.learn)
 # The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. (Further down
 # `methods.learn_all` does all this.)
 #
-# **Predict.** Which of the four needs the fewest steps to a return of 3.5, on average over the runs?
+# **Predict.** Which of the four needs the fewest steps to its *first* greedy episode of 3.5, on average?
 
 # %%
 first = predict("The first to reach a return of 3.5:", ["3 bins", "5 bins", "9 bins", "continuous"])
@@ -428,9 +428,9 @@ first.measured(min(soon, key=soon.get))
 #
 # **Measured.** Three bins are first by far, and the more bins, the later. (Three bins for two joints make 9 actions,
 # nine make 81; that this is the reason is our guess.) But three bins cannot get more than 4.31: twelve of the 20 runs
-# reach it, and eight stop at 4.07. Five and nine end above them on average.
+# reach it, and eight stop at 4.07. Five and nine end higher on average.
 #
-# The continuous agent needs about as many steps as 5 bins. With the updates in the reverse order 5 bins learn faster (see exercise 3). (The aside
+# The continuous agent needs about as many steps as 5 bins, but more of its runs fall back. (The aside
 # on PPO has a fair comparison.) </details>
 
 # %% [markdown]
@@ -445,9 +445,9 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 # %% [markdown]
 # ## Your turn
 #
-# (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE, `actor_rate` is $\alpha^\theta$
+# (4 runs of 40 000 steps; thin lines are single runs. `alpha` is that of REINFORCE, `actor_rate` is $\alpha^\theta$
 # of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (it mostly does not pick up the box),
-# and others with which it stays at 0 (it never delivers it). What is too small a $\sigma$? Is any too large?
+# and others with which it stays at 0 (it never delivers it). What is too small a $\sigma$?
 
 
 # %%
@@ -471,7 +471,7 @@ sliders(
 # <details><summary>What we found</summary>
 #
 # $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. With $\sigma = 1$
-# three of four deliver the box (of 80 more runs 64 %, but 85 % with `actor_rate` 0.05: a larger $\sigma$ makes the steps smaller, so we found none too large in itself). With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
+# three of four deliver the box (of 80 more runs 64 %, but 85 % with `actor_rate` 0.05: a larger $\sigma$ makes the steps smaller, so none was too large to deliver, but it is placed less exactly). With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
 # </details>
 
 # %% [markdown]
@@ -485,7 +485,7 @@ figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 
 # %% [markdown]
 # Both have learned a corridor of good places. Of a cell where it has never been the table knows nothing; tile coding
-# guesses the value of a place from its neighbours.
+# guesses the value of a place from its neighbours. (Flat areas have first values, 0 and 1.)
 
 # %% [markdown]
 # ## Predict, then check
@@ -561,7 +561,7 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # exclude 0. Against real numbers the interval just contains 0. So "fewer actions are learned sooner" is shown for 3
 # bins against more bins here, and for nothing else.
 #
-# With drawn actions 3 bins end no lower on average. One continuous run and one with 9 bins never learn to deliver (we
+# With drawn actions 3 bins end highest on average, but no interval excludes 0. One continuous run and one with 9 bins never learn to deliver (we
 # looked at the single runs), and they pull the means down. Drawing actions may cost exactness too; we did not test
 # this.
 #
@@ -610,7 +610,7 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 #
 # **Measured.** The continuous agent, by far. About half of these runs end at 0 (of 100 others, 38): the arm picks up the box, and then stays
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
-# close to it. But what is possible and what is learned are two things. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0. (A dearer wait, or no discount, helped little.) That drawn actions are
+# close to it. But what is possible and what is learned are two things. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0. (A dearer wait helped little, and with $\gamma = 1$ 72 of 100 did not deliver.) That drawn actions are
 # never exact ($\sigma$ is fixed) seems not to be the reason: with more exact ones, $\sigma = 0.3$ for 0.5, more runs ended at 0 (67 % of 100).
 #
 # Three bins lose little more than what is no longer possible for them.
@@ -880,7 +880,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
 # The baseline itself is not to blame, but the order is. When the arm is in a cell for the second time, $V$ has already moved to the return of the first, so it depends on the actions, and a baseline must not. Move
-# $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the order of the box. (With 9 bins this baseline was still later than none in 120 runs, 25 700 steps against 19 200. And the reverse order, in which $V$ depends on the actions too, is the fastest of all with 5 and 9 bins: so the bias need not make it slower.) A baseline
+# $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the order of the box. (The reverse order, in which $V$ depends on the actions too, is about as fast as these two: so the bias alone need not make it slower. With 9 bins the answer depends on the measure: the first good greedy episode comes later with this baseline, and the mean return of the drawn actions is higher.) A baseline
 # makes each estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
 # </details>
 
@@ -920,7 +920,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # \end{aligned}
 # $$
 #
-# On the right are the $\mu$ and the $\sigma$ from which $A_t$ was drawn. After each step keep $\sigma$ between 0.2
+# On the right are the $\mu$ and the $\sigma$ from which $A_t$ was drawn. After each of these updates keep $\sigma$ between 0.2
 # and 2.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment,
@@ -933,7 +933,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Take $\alpha^\theta = 0.005$, $\alpha^w = 0.1$, $\gamma = 0.8$, and begin with $\mu = 0$, $\sigma = 1$ and $V = 0$.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# In the check an arm lets go of three boxes, one after another (of six in one short run), each over a container whose middle it does not know. A
+# In the check an arm lets go of three or six boxes, one after another, each over a container whose middle it does not know. A
 # box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. (In a second
 # task the farthest actions pay most, so $\sigma$ grows.) Your program draws its actions, so none of them is right or
 # wrong. But its own steps tell, by the equations, which $\mu$ it should return, and from which Gaussians it should have

@@ -88,6 +88,9 @@ MISTAKES: dict[str, Maker] = {
         Gaussians, of_log=lambda off, spread: score_of_log(off, spread) / spread
     ),
     "what is learned is σ, with the score of σ: learn ln σ, with its own": partial(Gaussians, itself=True),
+    "what moves is σ, by the score of ln σ: let ln σ move by it": partial(
+        Gaussians, itself=True, of_log=lambda off, spread: score_of_log(off, spread) * spread
+    ),
     "nothing is learned from an episode that is truncated: it is over as well, and its returns stop at its last"
     " reward": partial(Gaussians, cut_short=False),
     "the score of μ is not divided by σ²": partial(Gaussians, of_mean=lambda off, spread: off),
@@ -226,8 +229,8 @@ def _returned(program: Any, environment: Environment, seed: int, n_steps: int) -
             )
         if means[state] != other:
             raise WrongAnswer(
-                f"{POLICY} draws its actions: asked twice about state {state}, it gives two of them. It should return"
-                " the mean μ of the state"
+                f"{POLICY} draws its actions: asked twice about state {state}, it gives two different ones. It should"
+                " return the mean μ of the state"
             )
     return Returned(run.steps, means)
 

@@ -1046,8 +1046,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: $n$-step SARSA with $n = 3$ and its
 # loop, some 40 lines. You need no buffer of a fixed size: keep lists of the states, actions and rewards of the
-# episode. After step $t$ the pair $S_\tau, A_\tau$ with $\tau = t - n + 1$ has its $n$ rewards. Draw $A_{t+1}$: now its target
-# is complete, and it learns. When the episode has ended (by `terminated` or by `truncated`), all pairs that are left learn from the rewards
+# episode. After step $t$ the pair $S_\tau, A_\tau$ with $\tau = t - n + 1$ has its $n$ rewards. Draw $A_{t+1}$, the action that you take next: it is $A_{\tau+n}$, so
+# the target is complete, and the pair learns. When the episode has ended (by `terminated` or by `truncated`), all pairs that are left learn from the rewards
 # that there are, the oldest first. (Where it was only truncated, the last state has a value as well: after $k$ rewards
 # you may add $\gamma^k$ times it, say that of an action drawn there.)
 #

@@ -45,9 +45,8 @@ RULE = Rule(
         ),
         "the target has the next reward alone": Learner(partial(agent, n=1, discount=0.0)),
         "after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken,"
-        " A_τ+n: with the maximum the target is the uncorrected one of this lesson": Learner(
-            partial(slips, largest=True)
-        ),
+        " A_τ+n. With the maximum the target is the *uncorrected* one of this lesson; and if you draw A_τ+n twice, for"
+        " the target and for the step, draw it once": Learner(partial(slips, largest=True)),
         "no value comes after the n rewards: γⁿ Q(S_τ+n, A_τ+n) is missing": Learner(partial(slips, bootstrap=0.0)),
         "at the end of an episode only one pair is learned, and the others that are left have rewards to learn from"
         " too": Learner(partial(slips, last_only=True)),
@@ -93,6 +92,11 @@ RULE = Rule(
         "the last reward of each target is left out: range(τ, k) ends with k − 1": Learner(
             partial(slips, total=lambda rewards: discounted(rewards[:-1]))
         ),
+        "each pair is learned one step too late, with a value that comes n + 1 steps after it: after step t learn the"
+        " pair of τ = t − n + 1": Learner(partial(slips, late=True)),
+        "the lists of the last episode go on in the next one: empty them at each reset": Learner(
+            partial(slips, keeps=True)
+        ),
         "the value is that of S_τ+n with the action before: draw A_τ+n first, and learn then": Learner(
             partial(slips, stale_action=True)
         ),
@@ -111,9 +115,9 @@ RULE = Rule(
     | other_tables(agent),
     EPSILON,
     truncates=False,
-    otherwise="; look at two places: at the end of an episode the targets of *all* pairs that are left are made of"
-    " rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards; and the lists hold the"
-    " actions that were taken, in this episode",
+    otherwise="; look at two places: at the end of an episode the targets of *all* pairs that are left are rewards"
+    " alone, and elsewhere γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards, where A_τ+n is drawn once and then taken; and"
+    " the lists hold the actions that were taken, in this episode",
 )
 STUDY = Race(study, N_STEPS, program_of(agent), episodes=20)
 

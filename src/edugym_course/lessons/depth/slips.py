@@ -30,6 +30,8 @@ class FromDefinition:
         total: the weighted sum of the rewards of a target.
         from_start: whether the power of γ of a reward is that of its place in the episode.
         early: whether the value is that of the pair one step earlier.
+        late: whether each pair is learned one step too late, with the value of the pair that is then reached.
+        keeps: whether the lists are not emptied at the end of an episode.
         stale_action: whether the value is that of the state after n steps, with the action before.
         shift: how many steps too early the rewards of a target are.
         newest: whether the newest pair moves, not that of step τ.
@@ -52,6 +54,8 @@ class FromDefinition:
     total: Callable[[Sequence[float]], float] = discounted
     from_start: bool = False
     early: bool = False
+    late: bool = False
+    keeps: bool = False
     stale_action: bool = False
     shift: int = 0
     newest: bool = False
@@ -93,7 +97,7 @@ class FromDefinition:
         over = terminated or truncated
         value_at_end = self._value_at_end(next_state, terminated)
         for tau in self._learned(over, truncated):
-            if tau + N < len(self._pairs) and not self.again:
+            if tau + N < len(self._pairs) and not (self.again or self.late):
                 after = self.bootstrap * self._value(tau, *self._pairs[tau + N])
             elif not over:
                 after = self.bootstrap * self._value(tau, next_state, action if self.stale_action else next_action)
@@ -105,7 +109,7 @@ class FromDefinition:
             target = discounted(rewards, first=tau) if self.from_start else total(rewards)
             moved = self._pairs[-1 if self.newest else tau]
             self.Q[moved] += LEARNING_RATE * (target + after - (self._values[tau] if self.old else self.Q[moved]))
-        if over:
+        if over and not self.keeps:
             self.forget_episode()
 
     def _learned(self, over: bool, truncated: bool) -> range:
@@ -117,8 +121,8 @@ class FromDefinition:
             return range(steps if over and not truncated else 0)
         if truncated and self.cut == "nothing":
             return range(0)
-        first = 0 if over and self.again else max(steps - N, 0)
-        left = steps - self.forgotten if over and not self.last_only else steps - N + 1
+        first = 0 if over and self.again else max(steps - N - (self.late and not over), 0)
+        left = steps - self.forgotten if over and not self.last_only else steps - N + 1 - self.late
         return range(max(first, self.begin), left)
 
     def _value(self, tau: int, state: int, action: int) -> float:

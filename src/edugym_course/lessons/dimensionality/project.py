@@ -19,7 +19,18 @@ from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, Environment, Run, actions_of, returns_of, run_program
 from edugym_course.grading.repeats import require_reproducible
 from edugym_course.grading.rule import ASKED, TRIAL
-from edugym_course.lessons.dimensionality.riddles import BAD, CHOOSY, DARK, GOOD, LOW, N_ACTIONS, RIDDLES, Album, Riddle
+from edugym_course.lessons.dimensionality.riddles import (
+    BAD,
+    CHOOSY,
+    DARK,
+    EMPTY,
+    GOOD,
+    LOW,
+    N_ACTIONS,
+    RIDDLES,
+    Album,
+    Riddle,
+)
 from edugym_course.lessons.dimensionality.twins import COLUMNS, ROWS, Twins
 
 N_STEPS, RIDDLE_STEPS, RUNS, EPISODES = 10_000, 2_000, 3, 50
@@ -53,7 +64,7 @@ BEYOND = (
 TOO_RANDOM = "Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?"
 FROZEN = (
     "Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2"
-    f" and b2? {MASK}"
+    f" and b2? {MASK} Are the first weights of a layer with n inputs of a size near 1/√n, and not much larger?"
 )
 
 
@@ -116,6 +127,8 @@ def looks_beyond_ends(program: Any, riddle: Riddle, seed: int) -> bool:
 
 def _cause_while_training(program: Any, riddle: Riddle, seed: int) -> str:
     """Return why the policy may be right, and many actions of the training are not."""
+    if riddle is EMPTY:
+        return f"In this riddle, {riddle.asks}"
     if looks_beyond_ends(program, riddle, seed):
         return BEYOND
     if (longer := solution(program, riddle, PATIENCE * RIDDLE_STEPS, seed).trained) > GREEDY:
@@ -155,6 +168,9 @@ def never_explores(program: Any, riddle: Riddle, seed: int) -> bool:
 
 
 def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
+    """Return why the policy is not right."""
+    if riddle is EMPTY:
+        return f"In this riddle, {riddle.asks}"
     if looks_beyond_ends(program, riddle, seed):
         return BEYOND
     if found.trained > SOLVED:
@@ -291,7 +307,7 @@ def project_4(answer: Any, seed: int) -> str:
     share = check_catch(answer, seed)
     check_policy(answer, seed)
     check_twins(answer, seed)
-    for riddle in (LOW, CHOOSY, DARK):
+    for riddle in (LOW, CHOOSY, DARK, EMPTY):
         check_riddle(answer, riddle, seed)
     return (
         f"Right: it solves the riddles, and in the middle one of {RUNS} runs on Catch in changing light it catches"

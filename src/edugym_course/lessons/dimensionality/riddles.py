@@ -35,6 +35,7 @@ class Riddle(NamedTuple):
         bad: what follows an action in the bad image.
         choosy: whether only one action does that in the good image, and the others bring −1.
         dark: whether half of the episodes begin with a black image, whose question is the only one that counts.
+        first: whether action 0 is the right one there, and not another one.
     """
 
     right: Move
@@ -44,6 +45,7 @@ class Riddle(NamedTuple):
     bad: Move = Move(-1.0, GOOD)
     choosy: bool = False
     dark: bool = False
+    first: bool = False
 
 
 RIDDLES = (
@@ -99,7 +101,16 @@ DARK = RIDDLES[0]._replace(
     " matter and the values are those of the biases: are there biases, and does the gradient change b1 and b2?",
     dark=True,
 )
-"""These three are asked last, so that other mistakes are told by the riddles that ask for them."""
+EMPTY = Riddle(
+    Move(1.0, GOOD),
+    Move(0.5, GOOD),
+    "only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. An"
+    " empty place of a memory looks like a black image, action 0 and a reward of 0: are the rows of a batch drawn from"
+    " the steps that were stored, and from no others?",
+    dark=True,
+    first=True,
+)
+"""These four are asked last, so that other mistakes are told by the riddles that ask for them."""
 
 
 class Album(gymnasium.Env[Any, Any]):
@@ -125,7 +136,8 @@ class Album(gymnasium.Env[Any, Any]):
         self._best = int(rng.integers(N_ACTIONS))
         if riddle.dark:
             self._images[0] = 0.0
-            self._right = np.roll(self._right, -np.flatnonzero(self._right)[0])  # the first of equal values is wrong
+            of_the_black_one = self._right == 0 if riddle.first else self._right > 0  # else it wins where all are equal
+            self._right = np.roll(self._right, -np.flatnonzero(of_the_black_one)[0])
         self._riddle, self._image, self._last = riddle, 0, last
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:

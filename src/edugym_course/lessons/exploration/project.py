@@ -20,8 +20,8 @@ grips; the five right programs tried need 2025 steps at most (40 walls, three gr
 WALLS = ((2, LONG), (2, SHORT), (3, LONG), (3, SHORT))
 """The number of grips of each wall, and its step limit."""
 CUT = (
-    "with longer episodes they do. Does it go on from the state that reset() gives, after each episode, and is a step"
-    " that is truncated learned as any other, with the value of its next state? If so,"
+    "where no episode is truncated they do. Does it go on from the state that reset() gives, after each episode, and is"
+    " a step that is truncated learned as any other, with the value of its next state? If so,"
 )
 LOW = 3
 """Places below this one are the foot of a wall."""
@@ -54,8 +54,8 @@ def project_1(answer: Any, seed: int) -> str:
             name += f", where an episode is truncated after {SHORT} steps"
         firsts = [t for t, step in enumerate(run.steps, start=1) if step.terminated]
         if not firsts:
-            if_short = f"{CUT} " if max_steps == SHORT else ""
-            raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {if_short}{_why(run, n_grips)}")
+            why = "" if nobody_asks_why() else f"{_cut(answer, n_grips, number)}{_why(run, n_grips)}"
+            raise WrongAnswer(f"{name}, {N_STEPS} steps do not reach the top: {why}")
         without_a_fall = wall(n_grips, number, max_steps=HEIGHT)
         actions_of(run.policy, range(HEIGHT), n_grips)
         climbs = returns_of(run.policy, without_a_fall, CLIMBS, number)
@@ -74,10 +74,14 @@ def project_1(answer: Any, seed: int) -> str:
     )
 
 
+def _cut(answer: Any, n_grips: int, number: int) -> str:
+    """Return a sentence on truncated steps, if the program reaches the top where there are none; else ""."""
+    uncut = run_program(answer, wall(n_grips, number, N_STEPS + 1), N_STEPS, number)
+    return f"{CUT} " if any(step.terminated for step in uncut.steps) else ""
+
+
 def _why(run: Run, n_grips: int) -> str:
     """Return what the steps look like of a program that never reached the top, and the likely cause."""
-    if nobody_asks_why():
-        return ""
     seen = f"the highest place is {max(step.next_state for step in run.steps)}"
     (place, grip), times = _wrong_grips(run.steps).most_common(1)[0]
     low = sum(step.state < LOW for step in run.steps) / len(run.steps)
@@ -92,8 +96,9 @@ def _why(run: Run, n_grips: int) -> str:
     if _wrong_where_known(run.steps) > BY_CHANCE * (1 - 1 / n_grips):
         return (
             f"{seen}, and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which"
-            " ones hold: below the top there is no reward to learn from, so remember what was tried and what held, also"
-            " in a step that is truncated (is `state = next_state` missing?)"
+            " ones hold: below the top there is no reward to learn from, so remember what was tried and what held (is"
+            " `state = next_state` missing?). With optimistic first values: is γ below 1, does the target have the"
+            " value of the *next* state, and can the table hold fractions?"
         )
     return (
         f"{seen}, and {low:.0%} of the steps begin below place {LOW}: likely it still tries where it knows the way, at"

@@ -469,12 +469,12 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # never met, too.
 #
 # - Take $\alpha = 0.5$, $\gamma = 0.9$, $\varepsilon = 0.1$ and first values of $-10$. This is $-1 / (1 - \gamma)$, what it is
-#   worth never to reach the goal. At first all values are equal, so break ties at random.
+#   worth never to reach the goal. At first all values are equal, so break ties at random while it learns.
 # - `environment.action_space.n` says how many switches there are.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program with four switches, and for 20 000 steps with six: a good program comes to about −2.6 there, and one without
-# hindsight stays below −4. The check takes half a minute or more. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the
+# hindsight stays below −4. The check takes a minute or two. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the
 # likely one.
 
 # %% tags=["project"]

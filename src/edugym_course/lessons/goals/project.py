@@ -260,12 +260,10 @@ RULE = Rule(
         "steps that are learned again have the return of the episode as their target; it is R + γ max_a Q(S', G, a)"
         " here too": mistake(returns=True),
         "state and goal have changed places in the table where the steps are learned again": mistake(swaps=True),
-        "the new goal stands beside the state alone; the maximum is that of the next one *with it* too": mistake(
-            next_state_has="old"
+        "in hindsight the maximum is that of Q(S', G, a), and it should be that of Q(S', G', a), with the new goal": (
+            mistake(next_state_has="old")
         ),
-        "the new goal stands beside the next state alone; the value of the state *with it* should move": mistake(
-            state_has="old"
-        ),
+        "in hindsight Q(S, G, A) moves, and it should be Q(S, G', A), that of the new goal": mistake(state_has="old"),
         "the maximum is that of the state itself: γ max_a Q(S', G, a) asks what comes next": mistake(looks_on=False),
         "the steps are learned again twice over; once is enough": mistake(sweeps=2),
         "the steps are learned in hindsight only; learn each at once for its own goal too": mistake(own=False),

@@ -192,6 +192,7 @@ RULE = Rule(
     )
     | other_tables(agent),
     EPSILON,
+    otherwise="; the target has max_a Q(S', a), the *largest* value of S', and not that of an action that is drawn",
 )
 CLOSE_MISTAKES = {
     "γ is larger than 0.99; is it missing?": Learner(partial(agent, discount=1.0)),

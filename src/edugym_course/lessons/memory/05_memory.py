@@ -875,8 +875,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - Observations and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say
 #   how many there are. They differ from one environment to the next.
-# - Take $\alpha = 0.2$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0. After a step with `terminated` the
-#   target is $R$ alone; after a truncated one it is not.
+# - Take $\alpha = 0.2$, $\gamma = 0.8$, $\varepsilon = 0.1$ and first values of 0 (in the lesson above α was 0.1). After a step with `terminated` the
+#   target is $R$ alone; after a truncated one the next window still has its value.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own, in which states look alike, and for 20 000 steps in the

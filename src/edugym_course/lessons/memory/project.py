@@ -12,7 +12,7 @@ from gymnasium import spaces
 from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
-from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, stays
+from edugym_course.grading.learners import Learner, mistakes_of_loops, old_start, other_settings, stays
 from edugym_course.grading.programs import run_program
 from edugym_course.grading.rule import TRIAL, Rule
 from edugym_course.grading.small_world import WIDTH, SmallWorld
@@ -192,6 +192,10 @@ RULE = Rule(
         ),
         "an episode begins with the last one in its window, with all that it saw: empty it at each reset": mistake(
             left=lambda history: history
+        ),
+        "after a reset the window stays as it is, and the first action hangs on the old episode: begin the window anew,"
+        " with the observation that reset() gives": Learner(
+            partial(Windowed, left=lambda history: history[:-1]), old_start
         ),
         "an episode begins with the last one in its window, and an action 0: empty it at each reset": mistake(
             left=lambda history: (*history, 0)

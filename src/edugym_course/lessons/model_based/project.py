@@ -14,7 +14,7 @@ from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings
+from edugym_course.grading.learners import BEYOND, Learner, mistakes_of_loops, other_settings
 from edugym_course.grading.programs import APART, NAME, run_program
 from edugym_course.grading.rule import Rule
 from edugym_course.grading.small_world import ACTIONS, ENDS, GOES_ON, LAYERS, WIDTH, SmallWorld
@@ -26,6 +26,9 @@ N_STEPS, PLANNING_STEPS, DISCOUNT, SWEEPS = 2_000, 10, 0.95, 8
 CLEARLY = 200.0
 """How many nats tell that nothing is planned: 327 to 1535 where it is so (six seeds), and up to 35 for a program that
 draws each pair as often as it was tried, whose rare pairs lag behind ours."""
+
+DRAWN = 0.72
+"""The share of the surprises that a mistake in imagined steps may leave, for nobody knows which ones were drawn."""
 
 CORRIDORS, NUMBERS = 20, 300
 
@@ -50,21 +53,29 @@ class Planner:
     chance that its values are soon those of its model.
     """
 
-    def __init__(self, shape: tuple[int, int], discount: float = DISCOUNT, untried: bool = False) -> None:
-        """Know nothing; with `untried`, take what was never tried for a step to state 0 that brings nothing."""
+    def __init__(self, shape: tuple[int, int], discount: float = DISCOUNT) -> None:
+        """Know nothing."""
         self.Q = np.zeros(shape)
         self.discount = discount
-        self.known = np.full(shape, untried)
+        self.known = np.zeros(shape, bool)
         self.rewards, self.next_states, self.goes_on = np.zeros(shape), np.zeros(shape, int), np.ones(shape)
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
         """Remember the step, and sweep over all that is known."""
+        self.remember(state, action, reward, next_state, not terminated)
+        for _ in range(SWEEPS):
+            self.sweep()
+
+    def remember(self, state: int, action: int, reward: float, next_state: int, goes_on: bool) -> None:
+        """Keep in the model what came of an action."""
         pair = (state, action)
         self.known[pair], self.rewards[pair] = True, reward
-        self.next_states[pair], self.goes_on[pair] = next_state, not terminated
-        for _ in range(SWEEPS):
-            targets = self.rewards + self.discount * self.goes_on * self.Q.max(axis=1)[self.next_states]
-            self.Q = np.where(self.known, targets, self.Q)
+        self.next_states[pair], self.goes_on[pair] = next_state, goes_on
+
+    def sweep(self, share: float = 1.0) -> None:
+        """Move all values that are known towards their targets, by a share of the way."""
+        targets = self.rewards + self.discount * self.goes_on * self.Q.max(axis=1)[self.next_states]
+        self.Q = np.where(self.known, self.Q + share * (targets - self.Q), self.Q)
 
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by ε-greedy."""
@@ -73,6 +84,39 @@ class Planner:
     def greedy(self, state: int, rng: Random) -> int:
         """The action with the highest value."""
         return greedy_action(self.Q, state, rng)
+
+
+class MistakenPlanner(Planner):
+    """Plans as little as a program, on average over what it may draw, with a mistake in its imagined steps.
+
+    What such a program learns never comes to rest, so it matters how much it plans.
+
+    Args:
+        shape: of the table.
+        discount: γ.
+        any_action: whether steps are imagined with actions that were not taken, in the states that were seen.
+        stays: whether the model keeps the state that was left in place of the next one.
+    """
+
+    def __init__(
+        self,
+        shape: tuple[int, int],
+        discount: float = DISCOUNT,
+        any_action: bool = False,
+        stays: bool = False,
+    ) -> None:
+        """Know nothing."""
+        super().__init__(shape, discount)
+        self.any_action, self.stays = any_action, stays
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Learn from the step, remember it with the mistake, and move all values a part of the way."""
+        goes_on = not terminated
+        self.Q[state, action] = reward + self.discount * goes_on * self.Q[next_state].max()
+        self.remember(state, action, reward, state if self.stays else next_state, goes_on)
+        if self.any_action:
+            self.known[state] = True
+        self.sweep(min(1.0, PLANNING_STEPS / self.known.sum()))
 
 
 class Tempting(SmallWorld):
@@ -182,24 +226,37 @@ def q_learning(shape: tuple[int, int]) -> QLearning:
     return QLearning.create(shape, learning_rate=LEARNING_RATE, discount=DISCOUNT)
 
 
+def mistake(**how: Any) -> Learner:
+    """Return an agent that makes a mistake in its imagined steps."""
+    return Learner(partial(MistakenPlanner, **how), leaves=DRAWN)
+
+
 RULE = Rule(
     Learner(Planner),
-    mistakes_of_loops(Planner)
+    {
+        f"{sentence}, in an imagined step, too: the model must keep `terminated`" if sentence == BEYOND else sentence: (
+            learner._replace(leaves=DRAWN)
+        )
+        for sentence, learner in mistakes_of_loops(Planner).items()
+    }
     | {
         "nothing is planned: are the imagined steps learned from, and enough of them, each drawn anew from all that was"
         " tried?": Learner(q_learning, nats=CLEARLY),
-        "pairs are imagined that were never tried: the model knows nothing of them": Learner(
-            partial(Planner, untried=True)
+        "pairs are imagined that were never tried: the model knows nothing of them; in a state that was seen, draw one"
+        " of the actions that were taken there": mistake(any_action=True),
+        "the model keeps the state that was left, or an imagined step looks up its value, in place of the next one": (
+            mistake(stays=True)
         ),
         "what is behind the decimal point is lost: the model or the table holds whole numbers, as an array with"
         " dtype=int does": Learner(Planner, lambda step, before: step._replace(reward=float(int(step.reward)))),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
+        "γ is 0.99 or 1, and it should be 0.95": Learner(partial(Planner, discount=0.99), leaves=DRAWN),
     }
-    | other_settings(Planner, discount=("γ", DISCOUNT, (1.0, 0.9))),
+    | other_settings(Planner, discount=("γ", DISCOUNT, (0.9,))),
     EPSILON,
     otherwise="; the model must keep reward, next state and whether the episode ended, for each state *and* action that"
-    " was tried, and of no other; where it ended an imagined step has no future either; a step that is truncated is"
-    " learned, kept and planned after like any other, and not ended",
+    " was tried; an imagined step brings the reward of the model; a step that is truncated is learned, kept and planned"
+    " after like any other",
     noisy=False,
     worlds=8,
     n_steps=500,

@@ -510,9 +510,9 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # state to an action, always the same one for a state. It calls `reset` only at the beginning and when an episode is over.
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
-# other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little. In most seas no
-# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (You need not add the steps so far to it: all ways to a cell that
-# are short enough take equally many steps. Some numbers are not used.) But do count them from `reset` on, and do not compute them from the cell: in two more seas the diver begins
+# other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little, though more than 0. In most seas no
+# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (Some numbers are not used.) You need not add the steps so far to the state: all ways to a cell that
+# are short enough take equally many. But do count them from `reset` on, and do not compute them from the cell: in two more seas the diver begins
 # one or two cells away from the shore.
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? Try it with `n_steps` = 10 000 in

@@ -187,7 +187,8 @@ RIDDLES = (
         ((79, ((FIRST, 2, 1.0),)), (1, ((FIRST, 1, 1.1),))),
         right=2,
         shows="action 2 brought 1 in each of 79 nights, and action 1 brought 1.1 in one night",
-        asks="what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps",
+        asks="what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the"
+        " steps with this state *and* action",
     ),
     Riddle(
         (

@@ -795,8 +795,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ (a random action is any of all $n$) and first values of 0.
-# - Only `terminated` means that nothing follows. Where a step is truncated, draw an $A'$ for its target
-#   $R + \gamma Q(S', A')$, though nobody takes it, or do not learn from this step.
+# - Only `terminated` means that nothing follows. Where a step is truncated, do not learn from it, or
+#   draw an $A'$ for its target $R + \gamma Q(S', A')$ alone, which nobody takes.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the

@@ -9,6 +9,7 @@ import numpy as np
 from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
+from edugym.agents.tables import epsilon_greedy_action
 from edugym_course.grading.curves import Race, compare_with_ours, program_of
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.learners import Learner, mistakes_of_loops, other_settings, other_tables, too_early
@@ -21,6 +22,8 @@ from edugym_course.lessons.on_off_policy.methods import CLIFF, CLIFF_STEPS, DISC
 from edugym_course.lessons.on_off_policy.riddles import require_riddles
 
 N_STEPS, CUT_STEPS, LEARNING_RATE = 10_000, 3_000, 0.5
+UNSEEN = 0.35
+"""The share of the surprises that a mistake may leave which hangs on an action that nobody sees."""
 
 
 def agent(
@@ -28,6 +31,45 @@ def agent(
 ) -> Any:
     """Make an agent with the settings of the project."""
     return kind.create(shape, learning_rate=learning_rate, discount=discount)
+
+
+class FutureAfterTheEnd(SARSA):
+    """SARSA that looks up a value after the end, too, and most likely that is the largest one."""
+
+    __slots__ = ()
+
+    def learn(
+        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
+    ) -> None:
+        """Learn as if nothing ended."""
+        drawn = int(self.Q[next_state].argmax()) if terminated else next_action
+        super().learn(state, action, reward, next_state, drawn, False)
+
+
+class MovesTheNext:
+    """SARSA that moves Q(S', A') in place of Q(S, A)."""
+
+    def __init__(self, shape: tuple[int, int]) -> None:
+        """Know nothing."""
+        self.Q = np.zeros(shape)
+        self._left: float | None = None
+
+    def act(self, state: int, rng: np.random.Generator) -> int:
+        """Choose an action by ε-greedy."""
+        return int(epsilon_greedy_action(self.Q, state, EPSILON, rng))
+
+    def learn(
+        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
+    ) -> None:
+        """Move the value of the next pair; after an end that is the first one of the next episode."""
+        if self._left is not None:
+            self._move(state, action, self._left)
+        self._left = reward if terminated else None
+        if not terminated:
+            self._move(next_state, next_action, reward + DISCOUNT * float(self.Q[next_state, next_action]))
+
+    def _move(self, state: int, action: int, target: float) -> None:
+        self.Q[state, action] += LEARNING_RATE * (target - self.Q[state, action])
 
 
 RULE = Rule(
@@ -42,6 +84,11 @@ RULE = Rule(
             partial(agent, kind=ExpectedSARSA)
         ),
         "Q(S', A') is missing in the target": Learner(partial(agent, discount=0.0)),
+        "the target has the value of an action after the end: where `terminated` is True it is the reward alone": (
+            Learner(partial(agent, kind=FutureAfterTheEnd), leaves=UNSEEN)
+        ),
+        "`state, action = next_state, next_action` comes before the update, which then moves Q(S', A') in place of"
+        " Q(S, A)": Learner(MovesTheNext, leaves=UNSEEN),
     }
     | other_settings(
         agent,

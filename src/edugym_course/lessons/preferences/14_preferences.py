@@ -446,7 +446,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # Gymnasium alone: some 40 lines.
 #
 # **What it must do.** `my_program(environment, compare, n_comparisons, seed)` returns a policy, a function from an observation to
-# an action, always the same one for an observation.
+# an action, always the same action for an observation.
 #
 # - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth), and
 #   `environment.observation_space.nvec` says how many there are of both. The rewards of the environment are always 0. Its
@@ -461,7 +461,8 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more; ours is worth 8.1, and random buttons much less than 0. (Ours is a plain one, from random nights; yours may do better.) Then it lets three *other* teachers answer, who want something
-# else, and two more whose sleepers sleep otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them.
+# else, and two more whose sleepers sleep otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them. Your program runs some 26 times in all. So count the steps of a night in an
+# array, once; with a loop over the steps in each pass the check takes minutes.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
 

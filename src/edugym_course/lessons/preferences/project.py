@@ -1,6 +1,7 @@
 """The project of lesson 14: learn from a teacher's comparisons alone, from a blank file."""
 
 from collections import Counter
+from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -18,8 +19,9 @@ from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, actions_of, require_policy
 from edugym_course.grading.repeats import require_repeats
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.own_problem.morning import Morning, State
+from edugym_course.lessons.own_problem.morning import Morning
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
+from edugym_course.lessons.preferences.replay import Comparison, Step, likely_mistake
 from edugym_course.lessons.preferences.teachers import (
     AT_ONCE,
     DOZERS,
@@ -41,8 +43,6 @@ OUR_SEEDS = range(100, 140)
 LOW, SLACK = 0.1, 0.5
 """The middle run must reach this quantile of our returns, less the slack: ours hardly ever misses it."""
 NIGHT = "a list of (observation, action, next_observation), one for each step"
-
-Step = tuple[State, int, State]
 
 
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
@@ -81,6 +81,7 @@ class Teacher:
     Attributes:
         asked: how often she was asked.
         nights: the actions of the nights that she compared.
+        compared: these nights, in pairs, and her answers.
         slip: the sentence of the first thing that she refused, "" if there is none.
     """
 
@@ -88,7 +89,7 @@ class Teacher:
         """Know what is meant."""
         self._mdp, self._most, self._rng = mdp, most, rng
         self.asked, self.slip = 0, ""
-        self.nights = list[tuple[int, ...]]()
+        self.nights, self.compared = list[tuple[int, ...]](), list[Comparison]()
 
     def __call__(self, first: Any, second: Any) -> bool:
         """Whether the first night is preferred to the second.
@@ -98,14 +99,19 @@ class Teacher:
         """
         if self.asked == self._most:
             self._refuse(f"compare may be called {self._most} times, and this is one time more")
-        first_return, second_return = (self._return(night) for night in (first, second))
+        (first_steps, first_return), (second_steps, second_return) = (self._judged(one) for one in (first, second))
         if first is second:
-            self._refuse("compare is given the same night twice, of which neither is better: play two nights")
+            self._refuse(
+                "compare is given one list twice, of which neither is better: play two nights, and make a new list for"
+                " each"
+            )
         self.asked += 1
-        return bool(self._rng.random() < preference(first_return, second_return, NOISE))
+        answer = bool(self._rng.random() < preference(first_return, second_return, NOISE))
+        self.compared.append((first_steps, second_steps, answer))
+        return answer
 
-    def _return(self, night: Any) -> float:
-        """What a night is worth to her."""
+    def _judged(self, night: Any) -> tuple[list[Step], float]:
+        """Return the steps of a night, and what it is worth to her."""
         if not isinstance(night, list | tuple) or not all(
             isinstance(one, list | tuple) and len(one) == 3 for one in night
         ):
@@ -128,7 +134,7 @@ class Teacher:
         if len(steps) != self._mdp.length:
             self._refuse(f"a night has {self._mdp.length} steps, from reset to the end, but one given has {len(steps)}")
         self.nights.append(tuple(action for _, action, _ in steps))
-        return total
+        return steps, total
 
     def _step(self, step: Any) -> Step:
         """A step of a night, with whole numbers."""
@@ -155,6 +161,7 @@ class Judged(NamedTuple):
         actions: shape (S,): the action in each state.
         asked: how often it asked the teacher.
         nights: the actions of the nights that she compared.
+        compared: these nights, in pairs, and her answers.
         same_seed: how often it gave reset one and the same seed.
     """
 
@@ -162,6 +169,7 @@ class Judged(NamedTuple):
     actions: Integers
     asked: int
     nights: list[tuple[int, ...]]
+    compared: list[Comparison]
     same_seed: int
 
 
@@ -186,7 +194,8 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     rows = np.flatnonzero(~model.terminal)
     actions[rows] = actions_of(policy, [np.array(model.states[row]) for row in rows], 3, "observation")
     meant = policy_evaluation(model, actions).start
-    return Judged(meant, actions, teacher.asked, teacher.nights, max(environment.seeds.values(), default=0))
+    same_seed = max(environment.seeds.values(), default=0)
+    return Judged(meant, actions, teacher.asked, teacher.nights, teacher.compared, same_seed)
 
 
 @cache
@@ -214,7 +223,7 @@ def project_14(answer: Any, seed: int) -> str:
     told = f"the middle one of {SEEDS} runs makes a clock worth {middle.meant:.1f}"
     lowest = float(np.quantile(ours, LOW)) - SLACK
     if not middle.meant >= lowest:
-        why = "" if nobody_asks_why() else f": {symptom(middle)}"
+        why = "" if nobody_asks_why() else f": {symptom(middle, found)}"
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
     _check_other_wishes(answer, seed)
     _check_patience(answer, seed)
@@ -291,8 +300,8 @@ def _check_first_step(answer: Any, seed: int) -> None:
         )
 
 
-def symptom(run: Judged) -> str:
-    """Return what a policy that is worth too little looks like, and the likely cause."""
+def symptom(run: Judged, runs: Sequence[Judged]) -> str:
+    """Return what a policy that is worth too little looks like, and the likely cause; the run is one of some."""
     if len({*run.nights}) < FEW_KINDS * len(run.nights):
         return (
             f"in the {len(run.nights)} nights that you compare only {len({*run.nights})} different rows of actions are"
@@ -304,6 +313,8 @@ def symptom(run: Judged) -> str:
             f"it chooses action {actions[0]} in every state; are the rewards that were learned other than 0, and looked"
             " up in the state and the action where they belong, and does each step begin where the last one ended?"
         )
+    if mistake := likely_mistake(TASK, [(one.compared, one.actions) for one in runs]):
+        return f"its actions fit a usual mistake: {mistake}"
     if run.meant < _random() - 2:
         return (
             "that is worse than random buttons; does the *preferred* night gain, is p a sigmoid of the difference, are"

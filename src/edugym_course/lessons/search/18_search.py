@@ -450,7 +450,7 @@ check(exercise_3, look_ahead, seed=1, quiet=True)
 # **What it must do.** `my_program(model, n_actions, state, n_simulations, seed)` returns the best action in `state`.
 #
 # - `model(state, action)` gives `(reward, next_state, terminated)`. What follows may be drawn at random. Actions are 0 to `n_actions - 1`. You get no environment, only this function. Ask it for the steps of your simulations, in their order, and for no others.
-# - Make `n_simulations` simulations, each from `state` on. It ends where the model says so, or after 10 steps in all, roll-out included.
+# - Make `n_simulations` simulations, each from `state` on. Each ends where the model says so, or after 10 steps in all, roll-out included.
 # - $\gamma = 0.9$ and $c = 5$. What was never tried in a node comes first; among equals draw one (at the very end you may also return the first).
 # - Return the action with the highest value in the root, of those that were tried there: there may be fewer simulations than actions. Random numbers come from `rng = np.random.default_rng(seed)`.
 #

@@ -525,13 +525,13 @@ check(exercise_3, learn, seed=1, quiet=True)
 #
 # - The environment is a parallel environment as in [PettingZoo](https://pettingzoo.farama.org). Everything comes in dictionaries, by the names
 #   `"player_0"` and `"player_1"`: `seen, _ = environment.reset(seed=seed)`, and `seen, rewards, terminated, truncated, _ = environment.step({"player_0": a, "player_1": o})`.
-#   When an episode is over, terminated or truncated, `environment.agents` is empty. Only `terminated["player_0"]` means that nothing follows.
+#   When an episode is over, terminated or truncated, `environment.agents` is empty, and `seen` still holds the last state for both. Only `terminated["player_0"]` means that nothing follows.
 # - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions it has; `"player_1"` may have fewer.
 #   Both players see the same state.
-# - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
+# - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player, drawn for each of them. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check lets your program learn nine small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. In each state the opponent may win 0.2 points more than from a safe policy; payoffs go up to 24. It does not look
+# The check lets your program learn nine small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. It accepts a policy from which this opponent wins at most 0.2 points more than from a safe one, in every state; payoffs go up to 24. It does not look
 # at your code. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]

@@ -48,6 +48,10 @@ NO_CHANCE = (
     " that of the matrix game, as solve_zero_sum finds it. (It has none either where hardly any pair of actions was"
     " tried: are some moves random?)"
 )
+SAME = (
+    "It is the same in each state: does it look up the state that it is given, and has Q[state] one value for each"
+    " *pair* of actions, of which only that of the pair just taken moves?"
+)
 
 
 class Watched:
@@ -195,9 +199,9 @@ def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int,
             )
         is_same = np.abs(policy - policy[0]).max() == 0
         if is_same and policy[0].max() > SURE:
-            return f"{NO_CHANCE} And it is the same in each state: does it look up the state that it is given?"
+            return f"{NO_CHANCE} {SAME}"
         if is_same:
-            return "It is the same in each state: does it look up the state that it is given?"
+            return SAME
         worth = game.rooms[1].sum(axis=1)
         first, second = (policy[game.number(place)] for place in (1, 2))
         if second[worth.argmin()] > SURE:

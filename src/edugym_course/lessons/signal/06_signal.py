@@ -831,7 +831,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # episode, and learns from each of them. In the end it returns its *policy*: a function that takes an observation and returns
 # the action with the highest value. All else is up to you: functions, classes, any names, and how ties are broken.
 #
-# - An observation is an array of whole numbers: the hit points, which the equation leaves out, and then the words.
+# - An observation is an array of whole numbers: the hit points, which the equation leaves out, and then the $L$ words.
 #   `environment.observation_space.nvec[1]` says how many different words there are, and `environment.action_space.n` how
 #   many actions. What a word means and how many words a message has differ from one environment to the next.
 # - Take $\alpha = 0.01$, $\varepsilon = 0.1$ (a random action is any of all $n$) and first weights of 0.

@@ -81,6 +81,11 @@ def presence(message: Message) -> Weights:
     return [(word, 1 / len(message)) for word, _ in shares(message)]
 
 
+def squares(message: Message) -> Weights:
+    """The square of the number of times that each word occurs."""
+    return [(word, count**2 / len(message)) for word, count in Counter(message.tolist()).items()]
+
+
 def kinds(message: Message) -> Weights:
     """The rest of each word divided by the number of actions, as if that were its meaning."""
     return shares(message % ACTIONS)
@@ -202,6 +207,8 @@ RULE = Rule(
         "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
         "a word moves once, however often it occurs: `theta[words, a] += ...` adds to a row once, `np.add.at` for each"
         " word": mistake(move=presence),
+        "a word that occurs twice moves twice, each time by its whole share of two: go through the *different* words,"
+        " or move each by 1/L": mistake(move=squares),
         "nothing is learned from the last step of an episode: its reward counts like any other": Learner(
             Listener, skips=lambda step: step.terminated
         ),

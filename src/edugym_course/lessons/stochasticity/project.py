@@ -84,13 +84,13 @@ class _Slips:
         Q: the table, of shape (n_states, n_actions).
         future: the value of the next state, from its row.
         weighed: what the weight is made of, from the reward, the target and δ.
-        moves: by how much the value moves, from the weight and δ; it is multiplied by α.
+        moves: by how much the value moves, from the weight, δ and the target; it is multiplied by α.
     """
 
     Q: Reals
     future: Callable[[Reals], float] = np.max
     weighed: Callable[[float, float, float], float] = lambda reward, target, delta: delta
-    moves: Callable[[float, float], float] = lambda weight, delta: weight * delta
+    moves: Callable[[float, float, float], float] = lambda weight, delta, target: weight * delta
 
     def act(self, state: int, rng: np.random.Generator) -> int:
         """Choose an action by ε-greedy."""
@@ -105,7 +105,7 @@ class _Slips:
         target = one_step_target(reward, DISCOUNT, float(self.future(self.Q[next_state])), terminated)
         delta = target - float(self.Q[state, action])
         weight = 1.0 + math.tanh(RISK * self.weighed(reward, target, delta) / 2.0)
-        self.Q[state, action] += LEARNING_RATE * self.moves(weight, delta)
+        self.Q[state, action] += LEARNING_RATE * self.moves(weight, delta, target)
 
 
 def slips(shape: tuple[int, int], **how: Any) -> _Slips:
@@ -141,8 +141,14 @@ RULE = Rule(
         "the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)": Learner(
             agent, lambda step, before: step._replace(next_state=step.state)
         ),
+        "δ is missing in the weight: it is 2σ(βδ), and not 2σ(β) for all surprises": Learner(
+            partial(slips, weighed=lambda reward, target, delta: 1.0)
+        ),
+        "the weight stands before the target alone, and it should be before δ: α 2σ(βδ) δ is the step": Learner(
+            partial(slips, moves=lambda weight, delta, target: weight * target - (target - delta))
+        ),
         "δ is missing behind the weight: the step is α times the weight 2σ(βδ), times δ": Learner(
-            partial(slips, moves=lambda weight, delta: weight)
+            partial(slips, moves=lambda weight, delta, target: weight)
         ),
         "the mean over the actions of the next state stands where the maximum should": Learner(
             partial(slips, future=np.mean)

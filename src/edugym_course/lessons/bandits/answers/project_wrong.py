@@ -174,7 +174,7 @@
 
 # %% a random policy
 # slow
-# says: the policy that my_program returns draws its actions: asked twice about one observation, it gives two of them in
+# says: the policy that my_program returns draws its actions: asked twice about one observation, it gives two different actions in
 # says:  cases. It should take the *best* action, and never a random one. (Or does it look up what was never learned, so that chance decides among equal values?)
 # in: with lists
 # - return lambda state: int(np.argmax(means))

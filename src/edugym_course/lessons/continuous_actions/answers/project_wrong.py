@@ -154,7 +154,7 @@
 # %% a policy that draws
 # says: the policy that
 # says:  returns draws its actions: asked twice about state
-# says: , it gives two of them. It should return the mean μ of the state
+# says: , it gives two different ones. It should return the mean μ of the state
 # in: lists of an episode
 # - return lambda s: mu[s]
 # + return lambda s: rng.normal(mu[s], np.exp(ls[s]))
@@ -560,3 +560,10 @@
 # in: lists of an episode
 # - G = sum(0.8**i * r for i, r in enumerate(R[k:]))
 # + G = sum(0.8**i * r for i, r in enumerate(R[k + 1 :]))
+
+# %% σ moves by the score of ln σ
+# slow
+# says: what moves is σ, by the score of ln σ: let ln σ move by it
+# in: lists of an episode
+# - ls[S[k]] += step * (z**2 / sigma**2 - 1)
+# + ls[S[k]] = np.log(max(sigma + step * (z**2 / sigma**2 - 1), 0.01))

@@ -44,7 +44,7 @@
 
 # %% beyond the end
 # slow
-# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are made of rewards alone, and elsewhere the value γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards; and the lists hold the actions that were taken, in this episode
+# says: ; look at two places: at the end of an episode the targets of *all* pairs that are left are rewards alone, and elsewhere γⁿ Q(S_τ+n, A_τ+n) comes after the n rewards, where A_τ+n is drawn once and then taken; and the lists hold the actions that were taken, in this episode
 # in: three steps later
 # - if not over:
 # -     G += 0.8**n * Q[S[tau + n], A[tau + n]]
@@ -89,7 +89,7 @@
 
 # %% the largest value
 # slow
-# says: after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n: with the maximum the target is the uncorrected one of this lesson
+# says: after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n. With the maximum the target is the *uncorrected* one of this lesson; and if you draw A_τ+n twice, for the target and for the step, draw it once
 # in: three steps later
 # - G += 0.8**n * Q[S[tau + n], A[tau + n]]
 # + G += 0.8**n * Q[S[tau + n]].max()
@@ -233,7 +233,7 @@
 
 # %% never the best one by chance
 # slow
-# says: , or the random action is drawn among the others:
+# says: or the random action is drawn among the others:
 # says: a random action may be any of them, the best one too
 # in: when the episode is over
 # - a = rng.integers(Q.shape[1]) if rng.random() < 0.1 else Q[s].argmax()
@@ -386,3 +386,22 @@
 # + s, r, terminated, truncated, _ = environment.step(A[-1])
 # - Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
 # + Q[S[tau], A[tau]] += 0.5 * (G - old[tau])
+
+# %% one step too late
+# slow
+# says: each pair is learned one step too late, with a value that comes n + 1 steps after it: after step t learn the pair of τ = t − n + 1
+# in: three steps later
+# - for tau in range(len(R)) if over else [len(R) - n]:
+# + for tau in range(len(R)) if over else [len(R) - n - 1]:
+# - G += 0.8**n * Q[S[tau + n], A[tau + n]]
+# + G += 0.8**n * Q[S[-1], A[-1]]
+
+# %% lists that go on
+# slow
+# says: the lists of the last episode go on in the next one: empty them at each reset
+# in: three steps later
+# - t, s = 0, environment.reset(seed=seed)[0]
+# + t, s = 0, environment.reset(seed=seed)[0]
+# + S, A, R = [], [], []
+# - S, A, R, over = [s], [choose(Q[s], rng)], [], False
+# + S, A, over = [*S[: len(R)], s], [*A[: len(R)], choose(Q[s], rng)], False

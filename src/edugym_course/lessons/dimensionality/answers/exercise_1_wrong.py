@@ -215,7 +215,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% colours outside of the exponent
-# says: the three colours are in the exponent
+# says: the three colours belong in the exponent
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3

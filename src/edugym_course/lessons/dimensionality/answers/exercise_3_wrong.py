@@ -119,6 +119,12 @@ def row_for(self, u):
     return int(u * len(self.memory.actions))
 
 
+# %% one place too few
+# says:  are filled: subtract no 1 from their number
+def row_for(self, u):
+    return int(u * (min(self.steps[0], len(self.memory.actions)) - 1))
+
+
 # %% beyond the memory
 # says: you draw from
 # says: , but the places 0 to

@@ -188,6 +188,7 @@ def my_program(environment, n_steps, seed):
 # says: of the questions.
 # says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? Is h_j never below 0, and g_j 0 where h_j is 0?
 # says: Is h_j never below 0, and g_j 0 where h_j is 0?
+# says: Are the first weights of a layer with n inputs of a size near 1/√n, and not much larger?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -314,3 +315,10 @@ def my_program(environment, n_steps, seed):
 # in: a memory in arrays
 # - a = network.best(s) if rng.random() > 0.1 else rng.integers(k)
 # + a = network.best(s) if rng.random() > max(0.1, 1 - t / 10_000) else rng.integers(k)
+
+# %% empty places of the memory
+# slow
+# says: only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. An empty place of a memory looks like a black image, action 0 and a reward of 0: are the rows of a batch drawn from the steps that were stored, and from no others?
+# in: a memory in arrays
+# - i = rng.integers(t + 1, size=32)
+# + i = rng.integers(n_steps, size=32)

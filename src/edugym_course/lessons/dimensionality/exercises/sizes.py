@@ -149,7 +149,7 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "each of the three colours has 256 values: 256^3 for a cell, not 256 times 3": lambda r, c, a: (
                 (256 * 3) ** (r * c) * a
             ),
-            "the three colours are in the exponent": lambda r, c, a: 256 ** (r * c) * 3 * a,
+            "the three colours belong in the exponent": lambda r, c, a: 256 ** (r * c) * 3 * a,
         },
     }
 )

@@ -323,6 +323,8 @@ def _why_uneven(agent: Any, us: list[float], rows: list[int], filled: int) -> st
         )
     n = _row(agent, NEARLY_1) + 1
     if n != filled and rows == [int(u * n) for u in us]:
+        if n == filled - 1:
+            return f"you draw from {n} places, and {filled} are filled: subtract no 1 from their number"
         return (
             f"you draw from {n} places, and {filled} are filled. Their number is the smaller one of `self.steps[0]` and"
             " `len(self.memory.actions)`"

@@ -30,7 +30,8 @@ def optimist(wall):
 
 
 # %% still exploring
-# says: ε should be 0, but it is 0.1
+# says: ε should be 0, but it is 0.1, the usual one: `create` has a setting `exploration`
+# says: , the usual one: `create` has a setting `exploration`
 # says: the optimist explores by its values alone, so ε should be 0, but it is
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, initial_value=1.0)
@@ -130,6 +131,6 @@ def optimist(wall):
 
 # %% with a bonus
 # slow
-# says: ; and the exercise asks for `QLearning`
+# says: the exercise asks for `QLearning`, and optimist(wall) returns a `
 def optimist(wall):
     return CountBased.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)

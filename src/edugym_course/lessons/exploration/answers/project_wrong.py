@@ -1,6 +1,6 @@
 # %% ε-greedy
 # says: 3000 steps do not reach the top: the highest place is
-# says: , and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which ones hold: below the top there is no reward to learn from, so remember what was tried and what held, also in a step that is truncated (is `state = next_state` missing?)
+# says: , and at the foot of the wall it takes wrong grips as often as by chance, though it has seen which ones hold: below the top there is no reward to learn from, so remember what was tried and what held (is `state = next_state` missing?). With optimistic first values: is γ below 1, does the target have the value of the *next* state, and can the table hold fractions?
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)
@@ -53,7 +53,7 @@ def my_program(environment, n_steps, seed):
 # + a = known[s] if s in known else int(rng.integers(2))
 
 # %% the policy seldom tries
-# says: draws its actions: asked twice about one state, it gives two of them in
+# says: draws its actions: asked twice about one state, it gives two different actions in
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: known[s] if rng.random() > 0.1 else int(rng.integers(n_actions))
@@ -66,7 +66,7 @@ def my_program(environment, n_steps, seed):
 # + return lambda s: known[s] if rng.random() > 0.01 else int(rng.integers(n_actions))
 
 # %% the policy tries
-# says: draws its actions: asked twice about one state, it gives two of them in
+# says: draws its actions: asked twice about one state, it gives two different actions in
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: known[s] if rng.random() > 0.5 else int(rng.integers(n_actions))
@@ -108,13 +108,13 @@ def my_program(environment, n_steps, seed):
 
 # %% one step too many
 # says: steps, and
-# says: were asked for: one too many; is there a `<=` in place of `<`, or does the loop end at n_steps + 1?
+# says: were asked for: 1 too many; is there a `<=` in place of `<`, or does the loop end at n_steps + 1?
 # in: one grip after another, without chance
 # - for _ in range(n_steps):
 # + for _ in range(n_steps + 1):
 
 # %% a policy that counts its steps
-# says: the policy that my_program returns draws its actions: asked twice about one state, it gives two of them
+# says: the policy that my_program returns draws its actions: asked twice about one state, it gives two different actions
 # in: one grip after another, without chance
 # - return lambda s: grip[s]
 # + calls = iter(range(10**9))
@@ -122,7 +122,7 @@ def my_program(environment, n_steps, seed):
 
 # %% goes on from the old state
 # says: , where an episode is truncated after 35 steps
-# says: with longer episodes they do. Does it go on from the state that reset() gives, after each episode, and is a step that is truncated learned as any other, with the value of its next state? If so,
+# says: where no episode is truncated they do. Does it go on from the state that reset() gives, after each episode, and is a step that is truncated learned as any other, with the value of its next state? If so,
 # in: one grip after another, without chance
 # - s = environment.reset()[0] if over or cut else s2
 # + s = s2
@@ -141,3 +141,9 @@ def my_program(environment, n_steps, seed):
 # in: one grip after another, without chance
 # - return lambda s: grip[s]
 # + return lambda s: grip[s] if s < len(grip) - 2 else 0
+
+# %% optimism without a discount
+# says: With optimistic first values: is γ below 1, does the target have the value of the *next* state, and can the table hold fractions?
+# in: optimism
+# - Q[s, a] = r if over else r + 0.5 * Q[s2].max()  # powers of 0.5 are exact, so that ties are ties
+# + Q[s, a] = r if over else r + Q[s2].max()

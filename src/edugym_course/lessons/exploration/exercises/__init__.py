@@ -37,6 +37,7 @@ from edugym_course.lessons.exploration.exercises.explorer import (
 from edugym_course.lessons.exploration.exercises.explorer import EXPLORER as EXPLORER
 from edugym_course.lessons.exploration.methods import (
     DISCOUNT,
+    EPSILON,
     GO_EXPLORE,
     LEARNING_RATE,
     METHODS,
@@ -164,11 +165,15 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
             )
         epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
         if epsilon != 0.0:
-            raise WrongAnswer(f"the optimist explores by its values alone, so ε should be 0, but it is {epsilon:g}")
+            usual = "" if epsilon != EPSILON else ", the usual one: `create` has a setting `exploration`"
+            raise WrongAnswer(
+                f"the optimist explores by its values alone, so ε should be 0, but it is {epsilon:g}{usual}"
+            )
         try:
             Q_LEARNING.check(make, Q.shape, {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}, seed)
         except WrongAnswer as wrong:
-            raise WrongAnswer(f"{wrong}{other_kind}") from None
+            another = f"the exercise asks for `QLearning`, and optimist(wall) returns a `{type(made).__name__}`: "
+            raise WrongAnswer(f"{another if other_kind else ''}{wrong}") from None
         Q[1, :], Q[1, 1] = 0.25, 0.5
         Q[2, :], Q[2, 0] = 0.5, -0.5
         one_in = 1 / n_grips
@@ -246,9 +251,8 @@ def exercise_4(answer: Any, seed: int, experiment_seed: ExperimentSeed = None) -
         return f"Right. Runs that solve the lake: {solved}."
     return (
         f"Right. Runs that solve the lake: {solved}. The novelty reward solves walls of this depth in all runs, and"
-        " this lake in not all of them. The bonuses are too large, as they were with γ = 0.99 on the low wall: the"
-        " reward, 14 steps away, is discounted to a quarter of the first bonus. With β = 0.1 nine of ten runs solve the"
-        " lake, and all do if it has no holes."
+        " this lake in not all of them. The bonuses are too large, as they were with γ = 0.99 on the low wall: with"
+        " β = 0.1 nine of ten runs solve the lake, and all do if it has no holes."
     )
 
 

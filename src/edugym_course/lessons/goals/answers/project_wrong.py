@@ -109,14 +109,14 @@
 
 # %% the old goal in the maximum
 # slow
-# says: the new goal stands beside the state alone; the maximum is that of the next one *with it* too
+# says: in hindsight the maximum is that of Q(S', G, a), and it should be that of Q(S', G', a), with the new goal
 # in: numbers for patterns
 # - target = r if s2 == new else r + 0.9 * Q[s2, new].max()
 # + target = r if s2 == new else r + 0.9 * Q[s2, g].max()
 
 # %% the old goal in the value
 # slow
-# says: the new goal stands beside the next state alone; the value of the state *with it* should move
+# says: in hindsight Q(S, G, A) moves, and it should be Q(S, G', A), that of the new goal
 # in: numbers for patterns
 # - Q[s, new, a] += 0.5 * (target - Q[s, new, a])
 # + Q[s, g, a] += 0.5 * (target - Q[s, g, a])
@@ -360,7 +360,7 @@ def my_program(environment, n_steps, seed):
 
 # %% never the best one by chance
 # slow
-# says: , or the random action is drawn among the others:
+# says: or the random action is drawn among the others:
 # says: a random action may be any of them, the best one too
 # in: a class
 # - return int(self.rng.integers(0, self.n))

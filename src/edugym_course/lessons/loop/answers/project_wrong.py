@@ -255,7 +255,7 @@ def my_program(environment, n_steps, seed):
 
 # %% never the best one by chance
 # slow
-# says: , or the random action is drawn among the others:
+# says: or the random action is drawn among the others:
 # says: a random action may be any of them, the best one too
 # in: ε-greedy written out
 # - action = rng.integers(len(Q[state]))
@@ -477,3 +477,14 @@ def my_program(environment, n_steps, seed):
 # in: ε-greedy written out
 # - action = rng.integers(len(Q[state]))
 # + action = round(rng.random() * (len(Q[state]) - 1))
+
+# %% the value of an action that is drawn
+# slow
+# says: ; the target has max_a Q(S', a), the *largest* value of S', and not that of an action that is drawn
+# in: episode after episode
+# - Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + Q = np.zeros((environment.observation_space.n, environment.action_space.n))
+# + def drawn(values):
+# +     return values.argmax() if rng.random() > 0.1 else rng.integers(len(values))
+# - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])
+# + Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2, drawn(Q[s2])] - Q[s, a])

@@ -307,3 +307,11 @@ def my_program(environment, n_steps, seed):
 # in: tuples in a dictionary
 # - o, _ = environment.reset()
 # + (o, _), rng = environment.reset(), np.random.default_rng(seed)
+
+# %% the window goes on after a reset
+# slow
+# says: after a reset the window stays as it is, and the first action hangs on the old episode: begin the window anew, with the observation that reset() gives
+# in: tuples in a dictionary
+# - o, _ = environment.reset()
+# - w = (o,)
+# + environment.reset()

@@ -8,7 +8,7 @@
 
 # %% pairs that nobody tried
 # slow
-# says: pairs are imagined that were never tried: the model knows nothing of them
+# says: pairs are imagined that were never tried: the model knows nothing of them; in a state that was seen, draw one of the actions that were taken there
 # in: a model in arrays
 # - i, j = tried[rng.integers(len(tried))]
 # + i, j = rng.integers(n_states), rng.integers(n_actions)
@@ -51,9 +51,7 @@
 
 # %% a model of states
 # slow
-# says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action that was
-#   tried, and of no other; where it ended an imagined step has no future either; a step that is truncated is learned,
-#   kept and planned after like any other, and not ended
+# says: ; the model must keep reward, next state and whether the episode ended, for each state *and* action that was tried; an imagined step brings the reward of the model; a step that is truncated is learned, kept and planned after like any other
 # in: a model in arrays
 # - R[s, a], S2[s, a], ends[s, a] = r, s2, terminated
 # + R[s], S2[s], ends[s] = r, s2, terminated
@@ -67,7 +65,7 @@
 
 # %% costs
 # slow
-# says: The likely cause: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
+# says: low values are preferred to high ones: is there an `argmin`, or a minus sign too many, or does the value of one action stand in the place of another?
 # in: a model in arrays
 # - a = rng.choice(np.flatnonzero(Q[s] == Q[s].max()))
 # + a = rng.choice(np.flatnonzero(Q[s] == Q[s].min()))
@@ -75,7 +73,7 @@
 
 # %% no end in the model
 # slow
-# says: where it ended an imagined step has no future either
+# says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone
 # in: a model in arrays
 # - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
 # + Q[i, j] = R[i, j] + 0.95 * Q[S2[i, j]].max()
@@ -92,7 +90,7 @@
 
 # %% no discount
 # slow
-# says: γ is about 1, and it should be 0.95
+# says: γ is 0.99 or 1, and it should be 0.95
 # in: a model in arrays
 # - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
 # + Q[s, a] = r + (1 - terminated) * Q[s2].max()
@@ -132,7 +130,7 @@
 
 # %% actions that nobody tried, in states that were seen
 # slow
-# says: for each state *and* action that was tried, and of no other
+# says: in a state that was seen, draw one of the actions that were taken there
 # in: a model in arrays
 # - i, j = tried[rng.integers(len(tried))]
 # + i, j = tried[rng.integers(len(tried))][0], rng.integers(n_actions)
@@ -212,3 +210,27 @@
 # + i, j = tried[rng.integers(len(tried))]
 # + s2 = S2[i, j]
 # + Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[s2].max()
+
+# %% the model keeps the old state
+# slow
+# says: the model keeps the state that was left, or an imagined step looks up its value, in place of the next one
+# in: a model in arrays
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[i].max()
+
+# %% γ of the races
+# slow
+# says: γ is 0.99 or 1, and it should be 0.95
+# in: a model in arrays
+# - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
+# + Q[s, a] = r + 0.99 * (1 - terminated) * Q[s2].max()
+# - Q[i, j] = R[i, j] + 0.95 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+# + Q[i, j] = R[i, j] + 0.99 * (1 - ends[i, j]) * Q[S2[i, j]].max()
+
+# %% the model forgets the end, and the real step does not
+# slow
+# says: the value of a state after the end is looked up; a terminal state has no future, so its target is the reward alone, in an imagined step, too: the model must keep `terminated`
+# says: , in an imagined step, too: the model must keep `terminated`
+# in: lists of lists
+# - me.seen[s, a] = (r, s2, over)
+# + me.seen[s, a] = (r, s2, False)

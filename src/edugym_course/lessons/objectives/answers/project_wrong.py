@@ -35,7 +35,7 @@
 
 # %% the shore
 # slow
-# says: that is always the treasure at the shore: are there random dives, are the steps counted anew in each, does the value of the best treasure that can follow come back to the state that was left, and does the policy look it up in the state that it is given?
+# says: that is always the treasure at the shore: are there random dives, does each begin in the state that reset gives, with the steps counted anew, does the *largest* of the next values (no mean) come back to the state that was left, and does the policy look it up in the state that it is given?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 0
@@ -130,7 +130,8 @@
 # %% a discount
 # slow
 # says: a treasure seems to count less the later it comes: is γ below 1, is α too small for its value to come all the way
-#   back, or does a target count random actions, as that of SARSA does?
+#   back, does a target count random actions, as that of SARSA does, or does the table hold whole numbers, so that a part
+#   of the value is lost in each update?
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.9 * Q[after].max()) - Q[state, action])
@@ -172,7 +173,8 @@
 # %% a small discount
 # slow
 # says: a treasure seems to count less the later it comes: is γ below 1, is α too small for its value to come all the way
-#   back, or does a target count random actions, as that of SARSA does?
+#   back, does a target count random actions, as that of SARSA does, or does the table hold whole numbers, so that a part
+#   of the value is lost in each update?
 # in: late dives count for nothing
 # - Q[state, action] += 0.5 * ((reward if terminated else reward + Q[after].max()) - Q[state, action])
 # + Q[state, action] += 0.5 * ((reward if terminated else reward + 0.99 * Q[after].max()) - Q[state, action])
@@ -236,3 +238,10 @@
 # in: late dives count for nothing
 # - reward = value if steps <= 7 else 0.0
 # + reward = value if steps <= 7 else 1.1 * terminated
+
+# %% a table of whole numbers, and large values
+# slow
+# says: a treasure seems to count less the later it comes
+# in: late dives count for nothing
+# - Q = np.zeros((90, 2))
+# + Q = np.zeros((90, 2), dtype=np.int64)

@@ -77,7 +77,7 @@ my_program = [0, 1, 2]
 # says: ). But in another log-book
 # says: , and in the first state the program takes action
 # says: instead of
-# says: what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps
+# says: what rests on one step is little to go by: *subtract* a penalty, the larger the fewer the steps with this state *and* action
 # in: sums and counts
 # - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
 # + Q = np.where(counts > 0, np.maximum(lowest, sums / n), lowest)

@@ -14,7 +14,7 @@
 
 # %% beyond the end
 # slow
-# says: ; look at two places: A', whose value is in the target, is the action that is taken next, and is not drawn a second time; at the end of an episode the target is the reward alone
+# says: the target has the value of an action after the end: where `terminated` is True it is the reward alone
 # in: the next action is kept
 # - target = r if terminated else r + Q[s2, a2]
 # + target = r + Q[s2, a2]
@@ -77,7 +77,7 @@
 
 # %% the last action is never drawn
 # slow
-# says: tries the action 3
+# says: tries action 3 only
 # says: times where another one looks better, and with ε =
 # says: times: is the random action one of *all* n actions, 0 to n - 1, and each as likely? rng.integers(n) draws so
 # in: the next action is kept
@@ -173,7 +173,7 @@
 
 # %% never the best one by chance
 # slow
-# says: , or the random action is drawn among the others:
+# says: or the random action is drawn among the others:
 # says: a random action may be any of them, the best one too
 # in: one step behind
 # - a = rng.integers(env.action_space.n) if rng.random() < 0.1 else rng.choice(greedy)
@@ -260,3 +260,15 @@
 # - a2 = choose(Q[s2], rng)
 # + s2, _ = environment.reset()
 # + a2 = choose(Q[s2], rng) if terminated else a2
+
+# %% the update comes too late
+# slow
+# says: `state, action = next_state, next_action` comes before the update, which then moves Q(S', A') in place of Q(S, A)
+# in: a class with both
+# - me.table[s][a] += 0.5 * (r + future - me.table[s][a])
+# - if end or cut:
+# + aim = r + future
+# + if end or cut:
+# - s, a, t = s2, a2, t + 1
+# + s, a, t = s2, a2, t + 1
+# + me.table[s][a] += 0.5 * (aim - me.table[s][a])

@@ -204,7 +204,7 @@ my_program = [0, 1, 2]
 # + V = Q.mean(axis=1)
 
 # %% a night compared with itself
-# says: compare is given the same night twice, of which neither is better: play two nights
+# says: compare is given one list twice, of which neither is better: play two nights, and make a new list for each
 # in: visits as vectors
 # - preferred.append(float(compare(first, second)))
 # + preferred.append(float(compare(first, first)))
@@ -255,3 +255,32 @@ my_program = [0, 1, 2]
 # in: visits as vectors
 # - observation, _ = environment.reset()
 # + observation, _ = environment.reset(seed=seed)
+
+# %% one pass
+# slow
+# says: its actions fit a usual mistake:
+# says: there are too few passes over the comparisons: one is not enough
+# in: visits as vectors
+# - for _ in range(500):
+# + for _ in range(1):
+
+# %% a policy by the rewards
+# slow
+# says: the policy takes the action with the largest reward, and it should be that with the largest value, which counts what comes later, too
+# in: visits as vectors
+# - return lambda observation: int(Q[tuple(observation)].argmax())
+# + return lambda observation: int(rewards[tuple(observation)].argmax())
+
+# %% learned by the next observation and looked up by this one
+# slow
+# says: a reward is learned for the observation to which a step leads, and looked up for the one from which it comes: take the same one in both places
+# in: visits as vectors
+# - for (time, depth), action, _ in steps:
+# + for _, action, (time, depth) in steps:
+
+# %% rewards without actions
+# slow
+# says: a reward does not hang on the action: each time, depth *and* action has its own
+# in: visits as vectors
+# - table[time, depth, action] += 1
+# + table[time, depth] += 1

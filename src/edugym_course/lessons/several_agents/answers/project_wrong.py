@@ -242,7 +242,7 @@ my_program = games.MinimaxQ
 
 # %% one policy for all states
 # slow
-# says: It is the same in each state: does it look up the state that it is given?
+# says: It is the same in each state: does it look up the state that it is given, and has Q[state] one value for each *pair* of actions, of which only that of the pair just taken moves?
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda _: solved[state].first

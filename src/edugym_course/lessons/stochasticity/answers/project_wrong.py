@@ -140,7 +140,7 @@
 
 # %% never the best one by chance
 # slow
-# says: , or the random action is drawn among the others:
+# says: or the random action is drawn among the others:
 # says: a random action may be any of them, the best one too
 # in: the weight in one line
 # - a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
@@ -259,3 +259,18 @@
 # in: the weight in one line
 # - s, _ = environment.reset(seed=seed)
 # + s, _ = environment.reset(seed=7)
+
+# %% no surprise in the weight
+# slow
+# says: δ is missing in the weight: it is 2σ(βδ), and not 2σ(β) for all surprises
+# in: tanh and lists
+# - values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
+# + values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 / 2))
+
+# %% the target is weighed
+# slow
+# says: the weight stands before the target alone, and it should be before δ: α 2σ(βδ) δ is the step
+# in: tanh and lists
+# - values[s][a] += 0.4 * error * (1 + math.tanh(-0.5 * error / 2))
+# + old = values[s][a]
+# + values[s][a] += 0.4 * ((error + old) * (1 + math.tanh(-0.5 * error / 2)) - old)
