@@ -86,8 +86,8 @@ def mistakes_of_loops(make: Maker, on_policy: bool = False, remembers: bool = Fa
 
     Args:
         make: makes the right agent.
-        on_policy: whether it learns from the next action. What such a program learns beyond an end cannot be told from
-            its steps, for it hangs on an action that is never taken.
+        on_policy: whether it learns from the next action. What such a program learns at an end hangs on an action
+            that is never taken, so these mistakes are left out; a project may name its own.
         remembers: whether it learns from windows. One that goes on into the next episode is like none that was met.
     """
     beyond_an_end = {

@@ -261,9 +261,11 @@ def require_steps(taken: int, n_steps: int, is_over: bool) -> None:
             f"{NAME} takes {taken} of its {n_steps} steps: go on, episode after episode, until all are taken"
         )
     if taken > n_steps and not is_over:
+        why = "is there a `<=` in place of `<`, or does the loop end at n_steps + 1?"
+        if taken > n_steps + 1:
+            why = "look after *each* step whether all are taken"
         raise WrongAnswer(
-            f"{NAME} takes {taken} steps, and {n_steps} were asked for: {taken - n_steps} too many; is there a `<=` in"
-            " place of `<`, or does the loop end at n_steps + 1?"
+            f"{NAME} takes {taken} steps, and {n_steps} were asked for: {taken - n_steps} too many; {why}"
         )
 
 

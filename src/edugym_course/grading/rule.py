@@ -385,8 +385,8 @@ class Rule:
             return f"ε is right, so compare {compare}"
         if is_other and right.are_drawn():
             return (
-                f"ε is about {found / by_chance:.2f}, or the random action is drawn among the others: {OTHERS}. If both"
-                f" are right, compare {compare}"
+                f"Is ε about {found / by_chance:.2f}, or is the random action drawn among the others? ({OTHERS}) If"
+                f" neither is so, compare {compare}"
             )
         wild = f" {ELSEWHERE}" if found > MANY_OF_CHANCE * by_chance else ""
         if wild and not right.are_drawn():

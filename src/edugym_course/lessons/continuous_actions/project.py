@@ -88,7 +88,7 @@ MISTAKES: dict[str, Maker] = {
         Gaussians, of_log=lambda off, spread: score_of_log(off, spread) / spread
     ),
     "what is learned is σ, with the score of σ: learn ln σ, with its own": partial(Gaussians, itself=True),
-    "what moves is σ, by the score of ln σ: let ln σ move by it": partial(
+    "σ itself moves by the score of ln σ, and ln σ should move by it": partial(
         Gaussians, itself=True, of_log=lambda off, spread: score_of_log(off, spread) * spread
     ),
     "nothing is learned from an episode that is truncated: it is over as well, and its returns stop at its last"

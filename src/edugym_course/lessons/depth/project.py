@@ -45,8 +45,8 @@ RULE = Rule(
         ),
         "the target has the next reward alone": Learner(partial(agent, n=1, discount=0.0)),
         "after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken,"
-        " A_τ+n. With the maximum the target is the *uncorrected* one of this lesson; and if you draw A_τ+n twice, for"
-        " the target and for the step, draw it once": Learner(partial(slips, largest=True)),
+        " A_τ+n. With the maximum the target is the *uncorrected* one of this lesson; or is A_τ+n drawn twice, for the"
+        " target and for the step? Draw it once": Learner(partial(slips, largest=True)),
         "no value comes after the n rewards: γⁿ Q(S_τ+n, A_τ+n) is missing": Learner(partial(slips, bootstrap=0.0)),
         "at the end of an episode only one pair is learned, and the others that are left have rewards to learn from"
         " too": Learner(partial(slips, last_only=True)),

@@ -30,7 +30,8 @@ class FromDefinition:
         total: the weighted sum of the rewards of a target.
         from_start: whether the power of γ of a reward is that of its place in the episode.
         early: whether the value is that of the pair one step earlier.
-        late: whether each pair is learned one step too late, with the value of the pair that is then reached.
+        late: whether each pair is learned one step too late, with the value of the pair that is then reached; at the
+            end of an episode one pair is left out.
         keeps: whether the lists are not emptied at the end of an episode.
         stale_action: whether the value is that of the state after n steps, with the action before.
         shift: how many steps too early the rewards of a target are.

@@ -209,7 +209,7 @@ source(dqn.copy)
 # %% [markdown]
 # ### Watch it
 # This is one run of DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. It misses the balls from one
-# of the five columns (4 of 40 others did, too). From which? Change `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1,
+# of the five columns (4 of 40 others missed one). From which? Change `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1,
 # 2, 3, 4.
 
 # %%
@@ -968,7 +968,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # $$
 #
 # and those by the biases $b_2[A]$ and $b_1[j]$ are $\delta$ and $g_j$. (In these formulas a row of a matrix belongs to a unit; in the code of this lesson it is a column.) With
-# a batch of images as the rows of a matrix, each of these is one line of NumPy. The check then takes about a minute. Your program may use PyTorch, too, which finds the gradient itself, and takes some minutes. (Compute $y$ under `torch.no_grad()`: the gradient must not run through the target.) (The
+# a batch of images as the rows of a matrix, each of these is one line of NumPy. With NumPy the check takes about a minute. You may use PyTorch, which finds the gradient itself; then it takes some minutes. (Compute $y$ under `torch.no_grad()`: the gradient must not run through the target.) (The
 # notebook with the solutions has both.)
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment,

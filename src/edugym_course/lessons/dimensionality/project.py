@@ -293,9 +293,9 @@ def check_twins(program: Any, seed: int) -> None:
     """
     if (share := twins_solved(program, seed)) < TWINS_SOLVED:
         raise WrongAnswer(
-            "it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the"
-            f" right action: after {TWIN_STEPS} steps the policy of {NAME} takes it in {share:.0%} of the questions."
-            f" {FROZEN}"
+            "it solves the riddles and catches the balls, but not a harder riddle, in which two pixels together tell"
+            f" the right action: after {TWIN_STEPS} steps the policy of {NAME} takes it in {share:.0%} of the"
+            f" questions. {FROZEN}"
         )
 
 

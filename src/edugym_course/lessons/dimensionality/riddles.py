@@ -104,9 +104,10 @@ DARK = RIDDLES[0]._replace(
 EMPTY = Riddle(
     Move(1.0, GOOD),
     Move(0.5, GOOD),
-    "only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. An"
-    " empty place of a memory looks like a black image, action 0 and a reward of 0: are the rows of a batch drawn from"
-    " the steps that were stored, and from no others?",
+    "only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. If"
+    " your program has a memory, an empty place of it looks like a black image, action 0 and a reward of 0: are the"
+    " rows of a batch drawn from the steps that were stored, and from no others? If it has none: does it learn too"
+    " slowly?",
     dark=True,
     first=True,
 )
@@ -136,7 +137,8 @@ class Album(gymnasium.Env[Any, Any]):
         self._best = int(rng.integers(N_ACTIONS))
         if riddle.dark:
             self._images[0] = 0.0
-            of_the_black_one = self._right == 0 if riddle.first else self._right > 0  # else it wins where all are equal
+            # Not 0, unless `first`: where all values are equal, argmax takes action 0.
+            of_the_black_one = self._right == 0 if riddle.first else self._right > 0
             self._right = np.roll(self._right, -np.flatnonzero(of_the_black_one)[0])
         self._riddle, self._image, self._last = riddle, 0, last
 

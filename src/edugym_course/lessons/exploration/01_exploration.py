@@ -344,7 +344,7 @@ Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 # close to the top then. Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there.
 # The others arrive at their goal.
 #
-# Who knows the way to a frontier at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
+# A climber who knows the way to 40 gets back in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
 # six in a thousand. An episode of 1 000
 # steps has some fifty climbs: that is why the dotted line of the high wall was at 0.25 and not at 0.006.
 #
@@ -837,8 +837,8 @@ check(project_1, my_program)
 # undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ climbs. So
 # exploration must be directed. A novelty reward makes rarely visited states attractive, optimistic values make untried
 # actions attractive, and Go-Explore returns to the edge of what it knows before it explores. They work as far as they
-# are systematic: they try what they have not tried, and they get back to where that is. Random slips try it by chance, and
-# the longer the way, the more often they end it.
+# are systematic: they try what they have not tried, and they get back to where that is. Random slips try new actions by chance, and
+# the longer the way, the more often a slip ends it.
 #
 # ### Limits
 # A table can count visits of a state. The same picture hardly ever comes twice, so for pictures something must stand

@@ -20,8 +20,9 @@ grips; the five right programs tried need 2025 steps at most (40 walls, three gr
 WALLS = ((2, LONG), (2, SHORT), (3, LONG), (3, SHORT))
 """The number of grips of each wall, and its step limit."""
 CUT = (
-    "where no episode is truncated they do. Does it go on from the state that reset() gives, after each episode, and is"
-    " a step that is truncated learned as any other, with the value of its next state? If so,"
+    "where no episode is truncated they do. Does it go on from the state that reset() gives, after each episode, is"
+    " what was learned kept, and is a step that is truncated learned as any other, with the value of its next state? If"
+    " so,"
 )
 LOW = 3
 """Places below this one are the foot of a wall."""
@@ -77,7 +78,7 @@ def project_1(answer: Any, seed: int) -> str:
 def _cut(answer: Any, n_grips: int, number: int) -> str:
     """Return a sentence on truncated steps, if the program reaches the top where there are none; else ""."""
     uncut = run_program(answer, wall(n_grips, number, N_STEPS + 1), N_STEPS, number)
-    return f"{CUT} " if any(step.terminated for step in uncut.steps) else ""
+    return f"{CUT} " if any(step.terminated for step in uncut.steps[:N_STEPS]) else ""
 
 
 def _why(run: Run, n_grips: int) -> str:

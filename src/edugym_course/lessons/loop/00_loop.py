@@ -61,7 +61,7 @@ for action in (1, 3):
     print(f"action {action}: state {state}, reward {reward}, terminated {terminated}, truncated {truncated}")
 
 # %% [markdown]
-# The state is only a number to the agent (8 times the number of its cell, plus 4, 2 and 1 for the items in its bag): nothing tells it that 88 and 96 are neighbours. Here is the whole loop, in the
+# The state is only a number to the agent (8 times the number of its cell, plus 4, 2 or 1 for each item in its bag): nothing tells it that 88 and 96 are neighbours. Here is the whole loop, in the
 # words of [Gymnasium](https://gymnasium.farama.org), with the simplest agent there is. It acts at random.
 
 # %%

@@ -443,7 +443,7 @@ check(exercise_3, maxmin_target, seed=1, quiet=True)
 # - Random numbers come from `rng = np.random.default_rng(seed)`, also the coin. It is a fair one: draw another number for it than the one that is compared with $\varepsilon$. The first reset is `environment.reset(seed=seed)`.
 #
 # The check first runs it in tiny tasks, many of one or two steps. In each of them the best action in the end hangs on one part of the method. Then it runs it in casinos whose states and
-# actions are numbered anew each time. Where no machine pays, it must enter in less than a quarter of episodes 31 to 100 (Q-learning does in two thirds, other right programs in 8 to 22 %, ours in 6 %); where one pays, its policy must play that one, in nearly all of some runs.
+# actions are numbered anew each time. Where no machine pays, it must enter in less than a quarter of episodes 31 to 100 (Q-learning does in two thirds, other right programs in 8 to 22 %, ours in 6 %); where one pays, its policy must play that one in four of five runs.
 # <details><summary>A plan</summary>Reset. In each step: choose the action, step, throw the coin, change one table by exercise 2, and go on from the next state, or
 # from a new reset if <code>terminated</code> or <code>truncated</code> is True. (The target of a step that is merely truncated has its
 # future.)</details>

@@ -133,7 +133,7 @@ maps.dynamic_programming()
 # ### If the model must be learned: Dyna
 # A model is seldom given. But every real step tells a piece of it. **Dyna** (box of section 8.2) uses each real
 # step three times: to learn, to remember, $\text{Model}(S, A) \leftarrow R, S'$,
-# and then to plan with that table. Planning repeats $n$ times:
+# and to plan with it. Planning repeats $n$ times:
 #
 # $$
 # \begin{aligned}
@@ -292,7 +292,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
 # that is what a model is for. (The curves are means, which slow runs pull down.) And then they stop improving.
-# Q-learning ends highest in this shop, and the two that rise first end lowest. (100 runs cannot tell them apart.)
+# Q-learning ends highest in this shop, and the two that rise first end lowest. (100 runs cannot tell these apart.)
 #
 # The planners' lines in the right panel dip at step 500, where the first long episodes end at the limit, with low
 # returns. (Both panels cut off a bad start.)
@@ -462,7 +462,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In 7 of 12. (In shop 6, where ten runs give 96 against 82, the two are equal within a point in 1 900 runs.) In the others it ends below, in some of them far below. So "planning makes the last policy
+# **Measured.** In 7 of 12. (One of these is shop 6: ten runs give 96 against 82, and in 1 900 runs the two are equal within a point.) In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
 # has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
 # This is the same everywhere. Q-learning gets to know nearly all that a best plan needs in every shop, and in some it does not make a
@@ -613,7 +613,7 @@ never.measured(100 * len(lost) / 40)
 # **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*. Among
 # the 420 states before the exit, with four actions each, some wall seems to pay for each bump. Bumps can go on for
 # ever, so a small error adds up, and the more so the larger $\gamma$ is (exercise 1). The few other lost plans go to
-# and fro between two cells. Up to $\sigma = 0.5$ no plan was lost with these two γ: no wall pays enough.
+# and fro between two cells. Up to $\sigma = 0.5$ no plan was lost with $\gamma = 0.9$ or 0.95: no wall pays enough.
 #
 # Is it the walls? Without the errors of bumps about 70 % of the lost plans get to the exit with $\gamma = 0.95$. With
 # $\gamma = 0.97$ nine of ten stay lost, and go to and fro. To go round and round pays, and a bump is the shortest round.
@@ -810,7 +810,7 @@ display(figures.race({"my Dyna-Q+": DynaPlus.create}))
 # which does not change, it should stop once it knows. That is exercise 3.
 #
 # <details><summary>What the race shows</summary>It knows the shop (95), but its policy returns about −485: the bonus
-# outweighs the rewards. With $\kappa = 0.005$, 19 of our 20 runs got to the exit, and 11 of them returned 95. But look at what it knows, too: with a smaller bonus it asks less, and with
+# outweighs the rewards. With $\kappa = 0.005$, 19 of our 20 runs got to the exit, and 11 of them returned 95. But look at what it knows, too: with a smaller bonus it tries less, and with
 # $\kappa = 0.002$ it knows no more than Dyna-10.</details>
 #
 # ### Exercise 3: write R-max

@@ -93,20 +93,19 @@ class MistakenPlanner(Planner):
 
     Args:
         shape: of the table.
-        discount: γ.
-        any_action: whether steps are imagined with actions that were not taken, in the states that were seen.
+        any_action: whether steps are imagined with actions that were not taken, in the states that were seen; they seem
+            to lead to state 0, and to bring nothing.
         stays: whether the model keeps the state that was left in place of the next one.
     """
 
     def __init__(
         self,
         shape: tuple[int, int],
-        discount: float = DISCOUNT,
         any_action: bool = False,
         stays: bool = False,
     ) -> None:
         """Know nothing."""
-        super().__init__(shape, discount)
+        super().__init__(shape)
         self.any_action, self.stays = any_action, stays
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
@@ -231,14 +230,15 @@ def mistake(**how: Any) -> Learner:
     return Learner(partial(MistakenPlanner, **how), leaves=DRAWN)
 
 
+LOOPS = mistakes_of_loops(Planner)
 RULE = Rule(
     Learner(Planner),
     {
-        f"{sentence}, in an imagined step, too: the model must keep `terminated`" if sentence == BEYOND else sentence: (
-            learner._replace(leaves=DRAWN)
-        )
-        for sentence, learner in mistakes_of_loops(Planner).items()
+        sentence: learner._replace(leaves=DRAWN) if learner.restarts else learner
+        for sentence, learner in LOOPS.items()
+        if sentence != BEYOND
     }
+    | {f"{BEYOND}, in an imagined step, too: the model must keep `terminated`": LOOPS[BEYOND]._replace(leaves=DRAWN)}
     | {
         "nothing is planned: are the imagined steps learned from, and enough of them, each drawn anew from all that was"
         " tried?": Learner(q_learning, nats=CLEARLY),

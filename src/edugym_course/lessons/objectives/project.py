@@ -92,7 +92,7 @@ MISTAKES: Mapping[str, Callable[[Reals], int]] = {
     "that is the best one with nine steps: are the steps counted from the first on, and anew in each dive, and is a"
     " dive that takes too long worth less than the poorest of the others?": lambda values: _best_of(values, LIMIT + 2),
     "that is always the treasure at the shore: are there random dives, does each begin in the state that reset gives,"
-    " with the steps counted anew, does the *largest* of the next values (no mean) come back to the state that was"
+    " with the steps counted anew? Does the *largest* of the next values (no mean) come back to the state that was"
     " left, and does the policy look it up in the state that it is given?": lambda values: 0,
     "that is always the deepest treasure within seven steps; a nearer one may be worth more": lambda values: 3,
     "that is the poorest treasure within seven steps: is there an `argmin`, or a minus sign too many?": (

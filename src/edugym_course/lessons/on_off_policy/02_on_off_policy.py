@@ -796,7 +796,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   many there are. They differ from one environment to the next.
 # - Take $\alpha = 0.5$, $\gamma = 1$, $\varepsilon = 0.1$ (a random action is any of all $n$) and first values of 0.
 # - Only `terminated` means that nothing follows. Where a step is truncated, do not learn from it, or
-#   draw an $A'$ for its target $R + \gamma Q(S', A')$ alone, which nobody takes.
+#   draw an $A'$ that is used in its target only, $R + \gamma Q(S', A')$, and never taken.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own and on the cliff of Gymnasium, `CliffWalking-v1`. It sees the

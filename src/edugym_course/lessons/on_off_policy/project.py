@@ -34,7 +34,7 @@ def agent(
 
 
 class FutureAfterTheEnd(SARSA):
-    """SARSA that looks up a value after the end, too, and most likely that is the largest one."""
+    """SARSA that looks up the value of a drawn action after the end, too, most likely the best one."""
 
     __slots__ = ()
 

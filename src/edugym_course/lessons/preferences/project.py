@@ -314,7 +314,7 @@ def symptom(run: Judged, runs: Sequence[Judged]) -> str:
             " up in the state and the action where they belong, and does each step begin where the last one ended?"
         )
     if mistake := likely_mistake(TASK, [(one.compared, one.actions) for one in runs]):
-        return f"its actions fit a usual mistake: {mistake}"
+        return f"its actions are mostly those of a usual mistake: {mistake}"
     if run.meant < _random() - 2:
         return (
             "that is worse than random buttons; does the *preferred* night gain, is p a sigmoid of the difference, are"

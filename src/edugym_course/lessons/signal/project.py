@@ -82,7 +82,7 @@ def presence(message: Message) -> Weights:
 
 
 def squares(message: Message) -> Weights:
-    """The square of the number of times that each word occurs."""
+    """The square of the number of times that each word occurs, divided by the length."""
     return [(word, count**2 / len(message)) for word, count in Counter(message.tolist()).items()]
 
 
@@ -207,8 +207,8 @@ RULE = Rule(
         "a word counts once, however often it occurs: x_w is its share of the message": mistake(take=presence),
         "a word moves once, however often it occurs: `theta[words, a] += ...` adds to a row once, `np.add.at` for each"
         " word": mistake(move=presence),
-        "a word that occurs twice moves twice, each time by its whole share of two: go through the *different* words,"
-        " or move each by 1/L": mistake(move=squares),
+        "a word that occurs twice is moved twice, each time by 2/L: go through the *different* words, or move each by"
+        " 1/L": mistake(move=squares),
         "nothing is learned from the last step of an episode: its reward counts like any other": Learner(
             Listener, skips=lambda step: step.terminated
         ),

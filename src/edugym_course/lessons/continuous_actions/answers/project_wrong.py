@@ -563,7 +563,7 @@
 
 # %% σ moves by the score of ln σ
 # slow
-# says: what moves is σ, by the score of ln σ: let ln σ move by it
+# says: σ itself moves by the score of ln σ, and ln σ should move by it
 # in: lists of an episode
 # - ls[S[k]] += step * (z**2 / sigma**2 - 1)
 # + ls[S[k]] = np.log(max(sigma + step * (z**2 / sigma**2 - 1), 0.01))

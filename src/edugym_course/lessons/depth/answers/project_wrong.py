@@ -89,7 +89,7 @@
 
 # %% the largest value
 # slow
-# says: after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n. With the maximum the target is the *uncorrected* one of this lesson; and if you draw A_τ+n twice, for the target and for the step, draw it once
+# says: after the rewards comes the largest value of S_τ+n, or a mean near it; it should be that of the action taken, A_τ+n. With the maximum the target is the *uncorrected* one of this lesson; or is A_τ+n drawn twice, for the target and for the step? Draw it once
 # in: three steps later
 # - G += 0.8**n * Q[S[tau + n], A[tau + n]]
 # + G += 0.8**n * Q[S[tau + n]].max()
@@ -233,7 +233,7 @@
 
 # %% never the best one by chance
 # slow
-# says: or the random action is drawn among the others:
+# says: or is the random action drawn among the others? (
 # says: a random action may be any of them, the best one too
 # in: when the episode is over
 # - a = rng.integers(Q.shape[1]) if rng.random() < 0.1 else Q[s].argmax()

@@ -184,7 +184,7 @@ def my_program(environment, n_steps, seed):
 
 # %% a large hidden layer that never learns, one step at a time
 # slow
-# says: it solves the riddles and catches the balls, but not a last riddle, in which two pixels together tell the right action: after 4000 steps the policy of
+# says: it solves the riddles and catches the balls, but not a harder riddle, in which two pixels together tell the right action: after 4000 steps the policy of
 # says: of the questions.
 # says: Hidden units that keep their first weights get 39 to 87 %: does the gradient change W1 and b1, and not only W2 and b2? Is h_j never below 0, and g_j 0 where h_j is 0?
 # says: Is h_j never below 0, and g_j 0 where h_j is 0?
@@ -318,7 +318,7 @@ def my_program(environment, n_steps, seed):
 
 # %% empty places of the memory
 # slow
-# says: only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. An empty place of a memory looks like a black image, action 0 and a reward of 0: are the rows of a batch drawn from the steps that were stored, and from no others?
+# says: only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. If your program has a memory, an empty place of it looks like a black image, action 0 and a reward of 0: are the rows of a batch drawn from the steps that were stored, and from no others? If it has none: does it learn too slowly?
 # in: a memory in arrays
 # - i = rng.integers(t + 1, size=32)
 # + i = rng.integers(n_steps, size=32)

@@ -122,7 +122,7 @@ def my_program(environment, n_steps, seed):
 
 # %% goes on from the old state
 # says: , where an episode is truncated after 35 steps
-# says: where no episode is truncated they do. Does it go on from the state that reset() gives, after each episode, and is a step that is truncated learned as any other, with the value of its next state? If so,
+# says: where no episode is truncated they do. Does it go on from the state that reset() gives, after each episode, is what was learned kept, and is a step that is truncated learned as any other, with the value of its next state? If so,
 # in: one grip after another, without chance
 # - s = environment.reset()[0] if over or cut else s2
 # + s = s2
@@ -147,3 +147,10 @@ def my_program(environment, n_steps, seed):
 # in: optimism
 # - Q[s, a] = r if over else r + 0.5 * Q[s2].max()  # powers of 0.5 are exact, so that ties are ties
 # + Q[s, a] = r if over else r + Q[s2].max()
+
+# %% steps beyond the last one
+# says: were asked for: 2 too many; look after *each* step whether all are taken
+# says: look after *each* step whether all are taken
+# in: optimism
+# - for _ in range(n_steps):
+# + for _ in range(n_steps + 2):

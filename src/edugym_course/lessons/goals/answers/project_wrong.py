@@ -360,7 +360,7 @@ def my_program(environment, n_steps, seed):
 
 # %% never the best one by chance
 # slow
-# says: or the random action is drawn among the others:
+# says: or is the random action drawn among the others? (
 # says: a random action may be any of them, the best one too
 # in: a class
 # - return int(self.rng.integers(0, self.n))

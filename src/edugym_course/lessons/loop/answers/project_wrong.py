@@ -255,7 +255,7 @@ def my_program(environment, n_steps, seed):
 
 # %% never the best one by chance
 # slow
-# says: or the random action is drawn among the others:
+# says: or is the random action drawn among the others? (
 # says: a random action may be any of them, the best one too
 # in: ε-greedy written out
 # - action = rng.integers(len(Q[state]))

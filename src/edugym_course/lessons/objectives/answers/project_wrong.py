@@ -35,7 +35,7 @@
 
 # %% the shore
 # slow
-# says: that is always the treasure at the shore: are there random dives, does each begin in the state that reset gives, with the steps counted anew, does the *largest* of the next values (no mean) come back to the state that was left, and does the policy look it up in the state that it is given?
+# says: that is always the treasure at the shore: are there random dives, does each begin in the state that reset gives, with the steps counted anew? Does the *largest* of the next values (no mean) come back to the state that was left, and does the policy look it up in the state that it is given?
 # in: late dives count for nothing
 # - return lambda state: int(Q[state].argmax())
 # + return lambda state: 0

@@ -173,7 +173,7 @@
 
 # %% never the best one by chance
 # slow
-# says: or the random action is drawn among the others:
+# says: or is the random action drawn among the others? (
 # says: a random action may be any of them, the best one too
 # in: one step behind
 # - a = rng.integers(env.action_space.n) if rng.random() < 0.1 else rng.choice(greedy)

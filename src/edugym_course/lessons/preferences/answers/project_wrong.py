@@ -256,17 +256,10 @@ my_program = [0, 1, 2]
 # - observation, _ = environment.reset()
 # + observation, _ = environment.reset(seed=seed)
 
-# %% one pass
-# slow
-# says: its actions fit a usual mistake:
-# says: there are too few passes over the comparisons: one is not enough
-# in: visits as vectors
-# - for _ in range(500):
-# + for _ in range(1):
-
 # %% a policy by the rewards
 # slow
-# says: the policy takes the action with the largest reward, and it should be that with the largest value, which counts what comes later, too
+# says: its actions are mostly those of a usual mistake:
+# says: the policy takes the action with the largest reward, and it should be that with the largest value, which counts what comes later, too (or the target of these values lacks that of the next observation)
 # in: visits as vectors
 # - return lambda observation: int(Q[tuple(observation)].argmax())
 # + return lambda observation: int(rewards[tuple(observation)].argmax())
@@ -283,4 +276,6 @@ my_program = [0, 1, 2]
 # says: a reward does not hang on the action: each time, depth *and* action has its own
 # in: visits as vectors
 # - table[time, depth, action] += 1
-# + table[time, depth] += 1
+# + table[time, depth, 0] += 1
+# - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
+# + target = rewards[state][0] + Q[next_state].max()

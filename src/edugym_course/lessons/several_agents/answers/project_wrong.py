@@ -278,7 +278,7 @@ my_program = games.MinimaxQ
 
 # %% the best action of one state for all
 # slow
-# says:  And it is the same in each state: does it look up the state that it is given?
+# says: It is the same in each state: does it look up the state that it is given
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda _: np.eye(shape[1])[Q[state].mean(axis=1).argmax()]

@@ -264,7 +264,7 @@ def my_program(environment, n_steps, seed):
 
 # %% never the best one by chance
 # slow
-# says: or the random action is drawn among the others:
+# says: or is the random action drawn among the others? (
 # says: a random action may be any of them, the best one too
 # in: weights in an array
 # - a = int(rng.integers(N)) if rng.random() < 0.1 else int(q.argmax())
@@ -341,7 +341,7 @@ def my_program(environment, n_steps, seed):
 
 # %% twice as far for a word that comes twice
 # slow
-# says: a word that occurs twice moves twice, each time by its whole share of two: go through the *different* words, or move each by 1/L
+# says: a word that occurs twice is moved twice, each time by 2/L: go through the *different* words, or move each by 1/L
 # in: a dictionary, word by word
 # - self.weights[w, a] = self.weights.get((w, a), 0.0) + 0.01 * error / len(words)
 # + self.weights[w, a] = self.weights.get((w, a), 0.0) + 0.01 * error * list(words).count(w) / len(words)

@@ -140,7 +140,7 @@
 
 # %% never the best one by chance
 # slow
-# says: or the random action is drawn among the others:
+# says: or is the random action drawn among the others? (
 # says: a random action may be any of them, the best one too
 # in: the weight in one line
 # - a = rng.integers(len(Q[s])) if rng.random() < 0.1 else Q[s].argmax()
