@@ -107,13 +107,24 @@ def compared_nights(mdp: Morning, n: int, seed: int) -> list[replay.Comparison]:
 
 
 @pytest.mark.parametrize("method", [replay.Replay.right, *replay.MISTAKES.values()])
-def test_what_a_policy_has_learned(method: Callable[[replay.Replay], Integers]) -> None:
-    """A policy that comes from a mistake is told as that, and a right one as none, though some actions are others."""
+@pytest.mark.parametrize("share", [0.1, 0.5])
+def test_what_a_policy_has_learned(method: Callable[[replay.Replay], Integers], share: float) -> None:
+    """A policy that comes from a mistake is told as that; a right one, or one that is half right, as none."""
     rng, runs = np.random.default_rng(0), []
     for seed in range(2):
-        comparisons = compared_nights(Morning(), 200, seed)
-        actions = method(replay.Replay(Morning(), comparisons))
-        others = rng.random(actions.shape) < 0.1
-        runs.append((comparisons, np.where(others, rng.integers(3, size=actions.shape), actions)))
-    told = {sentence for sentence, mistake in replay.MISTAKES.items() if mistake is method}
+        replayed = replay.Replay(Morning(), comparisons := compared_nights(Morning(), 200, seed))
+        is_right = rng.random(len(MODEL.states)) < share
+        runs.append((comparisons, np.where(is_right, replayed.right(), method(replayed))))
+    told = {sentence for sentence, mistake in replay.MISTAKES.items() if mistake is method and share < 0.5}
     assert replay.likely_mistake(Morning(), runs) == next(iter(told), "")
+
+
+def test_what_follows_from_many_answers() -> None:
+    """The best policy, nearly; each mistake is worse than that, and better than random actions."""
+    replayed = replay.Replay(Morning(), compared_nights(Morning(), 3_000, 0))
+    right, *wrong = (
+        policy_evaluation(MODEL, method(replayed)).start for method in (replay.Replay.right, *replay.MISTAKES.values())
+    )
+    assert right > value_iteration(MODEL).start - 0.3
+    at_random = policy_evaluation(MODEL, np.full_like(REFERENCE, 1 / 3)).start
+    assert all(at_random < one < right - 1 for one in wrong)

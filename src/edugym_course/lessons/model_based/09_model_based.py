@@ -291,8 +291,8 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
-# that is what a model is for. (The curves are means, which slow runs pull down.) And then they stop improving.
-# Q-learning ends highest in this shop, and the two that rise first end lowest. (100 runs cannot tell these apart.)
+# that is what a model is for. (The curves are means, which slow runs pull down.) And then they hardly improve.
+# Q-learning ends highest in this shop, and the two that rise first end lowest. (100 runs cannot tell these two apart.)
 #
 # The planners' lines in the right panel dip at step 500, where the first long episodes end at the limit, with low
 # returns. (Both panels cut off a bad start.)
@@ -393,8 +393,7 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # <details><summary>What was measured</summary>
 #
 # - $n$: until half of the runs are at 70, the first ten updates save some 1 750 steps, and thirty more a few hundred.
-# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (In 200 runs all three end
-#   between 86 and 90, Q-learning lowest.)
+# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 they end at 95, but slowly.)
 # - $\alpha$: with 0.1 all need at least twice as many steps, and prioritised sweeping four to six times (but it ends higher, at some 88).
 #   Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But with 0.94 or less the way with the highest
@@ -426,14 +425,14 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 83: planning is not what Dyna lacks. Its policy already is the best by what it has
-# seen, and so, within a fraction of a point, are those of the other planners. Four fifths of their losses
+# seen, and so, within a fraction of a point, are those of the other planners. Three quarters of their losses, or more,
 # come from runs that missed an item, most often the blue one. Q-learning has been everywhere, and
 # makes less of it.
 # </details>
 
 # %% [markdown]
 # **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Q-learning wanders about, and comes to
-# every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The better an agent plans, the earlier it *exploits*, and the less it gets to know. If
+# every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The better such an agent plans, the earlier it *exploits*, and the less it gets to know. If
 # so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
@@ -469,7 +468,11 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each of them, and its policy *is*
 # the best plan by what it knows. Who ends higher depends on which of the two costs more there.
 #
-# Are first values of 0 the reason? Those from −99 to 40 did as well in our shop. (−100 is the value of walking for ever. With it Q-learning ended at 84 and Dyna-10 at 80, but even then the best plan by what Q-learning had seen was 95.) With 50 both ended above 90: untried actions then look better than a shop without the items, as they do to R-max below. From 75 on Q-learning found no way out in 10 000 steps.
+# Are first values of 0 the reason? To walk for ever is worth −100, so all values above it are optimistic here. From −99.9 to 40 they did as well as 0. At −100 the optimism is gone, and
+# Q-learning still knew more than Dyna-10: the best plans by what they had seen returned 92 and 79, their policies 81 and 79. At −101 most runs of Q-learning never found the exit (92 of 100), and of Dyna-10 22.
+#
+# With 50 both ended above 90: untried actions then look better than a shop without the items, as they do to R-max below. With 80 the policy of Q-learning got to the exit in 1 of 100 runs, though all of them had
+# seen what the best plan needs: it knew, and did not plan.
 # </details>
 
 # %% [markdown]
@@ -524,7 +527,7 @@ wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In nearly all runs, and soon after in all. R-max needs no more steps than the other planners, and it
-# gets everything. More random steps help too (for $\varepsilon = 0.5$ it takes 100 runs to be sure of it), but slowly. All
+# gets everything. More random steps help too (for $\varepsilon = 0.5$ only 100 runs show it surely), but slowly. All
 # that the remedies change is what the agents have *seen*: in the right panel the two dots of each method stay close
 # together. In the twelve other shops it is the same: with the falling $\varepsilon$ Dyna-10 gets to know more and ends
 # higher, and R-max ends within one percent of the best plan in nearly every run.
@@ -576,7 +579,7 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # the exit behind it*. For the second item that takes 11 steps (a return of 78), and for the third 12.
 #
 # Good values make a short look enough: Dyna-10 needs none to get its 82. Bad ones can do harm: with a look ahead of 8,
-# half-learned values of Q-learning lead the agent astray where zeros do not. (From 10 on they are ahead.) Up to a look ahead of 10 Dyna-10 gains
+# half-learned values of Q-learning lead the agent astray where zeros do not. (With 10 and 11 they are ahead.) Up to a look ahead of 10 Dyna-10 gains
 # little. With 11 and 12 it gets items that it has never seen: the *given* model knows them.
 # </details>
 
@@ -658,7 +661,7 @@ saved.measured(saved.options[slow + 2 * fast])
 # at a wall brings the whole error of the model back (with *one* imagined update a step, not ten, the last policy was good in 43 of 48 runs). With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are
 # spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often, reality
 # wins: a bump that disappoints again and again is given up. If that is the reason, then more imagined steps should turn
-# it round. They push that way: with 200 for each real one 9 of 24 last policies never get to the exit (which ones changes in each evaluation), and with 10 none; but most still do. With the right
+# it round. With 200 for each real one, 15 of 24 last policies still get to the exit; with 10 all do. So that is a part of the reason at least. With the right
 # model (left) the small rate is the slowest, and at the end 9 of its 24 runs (with other seeds, 13) still leave an item out. What is best
 # depends on how far you trust your model.
 # </details>

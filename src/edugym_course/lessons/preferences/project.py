@@ -80,8 +80,7 @@ class Teacher:
 
     Attributes:
         asked: how often she was asked.
-        nights: the actions of the nights that she compared.
-        compared: these nights, in pairs, and her answers.
+        compared: the nights that she compared, in pairs, and her answers.
         slip: the sentence of the first thing that she refused, "" if there is none.
     """
 
@@ -89,7 +88,7 @@ class Teacher:
         """Know what is meant."""
         self._mdp, self._most, self._rng = mdp, most, rng
         self.asked, self.slip = 0, ""
-        self.nights, self.compared = list[tuple[int, ...]](), list[Comparison]()
+        self.compared = list[Comparison]()
 
     def __call__(self, first: Any, second: Any) -> bool:
         """Whether the first night is preferred to the second.
@@ -133,7 +132,6 @@ class Teacher:
             state = after
         if len(steps) != self._mdp.length:
             self._refuse(f"a night has {self._mdp.length} steps, from reset to the end, but one given has {len(steps)}")
-        self.nights.append(tuple(action for _, action, _ in steps))
         return steps, total
 
     def _step(self, step: Any) -> Step:
@@ -160,17 +158,20 @@ class Judged(NamedTuple):
         meant: the exact return of its policy, as it is meant.
         actions: shape (S,): the action in each state.
         asked: how often it asked the teacher.
-        nights: the actions of the nights that she compared.
-        compared: these nights, in pairs, and her answers.
+        compared: the nights that she compared, in pairs, and her answers.
         same_seed: how often it gave reset one and the same seed.
     """
 
     meant: float
     actions: Integers
     asked: int
-    nights: list[tuple[int, ...]]
     compared: list[Comparison]
     same_seed: int
+
+    @property
+    def nights(self) -> list[tuple[int, ...]]:
+        """The actions of the nights that were compared."""
+        return [tuple(action for _, action, _ in night) for *pair, _ in self.compared for night in pair]
 
 
 def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
@@ -195,7 +196,7 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     actions[rows] = actions_of(policy, [np.array(model.states[row]) for row in rows], 3, "observation")
     meant = policy_evaluation(model, actions).start
     same_seed = max(environment.seeds.values(), default=0)
-    return Judged(meant, actions, teacher.asked, teacher.nights, teacher.compared, same_seed)
+    return Judged(meant, actions, teacher.asked, teacher.compared, same_seed)
 
 
 @cache

@@ -29,12 +29,13 @@ class Replay:
     """
 
     def __init__(self, mdp: Morning, comparisons: Sequence[Comparison]) -> None:
-        """Count the steps of the nights."""
+        """Count the steps of the nights, and learn the rewards."""
         self._model, self._comparisons = model_of(mdp), comparisons
         self._shape = self._model.successors.shape[:2]
         self._answers = np.array([answer for *_, answer in comparisons])
         first, second = self._counted(lambda step: step[:2])
         self.visits = (first + second).sum(axis=(0, 2))
+        self._rewards = fit_rewards(first, second, self._answers, prior=PRIOR)
 
     def _counted(self, pair: Callable[[Step], tuple[State, int]]) -> tuple[Reals, Reals]:
         """Return how often each night has each pair of a state and an action, for the first and the second nights."""
@@ -46,7 +47,8 @@ class Replay:
                     counts[number, self._model.rows[state], action] += 1
         return first, second
 
-    def _fitted(self, pair: Callable[[Step], tuple[State, int]] = lambda step: step[:2]) -> Reals:
+    def _fitted(self, pair: Callable[[Step], tuple[State, int]]) -> Reals:
+        """Return the rewards that explain the answers, if each step counts for this state and action."""
         return fit_rewards(*self._counted(pair), self._answers, prior=PRIOR)
 
     def _best(self, rewards: Reals) -> Integers:
@@ -57,11 +59,11 @@ class Replay:
 
     def right(self) -> Integers:
         """Rewards that explain the answers."""
-        return self._best(self._fitted())
+        return self._best(self._rewards)
 
     def greedy(self) -> Integers:
         """The largest of these rewards, without a look at what follows."""
-        actions: Integers = self._fitted().argmax(axis=1)
+        actions: Integers = self._rewards.argmax(axis=1)
         return actions
 
     def after(self) -> Integers:

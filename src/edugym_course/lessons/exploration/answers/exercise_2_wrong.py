@@ -131,6 +131,7 @@ def optimist(wall):
 
 # %% with a bonus
 # slow
-# says: the exercise asks for `QLearning`, and optimist(wall) returns a `
+# says: the exercise asks for `QLearning`
+# says: , and optimist(wall) returns a `
 def optimist(wall):
     return CountBased.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)

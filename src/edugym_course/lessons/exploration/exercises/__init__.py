@@ -46,6 +46,7 @@ from edugym_course.lessons.exploration.methods import (
     OPTIMIST,
 )
 
+ASKED = "the exercise asks for `QLearning`"
 WORST_GRIP = "it takes the worst grip"
 Height = Annotated[int, Own(tuple(range(60, 161)), "Your wall has height {height}, not 100.")]
 Start = Annotated[
@@ -147,7 +148,7 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
         make = partial(agent_made_by, "optimist(wall)", answer, wall)
         made, other = make(), make()
         Q = table_of(made, "Q", None)
-        other_kind = "" if isinstance(made, QLearning) else "; and the exercise asks for `QLearning`"
+        other_kind = "" if isinstance(made, QLearning) else f"; and {ASKED}"
         if Q.shape != (height + 1, n_grips):
             raise WrongAnswer(
                 f"the table `Q` should have the shape {(height + 1, n_grips)}, a row for each position and a column for"
@@ -172,8 +173,8 @@ def exercise_2(answer: Any, seed: int, start: Start = 1.0) -> str:
         try:
             Q_LEARNING.check(make, Q.shape, {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}, seed)
         except WrongAnswer as wrong:
-            another = f"the exercise asks for `QLearning`, and optimist(wall) returns a `{type(made).__name__}`: "
-            raise WrongAnswer(f"{another if other_kind else ''}{wrong}") from None
+            another = f"{ASKED}, and optimist(wall) returns a `{type(made).__name__}`: " if other_kind else ""
+            raise WrongAnswer(f"{another}{wrong}") from None
         Q[1, :], Q[1, 1] = 0.25, 0.5
         Q[2, :], Q[2, 0] = 0.5, -0.5
         one_in = 1 / n_grips
