@@ -59,6 +59,13 @@ class Reader:
         """What is written there."""
         return str(self("document.querySelector(arguments[0]).innerText", selector))
 
+    def see_drawn(self) -> None:
+        """Wait for twenty frames: the page draws one thing a frame, and has fewer things to draw."""
+        self.driver.execute_async_script(
+            "const done = arguments[0], wait = left => left ? requestAnimationFrame(() => wait(left - 1)) : done();"
+            "wait(20)"
+        )
+
     def race(self) -> str:
         """Run to the end at full speed, and return the verdict."""
         self.move("speed", 9)
@@ -87,6 +94,5 @@ class Reader:
         height = self("document.documentElement.scrollHeight")
         screen = {"width": int(name.split("-")[1]), "height": height, "deviceScaleFactor": 1, "mobile": False}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
-        frame = "requestAnimationFrame"  # a resized page draws its pictures again in some of the next ones
-        self.driver.execute_async_script(f"{frame}(() => {frame}(() => setTimeout(arguments[0], 300)))")
+        self.see_drawn()
         self.driver.save_screenshot(str(folder / f"{name}.png"))

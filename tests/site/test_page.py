@@ -61,6 +61,7 @@ def test_a_link_holds_what_was_seen(address: str, browser: Any) -> None:
     settings = reader("location.href")
     assert "at=" not in settings
     numbers = reader("[...document.querySelectorAll('.numbers')].map(e => e.innerText)")
+    reader.see_drawn()
     curves = reader("document.querySelector('#chart').innerHTML")
     reader("(navigator.clipboard.writeText = text => { window.copied = text })")
     reader.click("#with-results")

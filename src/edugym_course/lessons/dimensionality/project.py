@@ -28,6 +28,7 @@ from edugym_course.lessons.dimensionality.riddles import (
     LOW,
     N_ACTIONS,
     RIDDLES,
+    STORED,
     Album,
     Riddle,
 )
@@ -174,7 +175,10 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if looks_beyond_ends(program, riddle, seed):
         return BEYOND
     if found.trained > SOLVED:
-        return "While it learned, it did: does the policy compute the values of the image that it is given, without ε?"
+        return (
+            "While it learned, it did: does the policy compute the values of the image that it is given, without ε? If"
+            f" it does, they have changed once more in the last steps: is the learning rate too large, or {STORED}"
+        )
     if found.is_one and riddle is RIDDLES[0]:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"

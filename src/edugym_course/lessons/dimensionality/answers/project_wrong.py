@@ -107,7 +107,7 @@
 
 # %% a random policy
 # slow
-# says: While it learned, it did: does the policy compute the values of the image that it is given, without ε?
+# says: While it learned, it did: does the policy compute the values of the image that it is given, without ε? If it does, they have changed once more in the last steps: is the learning rate too large, or are rows of a batch drawn that were never stored?
 # in: a memory in arrays
 # - return network.best
 # + return lambda image: int(rng.integers(k))
@@ -318,7 +318,7 @@ def my_program(environment, n_steps, seed):
 
 # %% empty places of the memory
 # slow
-# says: only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. If your program has a memory, an empty place of it looks like a black image, action 0 and a reward of 0: are the rows of a batch drawn from the steps that were stored, and from no others? If it has none: does it learn too slowly?
+# says: are rows of a batch drawn that were never stored?
 # in: a memory in arrays
 # - i = rng.integers(t + 1, size=32)
 # + i = rng.integers(n_steps, size=32)
