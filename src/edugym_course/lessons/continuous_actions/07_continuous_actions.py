@@ -308,7 +308,7 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves.
 #
-# (All this is within 2 000 updates; after 20 000, nearly all have left at some time.)
+# (After 20 000 updates nearly all have left; with $\sigma$ at 0.2 or above, 5 of 100 at most.)
 #
 # With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. A baseline alone leaves 8
 # outside, and so does a $\sigma$ of 0.2 or above alone (of 1 000 more runs 12 % and 5 %), but nearly all leave at some
@@ -390,11 +390,9 @@ source(GaussianActorCritic.learn)
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# The dotted lines are the best possible returns. (Those of 9 bins and of real numbers lie nearly on each other: 9 bins
-# *can* do almost as well.)
+# The dotted lines are the best possible returns. (9 bins *can* do almost as well as real numbers.)
 #
-# The cell after the next is the whole experiment: three tasks for a table, and one for real numbers. (Further down
-# `methods.learn_all` does all this.)
+# The cell after the next is the experiment (later: `methods.learn_all`).
 #
 # **Predict.** Which of the four needs the fewest steps to its *first* greedy episode of 3.5, on average?
 
@@ -428,11 +426,12 @@ first.measured(min(soon, key=soon.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Three bins are first by far, and the more bins, the later. (Three bins for two joints make 9 actions,
-# nine make 81; that this is the reason is our guess.) But three bins cannot get more than 4.31: twelve of the 20 runs
+# **Measured.** Three bins are first by far, and the more bins, the later. (A guess why: three bins for two joints make 9 actions,
+# nine make 81.) But three bins cannot get more than 4.31: twelve of the 20 runs
 # reach it, and eight stop at 4.07. Five and nine end higher on average.
 #
-# The continuous agent needs about as many steps as 5 bins, but more of its runs fall back. (The aside
+# The continuous agent needs about as many steps as 5 bins, but only with this baseline, whose order of updates is slow
+# (exercise 3): without it, 9 bins need as many, and 5 bins two thirds (60 runs). 9 bins and the continuous agent fall back most. (The aside
 # on PPO has a fair comparison.) </details>
 
 # %% [markdown]
@@ -610,9 +609,9 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The continuous agent, by far. Some 40 % of these runs end at 0 (here 9 of 20, and 38 and 46 of 100 others): the arm picks up the box, and then stays
+# **Measured.** The continuous agent, by far. Some 40 % of these runs end at 0 (here 9 of 20): the arm picks up the box, and then stays
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
-# close to it. But what is possible and what is learned are two things. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0. (A dearer wait helped little, and with $\gamma = 1$ 72 of 100 did not deliver.) That drawn actions are
+# close to it. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0. That drawn actions are
 # never exact ($\sigma$ is fixed) is not the reason: agents that learned in the wide container went on delivering in the narrow one with the same $\sigma$ (all of 40).
 #
 # Three bins lose little more than what is no longer possible for them.
@@ -881,9 +880,11 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # last step backwards, you have another line, an earlier one: the arm comes to some cells several times in an episode, and then the
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
-# The baseline itself is not to blame, but the order is. When the arm is in a cell for the second time, $V$ has already moved to the return of the first, so it depends on the actions, and a baseline must not. Move
-# $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the order of the box. (The reverse order, in which $V$ depends on the actions too, is about as fast as these two: so the bias alone need not make it slower. With 9 bins the answer depends on the measure: the first good greedy episode comes later with this baseline, and the mean return of the drawn actions is higher.) A baseline
-# makes each estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
+# The baseline itself is not to blame, but the order is. Move $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the book's order.
+#
+# Why? Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. We took that alone: $V$ moves after all steps, and $\delta$ shrinks to 60 % with each visit *before* it. Then it takes 22 000 steps, and 13 000 if nothing shrinks; with each visit *after* it, as in the reverse order, 10 000. (60 runs each. With 4 bins: 18 000, 10 000 and 9 000.) So the last visit matters most; likely since it is the one that leaves the cell.
+#
+# A baseline makes each estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
 # </details>
 
 # %% [markdown]

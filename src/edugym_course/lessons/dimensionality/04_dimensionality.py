@@ -975,7 +975,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # episode after episode, and learns the values of actions. In the end it returns its *policy*, a function from an image
 # to the best action. All else is up to you: a memory or none, Q-learning or SARSA, any optimiser.
 #
-# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1; flatten it first. The actions are the whole
+# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1; flatten it first, and store a copy. An episode may be truncated. The actions are the whole
 #   numbers from 0 to `environment.action_space.n - 1`.
 # - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random, of a size
 #   near $1/\sqrt n$ for a layer with $n$ inputs; biases may begin at 0.

@@ -57,10 +57,10 @@ TWIN_STEPS, TWIN_QUESTIONS, TWINS_SOLVED = 4_000, 300, 0.92
 MASK = "Is h_j never below 0, and g_j 0 where h_j is 0?"
 NOT_CHOOSY = f"It does not solve another riddle, in which {CHOOSY.asks}"
 BEYOND = (
-    "Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where"
-    " `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of"
-    " each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not"
-    " from the image in which the action was taken?)"
+    "Its actions change with the image that it is shown after a terminated end, and nothing should hang on it: where"
+    " `terminated` is True, the target is R alone, and the program goes on from the image that *reset* gives. (Or is"
+    " its maximum over a whole batch, and not over the actions of each row? Or does W1 learn from that image, and not"
+    " from the one in which the action was taken?)"
 )
 TOO_RANDOM = "Is ε larger, have ε and 1 − ε changed places, or are all actions drawn at random?"
 FROZEN = (
@@ -183,7 +183,8 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"
             " before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are"
-            " all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?"
+            " all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should"
+            " be a copy?"
         )
     if riddle is RIDDLES[0] and found.played < OPPOSITE:
         return (
@@ -216,7 +217,7 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
             return (
                 "In this riddle, the right action brings 0 and then a better image, and another one 0.7 at once: does"
                 " the target have γ max Q(S', a), with γ = 0.9, by weights that learn, or that are brought up to date"
-                " again and again?"
+                " again and again, and is the error of the actions that were *not* taken 0?"
             )
     return f"In this riddle, {riddle.asks}"
 

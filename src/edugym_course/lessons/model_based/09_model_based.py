@@ -169,7 +169,7 @@ source(DynaQ, "learn", "plan", "imagined_target")
 
 # %% [markdown] tags=["aside"]
 # ### Aside: prioritised sweeping in code
-# This is `plan`. (An `outcome` is one row of the model: a pair, and what followed. The last four lines of the loop walk
+# This is `plan`. (An `outcome` is one row of the model: a pair, and what followed. The four lines before `done += 1` walk
 # through those that lead to the state `s`. `consider` computes $P$, and puts the pair into the queue if $P$ is large
 # enough. In this shop each pair has one outcome, so both branches of the `if` give the same.)
 
@@ -219,7 +219,7 @@ sliders(maps.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_2
 
 # %% [markdown]
 # And in training? One episode of each method, after 1 000 steps of training. Who knows where it is going? (The films
-# stop after 60 steps.)
+# stop after 60 steps. `LEARNED` has the methods of the lesson, by label.)
 
 
 # %%
@@ -240,8 +240,8 @@ watch("prioritised sweeping")
 # %% [markdown]
 # <details><summary>What the films show</summary>
 #
-# Dyna-10 leaves after 18 steps with the red item alone, prioritised sweeping after 39 without the blue one. Q-learning
-# is still looking for the exit.
+# Dyna-10 leaves after 18 steps with the red item, prioritised sweeping after 39 without the blue one. Q-learning
+# still looks for the exit.
 # </details>
 
 # %% [markdown]
@@ -292,7 +292,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
 # that is what a model is for. (The curves are means, which slow runs pull down.) And then they hardly improve.
-# Q-learning ends highest in this shop, and the two that rise first end lowest. (100 runs cannot tell these two apart.)
+# Q-learning ends highest in this shop, and the two that rise first end lowest. (In 300 other runs both ended some 4 below Dyna-10.)
 #
 # The planners' lines in the right panel dip at step 500, where the first long episodes end at the limit, with low
 # returns. (Both panels cut off a bad start.)
@@ -392,9 +392,9 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# - $n$: until half of the runs are at 70, the first ten updates save some 1 750 steps, and thirty more a few hundred.
+# - $n$: until half of the runs are at 70, ten updates save Dyna some 2 000 steps, and thirty more some 200 (100 runs; ten do not show it). They hardly help prioritised sweeping.
 # - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 they end at 95, but slowly.)
-# - $\alpha$: with 0.1 all need at least twice as many steps, and prioritised sweeping four to six times (but it ends higher, at some 88).
+# - $\alpha$: with 0.1 all need at least twice as many steps, and prioritised sweeping four to six times.
 #   Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But with 0.94 or less the way with the highest
 #   *discounted* return leaves an item out, and returns 78. (Runs that have not learned that way may return more.)
@@ -424,14 +424,14 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About 83: planning is not what Dyna lacks. Its policy already is the best by what it has
-# seen, and so, within a fraction of a point, are those of the other planners. Three quarters of their losses, or more,
+# **Measured.** About 83: planning is not what Dyna lacks. Its policy is the best by what it has
+# seen, and so, nearly, are those of the other planners. Three quarters of their losses, or more,
 # come from runs that missed an item, most often the blue one. Q-learning has been everywhere, and
 # makes less of it.
 # </details>
 
 # %% [markdown]
-# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Q-learning wanders about, and comes to
+# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Q-learning wanders to
 # every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The better such an agent plans, the earlier it *exploits*, and the less it gets to know. If
 # so, more exploration should mend it. Two remedies below try that.
 #
@@ -509,7 +509,7 @@ source(RMax, "learn", "plan", "act")
 # The settings are those from above, with 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes up to 1
 # 000 updates a step.
 #
-# **Predict.** Dyna-10 ends at the optimum, 95, in about a third of its runs, after 10 000 steps. In how many runs does R-max
+# **Predict.** Dyna-10 ends at the optimum, 95, in some three of ten runs, after 10 000 steps. In how many runs does R-max
 # have a policy that returns 95 after 2 000 steps?
 
 # %%
@@ -541,7 +541,6 @@ watch("R-max", after=300)
 
 # %% [markdown]
 # ## Predict, then check
-
 # %% [markdown] tags=["aside"]
 # ### Aside: plan at the moment of decision
 # So far plans went into a table. An agent can also plan at the moment of decision, and forget the plan afterwards
@@ -974,7 +973,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how
 #   many there are. They differ from one environment to the next.
-# - Take $\alpha = 1$ (for imagined steps, too), $\gamma = 0.95$ (the lesson's races had 0.99), $\varepsilon = 0.1$, ten imagined steps and first values of 0.
+# - Take $\alpha = 1$ (for imagined steps, too), $\gamma = 0.95$ (the lesson's races had 0.99), $\varepsilon = 0.1$, ten imagined steps and first values of 0. Of equal values take any.
 # - The model keeps for each pair what came of it *last*: the reward, the next state, and whether the episode terminated.
 #   Draw each imagined pair anew from all that were tried: a state that was seen and an action taken there, or a pair at once.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.

@@ -195,8 +195,9 @@ def require_plans(program: Any, seed: int) -> None:
     if not FEWEST <= reached <= MOST:
         as_with = min(set(REACHED) - {PLANNING_STEPS}, key=lambda n: abs(REACHED[n] - reached))
         why = (
-            "Count the imagined steps, draw each from *all* pairs that were tried and from no others, and learn from it"
-            " as from a real one, with α = 1; and from each real step at once, too"
+            "Is a *new* pair drawn for each of ten imagined steps, from *all* that were tried (each action of a state,"
+            " not the latest alone) and from no others? Is it learned from as a real step is, with α = 1, and each real"
+            " step at once, too?"
             if reached < FEWEST
             else "Does it imagine ten steps after each real one, and not a whole sweep?"
         )
@@ -250,7 +251,9 @@ RULE = Rule(
         "what is behind the decimal point is lost: the model or the table holds whole numbers, as an array with"
         " dtype=int does": Learner(Planner, lambda step, before: step._replace(reward=float(int(step.reward)))),
         "γ max_a Q(S', a) is missing in the target": Learner(partial(Planner, discount=0.0)),
-        "γ is 0.99 or 1, and it should be 0.95": Learner(partial(Planner, discount=0.99), leaves=DRAWN),
+        "γ is 0.99 or 1, and it should be 0.95, in an imagined step, too": Learner(
+            partial(Planner, discount=0.99), leaves=DRAWN
+        ),
     }
     | other_settings(Planner, discount=("γ", DISCOUNT, (0.9,))),
     EPSILON,

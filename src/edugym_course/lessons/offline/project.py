@@ -122,9 +122,9 @@ def _why(program: Any, one: Run, seed: int) -> str:
     """Return what a policy that is worth too little looks like, or the riddle that its program does not solve."""
     if len({*one.actions[~TASK.model.terminal].tolist()}) == 1:
         return (
-            "it chooses the same action in every state, as it does where all values of a state are equal; do the values"
-            " change from sweep to sweep, are they looked up in the state to which they belong, does nothing follow"
-            " where `terminated` is True, and is the best action taken?"
+            "it chooses the same action in every state, as it does where all values of a state are equal; does nothing"
+            " follow where `terminated` is True (else all values sink), do they change from sweep to sweep, are they"
+            " looked up in the state to which they belong, and is the best action taken?"
         )
     if one.kept < one.gathered:
         return (

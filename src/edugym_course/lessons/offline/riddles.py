@@ -66,7 +66,10 @@ def _of_all_nights(n_rooms: int = 14) -> Riddle:
             f"action 0 leads to one of {n_rooms} states, in each of which one action brought 10, in two nights alone,"
             " and another cost 80; action 1 leads to a state that brought 6 in each of 10 nights"
         ),
-        asks="does the program learn from *all* nights, from the first to the last, and from those of a rare pair?",
+        asks=(
+            "does the program learn from *all* nights, from the first to the last, and from those of a rare pair?"
+            " (With a learning rate that does not fall, what is learned last counts more than in a mean.)"
+        ),
         placed={0: 0, 2: 0, 1: 1, 3: 1, 76: 2, 78: 2, 77: 3, 79: 3}
         | {41: n_rooms, 40: n_rooms + 1, 5: n_rooms + 2, 4: n_rooms + 3},
     )
@@ -98,9 +101,9 @@ RIDDLES = (
         right=2,
         shows="action 0 brings 3 at once and 6.9 in the last step, and action 2 brings 10 in the last step",
         asks=(
-            "a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are"
-            " as many sweeps as a night has steps, or more. (Or does the table hold whole numbers, as np.full(..., -90)"
-            " makes them?)"
+            "a target is R (in the last step, too) plus the value of the *next* state, without discount, in as many"
+            " sweeps as a night has steps, or more, each with new sums. (Or are values whole numbers, as in"
+            " np.full(..., -90)?)"
         ),
     ),
     Riddle(

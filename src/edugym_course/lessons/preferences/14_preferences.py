@@ -448,8 +448,8 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # **What it must do.** `my_program(environment, compare, n_comparisons, seed)` returns a policy, a function from an observation to
 # an action, always the same action for an observation.
 #
-# - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth), and
-#   `environment.observation_space.nvec` says how many there are of both. The rewards of the environment are always 0. Its
+# - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth) (make a tuple of it for a key), and
+#   `environment.observation_space.nvec` says how many there are of both, with the time after the last step. The rewards of the environment are always 0. Its
 #   nights are longer than those above, and the costs are others: only the teacher knows them.
 # - `compare(first, second)` asks the teacher: True if she prefers the first night. A night is a list of `(observation, action,
 #   next_observation)`, one for each step from `reset` to the end. She may be asked at most `n_comparisons` times (the check allows 300).
@@ -458,10 +458,10 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - A night has no discount: what comes late counts in full. It ends with `terminated`, after the last action.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500).
+# How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500, with a step of 0.02 for the sum over all comparisons).
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more; ours is worth 8.1, and random buttons much less than 0. (Ours is a plain one, from random nights; yours may do better.) Then it lets three *other* teachers answer, who want something
-# else, and two more whose sleepers sleep otherwise. Only their answers tell what, so a clock that you wrote by hand will not please them. Your program runs some 26 times in all. So count the steps of a night in an
+# else, and two more whose sleepers sleep otherwise (in one of these a night may begin in two ways). Only their answers tell what, so a clock that you wrote by hand will not please them. Your program runs some 26 times in all. So count the steps of a night in an
 # array, once; with a loop over the steps in each pass the check takes minutes.
 # <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>

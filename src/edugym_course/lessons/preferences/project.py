@@ -19,7 +19,7 @@ from edugym_course.grading.errors import WrongAnswer, nobody_asks_why
 from edugym_course.grading.programs import NAME, actions_of, require_policy
 from edugym_course.grading.repeats import require_repeats
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.own_problem.morning import Morning
+from edugym_course.lessons.own_problem.morning import Morning, State
 from edugym_course.lessons.preferences.methods import NOISE, PRIOR, learned_rewards, model_of, tuned
 from edugym_course.lessons.preferences.replay import Comparison, Step, likely_mistake
 from edugym_course.lessons.preferences.teachers import (
@@ -48,20 +48,27 @@ NIGHT = "a list of (observation, action, next_observation), one for each step"
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
     """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows.
 
+    Where a night may begin in several ways, no two in a row begin alike.
+
     Attributes:
         seeds: how often reset was given each seed.
     """
 
-    def __init__(self, environment: gymnasium.Env[Any, Any]) -> None:
+    def __init__(self, environment: gymnasium.Env[Any, Any], starts: Sequence[State]) -> None:
         """Count the seeds that reset is given."""
         super().__init__(environment)
         self.seeds = Counter[int]()
+        self._starts = starts
+        self._last: tuple[Any, ...] | None = None
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin a night."""
         begun = self.env.reset(seed=seed, options=options)  # it refuses what is no seed
         if seed is not None:
             self.seeds[seed] += 1
+        while len(self._starts) > 1 and tuple(begun[0]) == self._last:
+            begun = self.env.reset()
+        self._last = tuple(begun[0])
         return begun
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
@@ -117,7 +124,8 @@ class Teacher:
             self._refuse(f"compare takes two nights, each {NIGHT}, but one of them is {in_short(night)}")
         steps = [self._step(one) for one in night]
         rows, ways = model_of(self._mdp).rows, model_of(self._mdp).p
-        state, total = self._mdp.initial(self._rng), 0.0
+        starts = starts_of(self._mdp)
+        state, total = steps[0][0] if steps and steps[0][0] in starts else starts[0], 0.0
         for before, action, after in steps:
             if before != state:
                 self._refuse(
@@ -174,6 +182,12 @@ class Judged(NamedTuple):
         return [tuple(action for _, action, _ in night) for *pair, _ in self.compared for night in pair]
 
 
+def starts_of(mdp: Any) -> list[State]:
+    """The states in which a night may begin."""
+    model = model_of(mdp)
+    return [model.states[row] for row in np.flatnonzero(model.initial)]
+
+
 def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     """Run a program with a seed, and evaluate its policy exactly, as the teacher of an MDP means it.
 
@@ -183,7 +197,7 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     call = f"{NAME}(environment, compare, {N_COMPARISONS}, {seed})"
     morning = MDPEnv(mdp)
     morning.reset(seed=1_000_003 + seed)
-    environment = Silent(morning)
+    environment = Silent(morning, starts_of(mdp))
     teacher = Teacher(mdp, N_COMPARISONS, np.random.default_rng([seed, 1]))
     with student_code(call):
         policy = program(environment, teacher, N_COMPARISONS, seed)
@@ -227,8 +241,8 @@ def project_14(answer: Any, seed: int) -> str:
         why = "" if nobody_asks_why() else f": {symptom(middle, found)}"
         raise WrongAnswer(f"{told}, and it should be worth {lowest:.1f} or more (ours {np.median(ours):.1f}){why}")
     _check_other_wishes(answer, seed)
-    _check_patience(answer, seed)
     _check_first_step(answer, seed)
+    _check_patience(answer, seed)
     return f"Right: {told} (ours {np.median(ours):.1f}); random buttons {_random():.1f}, the best clock {_best():.1f}."
 
 
@@ -286,18 +300,20 @@ def _check_patience(answer: Any, seed: int) -> None:
 
 
 def _check_first_step(answer: Any, seed: int) -> None:
-    """Check that a program learns from the first step of a night.
+    """Check that a program learns from the first step of a night, and from both nights of a pair.
 
     Raises:
-        WrongAnswer: most of its clocks do not take what is paid there.
+        WrongAnswer: most of its clocks do not take what is paid there in each night.
     """
     found = [judged(answer, OTHER_SEEDS * seed + number, AT_ONCE).meant for number in range(OTHER_SEEDS)]
-    if (taken := sum(meant > 0 for meant in found)) <= OTHER_SEEDS // 2:
+    if (taken := sum(meant > 0.6 * AT_ONCE.soon for meant in found)) <= OTHER_SEEDS // 2:
         raise WrongAnswer(
-            f"A last sleeper wakes and falls asleep again in turns, whatever is done, and the teacher pays"
-            f" {AT_ONCE.soon:g} for a chime in the first step of a night. Only {taken} of {OTHER_SEEDS} clocks ring it:"
-            " the first step of both nights has its reward, too, and a reward belongs where it is looked up later: by"
-            " the depth from which the step comes in both places, or by the one to which it leads"
+            f"A last sleeper begins a night asleep or awake, and wakes and falls asleep again in turns, whatever is"
+            f" done. The teacher pays {AT_ONCE.soon:g} in the first step, for a chime if she is asleep, and for a ring"
+            f" if she is awake, and takes {AT_ONCE.later:g} for the same later. Only {taken} of {OTHER_SEEDS} clocks do"
+            " both, and not again: each *time*, depth and action has its own reward, in the first step of *both* nights"
+            " too (are the counts of the second night taken from those of the first?), and it belongs where it is"
+            " looked up later: by the depth from which the step comes in both places, or by the one to which it leads"
         )
 
 
@@ -308,18 +324,24 @@ def symptom(run: Judged, runs: Sequence[Judged]) -> str:
             f"in the {len(run.nights)} nights that you compare only {len({*run.nights})} different rows of actions are"
             " taken: make rng once, before the first night, and draw anew in each step"
         )
-    actions = run.actions[~model_of(TASK).terminal]
+    model = model_of(TASK)
+    actions = run.actions[~model.terminal]
+    mistake = likely_mistake(TASK, [(one.compared, one.actions) for one in runs])
+    if mistake and actions.any():  # where nothing is learned, it is the first action
+        return f"its actions are mostly those of a usual mistake: {mistake}"
     if len({*actions.tolist()}) == 1:
         return (
-            f"it chooses action {actions[0]} in every state; are the rewards that were learned other than 0, and looked"
-            " up in the state and the action where they belong, and does each step begin where the last one ended?"
+            f"it chooses action {actions[0]} in every state: does Q-learning use *your* rewards (those of step are"
+            " always 0), are they other than 0 and looked up in the state and the action where they belong, and does"
+            " each step begin where the last one ended?"
         )
-    if mistake := likely_mistake(TASK, [(one.compared, one.actions) for one in runs]):
-        return f"its actions are mostly those of a usual mistake: {mistake}"
+    by_depth = {(state[1], int(run.actions[row])) for row, state in enumerate(model.states) if not model.terminal[row]}
+    if len(by_depth) == len({depth for depth, _ in by_depth}):
+        return "it does the same at every time: a state is the time *and* the depth, in the values and in the policy"
     if run.meant < _random() - 2:
         return (
-            "that is worse than random buttons; does the *preferred* night gain, is p a sigmoid of the difference, are"
-            " all comparisons learned from, and is the *best* action taken?"
+            "that is worse than random buttons: does the *preferred* night gain, so that w grows by α (y - p), and not"
+            " by α (p - y), and is the *best* action taken? (Or are few of the comparisons learned from?)"
         )
     if run.meant < _random() + 4:
         return (

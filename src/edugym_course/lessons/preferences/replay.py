@@ -74,6 +74,20 @@ class Replay:
         """Rewards that are the same for all actions."""
         return self._best(np.repeat(self._fitted(lambda step: (step[0], 0))[:, :1], self._shape[1], axis=1))
 
+    def without_time(self) -> Integers:
+        """Rewards that are the same at all times."""
+        fitted = self._fitted(lambda step: ((1, step[0][1]), step[1]))
+        return self._best(np.array([fitted[self._model.rows.get((1, depth), 0)] for _, depth in self._model.states]))
+
+    def both(self) -> Integers:
+        """Rewards that explain the answers by the sum of both nights."""
+        first, second = self._counted(lambda step: step[:2])
+        return self._best(fit_rewards(first + second, 0 * second, self._answers, prior=PRIOR))
+
+    def reversed(self) -> Integers:
+        """Rewards that explain the opposite of the answers."""
+        return self._best(-self._rewards)
+
 
 MISTAKES: dict[str, Callable[[Replay], Integers]] = {
     "the policy takes the action with the largest reward, and it should be that with the largest value, which counts"
@@ -81,6 +95,10 @@ MISTAKES: dict[str, Callable[[Replay], Integers]] = {
     "a reward is learned for the observation to which a step leads, and looked up for the one from which it comes: take"
     " the same one in both places": Replay.after,
     "a reward does not hang on the action: each time, depth *and* action has its own": Replay.without_action,
+    "a reward does not hang on the time: each *time*, depth and action has its own": Replay.without_time,
+    "the counts of both nights are added, and those of the second should be taken from those of the first": Replay.both,
+    "the night that was *not* preferred gains: where the first one was preferred, y is 1, and w grows by α (y - p)"
+    " times its counts less those of the second": Replay.reversed,
 }
 """The usual mistakes, by their sentences."""
 

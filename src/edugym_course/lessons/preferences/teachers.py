@@ -62,26 +62,38 @@ class Settled(NamedTuple):
 
 @wrapper
 class AtOnce(NamedTuple):
-    """A sleeper who wakes in every other step, and a teacher who pays for a chime in the first, and for nothing else.
+    """A sleeper who wakes in every other step, and a teacher who pays for one action in the first, and never again.
 
-    No state after it tells of the chime, so who does not learn from the first step of a night never finds it. No step
-    leads to the depth from which it comes, so who learns by the next depth and looks up by this one does not either.
+    That is a chime if she is asleep then, and a ring if she is awake. Later she takes something for the same, so that
+    who leaves out the time does not find it. No state after it tells of the action, so who
+    does not learn from the first step of a night never finds it. No step leads to the depth from which it comes, so who
+    learns by the next depth and looks up by this one does not either. Where nights begin asleep and awake in turns, who
+    learns from one night of each pair alone finds one of the two.
 
     Attributes:
         mdp: the morning.
         soon: what she pays.
+        later: what she takes for the same later.
     """
 
     mdp: Any
     soon: float = 4.0
+    later: float = 2.0
+
+    def initial(self, rng: Random) -> State:
+        """Asleep, or awake."""
+        return 0, ASLEEP if rng.random() < 0.5 else AWAKE
 
     def transition(self, state: State, action: int, rng: Random) -> State:
         """Whatever is done, she wakes, and falls asleep again."""
         return state[0] + 1, AWAKE if state[1] == ASLEEP else ASLEEP
 
     def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
-        """Pay for a chime at first."""
-        return self.soon if state[0] == 0 and action == CHIME else 0.0
+        """Pay at first, and take later."""
+        time, depth = state
+        if action != (CHIME if depth == ASLEEP else RING):
+            return 0.0
+        return self.soon if time == 0 else -self.later
 
 
 class Other(NamedTuple):
@@ -114,10 +126,10 @@ PARTS = (
         Wish(TASK, (0.0, -6.0, 3.0), (0.0, 0.0, 4.0)),
         "hates to doze",
         0.65,
-        "after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the"
-        " error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few"
-        " comparisons asked, is the depth left out, has Q-learning too few nights or too small an α, or is its largest"
-        " value that of another state than the next one?)",
+        "after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Are there"
+        " many passes, and is it the error y - p that is learned from, with p by the rewards as they are then? (Or"
+        " are too few comparisons asked, is the depth left out, has Q-learning too few nights or too small an α, or is"
+        " its largest value that of another state than the next one?)",
     ),
     Other(
         Wish(TASK, (-6.0, 0.0, 8.0), (8.0, 0.0, 0.0)),

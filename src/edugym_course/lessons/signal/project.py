@@ -238,8 +238,8 @@ RULE = Rule(
         ),
         "the sum of the largest weights of the words is subtracted from R; it should be q(O, A), of the action that was"
         " taken": mistake(largest_words=True),
-        "the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode? "
-        "Learn about the one that was taken": mistake(one=False)._replace(nats=ALIKE),
+        "the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode, or"
+        " are all actions drawn at random? Learn about the one that was taken": mistake(one=False)._replace(nats=ALIKE),
         "the weights of the *next* message move: those of the message before the action should": mistake(moved="after"),
         "it learns from the *next* message alone: keep the one before the action until its weights have moved": mistake(
             moved="after", valued="after"

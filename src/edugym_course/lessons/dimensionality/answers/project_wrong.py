@@ -1,6 +1,6 @@
 # %% up the slope
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
@@ -23,7 +23,7 @@
 
 # %% too fast
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
 # in: SARSA from each step once
 # - W += 0.05 * delta * np.outer(g, x)
 # + W += 5.0 * delta * np.outer(g, x)
@@ -43,7 +43,7 @@
 
 # %% weights of 0
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -59,7 +59,7 @@
 
 # %% no end
 # slow
-# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not from the image in which the action was taken?)
+# says: Its actions change with the image that it is shown after a terminated end, and nothing should hang on it: where `terminated` is True, the target is R alone, and the program goes on from the image that *reset* gives. (Or is its maximum over a whole batch, and not over the actions of each row? Or does W1 learn from that image, and not from the one in which the action was taken?)
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * old.layers(S2[i])[2].max(axis=1)
@@ -146,14 +146,14 @@ def my_program(environment, n_steps, seed):
 
 # %% no end, one step at a time
 # slow
-# says: Its actions change with the image that it is shown after a terminated end, so it looks up what comes then: where `terminated` is True, the target is R alone. (Or is its maximum over a whole batch, and not over the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not from the image in which the action was taken?)
+# says: Its actions change with the image that it is shown after a terminated end, and nothing should hang on it: where `terminated` is True, the target is R alone, and the program goes on from the image that *reset* gives. (Or is its maximum over a whole batch, and not over the actions of each row? Or does W1 learn from that image, and not from the one in which the action was taken?)
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = r + 0.9 * q(x2)[1][a2] - Q[a]
 
 # %% W2 before W1
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
 # in: SARSA from each step once
 # - g = V[a] * (h > 0)
 # - V[a] += 0.05 * delta * h
@@ -162,7 +162,7 @@ def my_program(environment, n_steps, seed):
 
 # %% W2 before W1, in a batch
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, or all pixels rounded to 0 or 1, so that no image differs?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
 # in: a memory in arrays
 # - back = (d @ self.W[1].T * (h > 0))[:, :-1]
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
@@ -233,14 +233,14 @@ def my_program(environment, n_steps, seed):
 
 # %% half the discount
 # slow
-# says: In this riddle, the right action brings 0 and then a better image, and another one 0.7 at once: does the target have γ max Q(S', a), with γ = 0.9, by weights that learn, or that are brought up to date again and again?
+# says: In this riddle, the right action brings 0 and then a better image, and another one 0.7 at once: does the target have γ max Q(S', a), with γ = 0.9, by weights that learn, or that are brought up to date again and again, and is the error of the actions that were *not* taken 0?
 # in: SARSA from each step once
 # - delta = r - Q[a] if terminated else r + 0.9 * q(x2)[1][a2] - Q[a]
 # + delta = r - Q[a] if terminated else r + 0.5 * q(x2)[1][a2] - Q[a]
 
 # %% the largest value of the batch
 # slow
-# says: Or is its maximum over a whole batch, and not over the actions of each row? Does it go on from that image in place of the one that reset gives? Or does W1 learn from it, and not from the image in which the action was taken?
+# says: (Or is its maximum over a whole batch, and not over the actions of each row? Or does W1 learn from that image, and not from the one in which the action was taken?)
 # in: a memory in arrays
 # - y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max(axis=1)
 # + y = R[i] + 0.9 * goes_on[i] * old.layers(S2[i])[2].max()

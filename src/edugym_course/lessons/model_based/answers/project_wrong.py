@@ -83,14 +83,15 @@
 # says: in corridors of 30 cells, my_program gets to the end
 # says: times in 400 steps, and with 10 imagined steps after each real one it should be some 5.8 times:
 # says: imagined steps after each real one it should be some
-# says:  times. Count the imagined steps, draw each from *all* pairs that were tried and from no others, and learn from it as from a real one, with α = 1; and from each real step at once, too
+# says:  times.
+# says: Is a *new* pair drawn for each of ten imagined steps, from *all* that were tried (each action of a state, not the latest alone) and from no others?
 # in: a model in arrays
 # - for _ in range(10):
 # + for _ in range(1):
 
 # %% no discount
 # slow
-# says: γ is 0.99 or 1, and it should be 0.95
+# says: γ is 0.99 or 1, and it should be 0.95, in an imagined step, too
 # in: a model in arrays
 # - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
 # + Q[s, a] = r + (1 - terminated) * Q[s2].max()
@@ -109,7 +110,7 @@
 # %% five imagined steps
 # slow
 # says: with 5 it is 3.7 times
-# says: Count the imagined steps, draw each from *all* pairs that were tried and from no others, and learn from it as from a real one, with α = 1; and from each real step at once, too
+# says: Is a *new* pair drawn for each of ten imagined steps, from *all* that were tried (each action of a state, not the latest alone) and from no others? Is it learned from as a real step is, with α = 1, and each real step at once, too?
 # in: lists of lists
 # - for k in self.rng.choice(len(memories), 10):
 # + for k in self.rng.choice(len(memories), 5):
@@ -122,9 +123,26 @@
 # - for k in self.rng.choice(len(memories), 10):
 # + for k in self.rng.choice(len(memories), 100):
 
+# %% one pair for all imagined steps
+# slow
+# says: Is a *new* pair drawn for each of ten imagined steps, from *all* that were tried (each action of a state, not the latest alone) and from no others?
+# in: a model in arrays
+# - for _ in range(10):
+# -     i, j = tried[rng.integers(len(tried))]
+# + i, j = tried[rng.integers(len(tried))]
+# + for _ in range(10):
+
+# %% a model of the latest action
+# slow
+# says: from *all* that were tried (each action of a state, not the latest alone)
+# in: a model in arrays
+# - i, j = tried[rng.integers(len(tried))]
+# + i, j = tried[rng.integers(len(tried))]
+# + j = next(action for state, action in reversed(tried) if state == i)
+
 # %% real steps are only remembered
 # slow
-# says: and from each real step at once, too
+# says: and each real step at once, too?
 # in: lists of lists
 # - me.improve(s, a, r, s2, over)
 
@@ -137,7 +155,7 @@
 
 # %% any pair, and nothing where it was not tried
 # slow
-# says: Count the imagined steps, draw each from *all* pairs that were tried and from no others
+# says: and from no others?
 # in: a model in arrays
 # - i, j = tried[rng.integers(len(tried))]
 # + i, j = int(rng.integers(n_states)), int(rng.integers(n_actions))
@@ -220,7 +238,7 @@
 
 # %% γ of the races
 # slow
-# says: γ is 0.99 or 1, and it should be 0.95
+# says: γ is 0.99 or 1, and it should be 0.95, in an imagined step, too
 # in: a model in arrays
 # - Q[s, a] = r + 0.95 * (1 - terminated) * Q[s2].max()
 # + Q[s, a] = r + 0.99 * (1 - terminated) * Q[s2].max()

@@ -28,13 +28,13 @@
 # + Q = counts
 
 # %% always quiet
-# says: it chooses the same action in every state, as it does where all values of a state are equal; do the values change from sweep to sweep, are they looked up in the state to which they belong, does nothing follow where `terminated` is True, and is the best action taken?
+# says: it chooses the same action in every state, as it does where all values of a state are equal; does nothing follow where `terminated` is True (else all values sink), do they change from sweep to sweep, are they looked up in the state to which they belong, and is the best action taken?
 def my_program(steps, n_states, n_actions, seed):
     return lambda state: 0
 
 
 # %% one sweep
-# says: a target is R (in the last step, too) plus the value of the *next* state, without discount; and there are as many sweeps as a night has steps, or more. (Or does the table hold whole numbers, as np.full(..., -90) makes them?)
+# says: a target is R (in the last step, too) plus the value of the *next* state, without discount, in as many sweeps as a night has steps, or more, each with new sums. (Or are values whole numbers, as in np.full(..., -90)?)
 # in: sums and counts
 # - for _ in range(30):
 # + for _ in range(1):
@@ -65,7 +65,7 @@ my_program = [0, 1, 2]
 
 # %% beyond the end
 # slow
-# says: does nothing follow where `terminated` is True, and is the best action taken?
+# says: does nothing follow where `terminated` is True (else all values sink)
 # in: sums and counts
 # - for _ in range(30):
 # + for _ in range(300):
@@ -95,7 +95,7 @@ my_program = [0, 1, 2]
 # + sums[s, a] = counts[s, a] * (r if terminated else r + V[after])
 
 # %% only what was done six times
-# says: does the program learn from *all* nights, from the first to the last, and from those of a rare pair?
+# says: does the program learn from *all* nights, from the first to the last, and from those of a rare pair? (With a learning rate that does not fall, what is learned last counts more than in a mean.)
 # in: sums and counts
 # - Q = np.where(counts > 0, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
 # + Q = np.where(counts > 5, np.maximum(lowest, sums / n - 2.0 / np.sqrt(n)), lowest)
@@ -160,7 +160,7 @@ def my_program(steps, n_states, n_actions, seed):
 
 # %% half of the nights
 # says: action 0 leads to one of 14 states, in each of which one action brought 10, in two nights alone, and another cost 80; action 1 leads to a state that brought 6 in each of 10 nights
-# says: does the program learn from *all* nights, from the first to the last, and from those of a rare pair?
+# says: does the program learn from *all* nights, from the first to the last, and from those of a rare pair? (With a learning rate that does not fall, what is learned last counts more than in a mean.)
 # in: sums and counts
 # - for s, a, *_ in steps:
 # + steps = steps[: len(steps) // 2]
@@ -209,7 +209,7 @@ def my_program(steps, n_states, n_actions, seed):
 # + return lambda state: int(Q[state][counts[state] > 0].argmax()) if counts[state].any() else 0
 
 # %% whole numbers by the lowest value
-# says: (Or does the table hold whole numbers, as np.full(..., -90) makes them?)
+# says: (Or are values whole numbers, as in np.full(..., -90)?)
 # in: sums and counts
 # - lowest = -100.0
 # + lowest = -90

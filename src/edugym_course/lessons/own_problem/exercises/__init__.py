@@ -151,7 +151,9 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
             f"{kind.__name__} should inherit from NamedTuple, as the form does: class {kind.__name__}(NamedTuple), with"
             " its numbers as fields and without __init__"
         )
-    if task_of(answer).max_steps is not None:
+    with student_code("my_problem"):
+        max_steps = task_of(answer).max_steps
+    if max_steps is not None:
         raise WrongAnswer(
             "my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the"
             " state, and end the episode by `terminal`, as Morning does"
@@ -169,7 +171,7 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
             raise WrongAnswer(f"{error}: is the space large enough, and is `terminal` True in time?") from None
     model = values.model
     policy, live = values.greedy_policy(), ~model.terminal
-    with told_as_wrong():
+    with student_code("my_problem"), told_as_wrong():
         table_sizes(answer.observation_space)
     if len(model.states) < 4 or policy.shape[1] < 2:
         raise WrongAnswer(

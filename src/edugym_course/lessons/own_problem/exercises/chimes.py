@@ -91,7 +91,7 @@ def exercise_3(answer: Any, seed: int, wakes: Wakes = 0.9) -> str:
     require_class("UsedToIt", answer)
     with student_code("UsedToIt()"):
         mine = answer()
-    with told_as_wrong():
+    with student_code("UsedToIt()"), told_as_wrong():
         task_of(mine, "UsedToIt()", MDP_ONLY)
     with student_code("initial(rng)"):
         first = mine.initial(np.random.default_rng(seed))
@@ -103,7 +103,7 @@ def exercise_3(answer: Any, seed: int, wakes: Wakes = 0.9) -> str:
     for some in (states, everywhere):  # a mistake is named by a few of them; it may be made at one time only
         _compare_ways(mine, UsedToChimes(), [(state, action) for state in some for action in (0, 1, 2)], wakes)
     _compare_the_rest(mine, UsedToChimes())
-    with told_as_wrong():
+    with student_code("UsedToIt()"), told_as_wrong():
         check_mdp(mine)
     return "Right: one number more, and the next state depends on the state and the action alone again. See it learn:"
 

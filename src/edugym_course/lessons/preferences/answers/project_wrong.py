@@ -1,6 +1,6 @@
 # %% nothing is learned of the comparisons
 # slow
-# says: it chooses action 0 in every state; are the rewards that were learned other than 0, and looked up in the state and the action where they belong, and does each step begin where the last one ended?
+# says: it chooses action 0 in every state: does Q-learning use *your* rewards (those of step are always 0), are they other than 0 and looked up in the state and the action where they belong, and does each step begin where the last one ended?
 # in: visits as vectors
 # - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
 # + rewards += 0.0 * (differences.T @ (preferred - p) - 0.1 * rewards)
@@ -10,14 +10,14 @@
 # says: the middle one of
 # says: runs makes a clock worth
 # says: , and it should be worth
-# says: that is worse than random buttons; does the *preferred* night gain, is p a sigmoid of the difference, are all comparisons learned from, and is the *best* action taken?
+# says: the night that was *not* preferred gains: where the first one was preferred, y is 1, and w grows by α (y - p) times its counts less those of the second
 # in: visits as vectors
 # - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
 # + rewards += 0.02 * (differences.T @ (1 - preferred - p) - 0.1 * rewards)
 
 # %% both nights gain
 # slow
-# says: it has learned something; does every step of both nights count, as often as it was taken, with its time, depth and action, are there enough passes over the comparisons, and enough nights with random actions in them to learn the policy? Has its target the largest value of the *next* state, without a discount, and in the last step the reward alone? Does it go on from the next observation, is α large enough, and does the policy take the best action by these values, and not by the rewards?
+# says: the counts of both nights are added, and those of the second should be taken from those of the first
 # in: visits as vectors
 # - differences.append(visits(first) - visits(second))
 # + differences.append(visits(first) + visits(second))
@@ -26,14 +26,14 @@
 # slow
 # says: With a teacher who
 # says: hates to doze
-# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes? (Or are too few comparisons asked, is the depth left out, has Q-learning too few nights or too small an α, or is its largest value that of another state than the next one?)
+# says: after deep sleep comes dozing in most random nights, so a step must not get the credit of its night. Are there many passes, and is it the error y - p that is learned from, with p by the rewards as they are then? (Or are too few comparisons asked, is the depth left out, has Q-learning too few nights or too small an α, or is its largest value that of another state than the next one?)
 # in: visits as vectors
 # - p = 0.5 * (1 + np.tanh(differences @ rewards / 2))
 # + p = 0.5
 
 # %% the sign of p
 # slow
-# says: Is it the error y - p that is learned from, with p by the rewards as they are then, and in many passes?
+# says: Are there many passes, and is it the error y - p that is learned from, with p by the rewards as they are then?
 # in: visits as vectors
 # - p = 0.5 * (1 + np.tanh(differences @ rewards / 2))
 # + p = 0.5 * (1 - np.tanh(differences @ rewards / 2))
@@ -211,16 +211,17 @@ my_program = [0, 1, 2]
 
 # %% the first step has no reward
 # slow
-# says: A last sleeper wakes and falls asleep again in turns, whatever is done, and the teacher pays
-# says: for a chime in the first step of a night. Only
-# says: clocks ring it: the first step of both nights has its reward, too, and a reward belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
+# says: A last sleeper begins a night asleep or awake, and wakes and falls asleep again in turns, whatever is done. The teacher pays
+# says: in the first step, for a chime if she is asleep, and for a ring if she is awake, and takes
+# says: for the same later. Only
+# says: clocks do both, and not again: each *time*, depth and action has its own reward, in the first step of *both* nights too (are the counts of the second night taken from those of the first?), and it belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, depth), action, _ in steps[1:]:
 
 # %% learned by the next depth and looked up by this one
 # slow
-# says: a reward belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
+# says: it belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
 # in: visits as vectors
 # - for (time, depth), action, _ in steps:
 # + for (time, _), action, (_, depth) in steps:
@@ -279,3 +280,60 @@ my_program = [0, 1, 2]
 # + table[time, depth, 0] += 1
 # - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
 # + target = rewards[state][0] + Q[next_state].max()
+
+# %% one night of each pair
+# slow
+# says: are the counts of the second night taken from those of the first?
+# in: visits as vectors
+# - differences.append(visits(first) - visits(second))
+# + differences.append(visits(first))
+
+# %% rewards without time
+# slow
+# says: each *time*, depth and action has its own reward, in the first step of *both* nights too
+# in: visits as vectors
+# - table[time, depth, action] += 1
+# + table[0, depth, action] += 1
+# - rewards = rewards.reshape(shape)
+# + rewards = np.tile(rewards.reshape(shape)[:1], (shape[0], 1, 1))
+# - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
+# + rewards += 0.002 * (differences.T @ (preferred - p) - 0.1 * rewards)
+
+# %% values without time
+# slow
+# says: it does the same at every time: a state is the time *and* the depth, in the values and in the policy
+# in: visits as vectors
+# - target = rewards[state][action] + Q[next_state].max()  # after the last step it is 0
+# - Q[state][action] += 0.1 * (target - Q[state][action])
+# + target = rewards[state][action] + (state[0] < shape[0] - 2) * Q[0, next_state[1]].max()
+# + Q[0, state[1], action] += 0.1 * (target - Q[0, state[1], action])
+# - return lambda observation: int(Q[tuple(observation)].argmax())
+# + return lambda observation: int(Q[0, observation[1]].argmax())
+
+# %% the second night is not taken away
+# slow
+# says: clocks do both
+# in: visits as vectors
+# - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
+# + rewards += 0.02 * (firsts.T @ (preferred - p) - 0.1 * rewards)
+# - differences, preferred = [], []
+# + differences, preferred, firsts = [], [], []
+# - differences.append(visits(first) - visits(second))
+# + differences.append(visits(first) - visits(second))
+# + firsts.append(visits(first))
+# - differences, preferred = np.array(differences), np.array(preferred)
+# + differences, preferred, firsts = np.array(differences), np.array(preferred), np.array(firsts)
+
+# %% the sign of the error
+# slow
+# says: that is worse than random buttons: does the *preferred* night gain, so that w grows by α (y - p), and not by α (p - y), and is the *best* action taken? (Or are few of the comparisons learned from?)
+# in: visits as vectors
+# - rewards += 0.02 * (differences.T @ (preferred - p) - 0.1 * rewards)
+# + rewards += 0.02 * (differences.T @ (p - preferred) - 0.1 * rewards)
+
+# %% rewards without time that are planned with
+# slow
+# says: a reward does not hang on the time: each *time*, depth and action has its own
+# in: gradient steps and planning by counting
+# - Q = w[time] + p[time] @ V
+# + Q = w[:-1].mean(axis=0) + p[time] @ V

@@ -88,7 +88,7 @@ def my_program(environment, n_steps, seed):
 
 # %% all actions
 # slow
-# says: the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode? Learn about the one that was taken
+# says: the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode, or are all actions drawn at random? Learn about the one that was taken
 # in: weights in an array
 # - delta = r - q[a]
 # - theta[:, a] += 0.01 * delta * x
@@ -137,7 +137,7 @@ def my_program(environment, n_steps, seed):
 
 # %% nothing is learned
 # slow
-# says: the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode? Learn about the one that was taken
+# says: the values of all actions are alike: do the weights of all move, or of none, or begin anew in each episode, or are all actions drawn at random? Learn about the one that was taken
 # in: weights in an array
 # - theta[:, a] += 0.01 * delta * x
 

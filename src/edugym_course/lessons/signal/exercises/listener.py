@@ -10,7 +10,7 @@ import numpy as np
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.agents import agent_created_by, table_of
 from edugym_course.grading.choices import ChoiceCase, action_of, check_all_choices
-from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.errors import TooSlow, WrongAnswer
 from edugym_course.grading.mistakes import LOOKS_LIKE
 from edugym_course.grading.student_code import student_code
 
@@ -18,6 +18,10 @@ FOUR_NEEDS = 4
 DRAWS = 300
 """Draws for each case when it is asked whether the last action is taken again."""
 CALL = "act(observation, rng)"
+PICKED_AGAIN = (
+    "(If `pick` is called until another action comes: where the last action has the most words alone, that never"
+    " happens. Leave it out of the votes, and pick once.)"
+)
 
 
 class Heard(NamedTuple):
@@ -208,6 +212,8 @@ def check_actions(made: Any, cases: Sequence[Heard], loud: float) -> None:
         asked.append(ChoiceCase(_chooser(made, case), right.tolist(), telling, {}, case.told))
     try:
         check_all_choices(CALL, asked)
+    except TooSlow as late:
+        raise TooSlow(f"{late} {PICKED_AGAIN}") from None
     except WrongAnswer as wrong:
         if all(_fails(made, case) == (max(case.observation[1:]) >= FOUR_NEEDS) for case in cases):
             raise WrongAnswer(f"{wrong}; word k names need k % 4, and there are more than four words") from None
@@ -254,7 +260,8 @@ def _check_left_out(made: Any, cases: Sequence[Heard]) -> None:
     """Check that the last action is never taken again."""
     for case in cases:
         rng, choose = np.random.default_rng(2), _chooser(made, case)
-        again = sum(choose(rng) == case.last for _ in range(DRAWS))
+        with student_code(case.call):
+            again = sum(choose(rng) == case.last for _ in range(DRAWS))
         if again:
             raise WrongAnswer(
                 f"{CALL}, {case.told}, takes action {case.last} in {again / DRAWS:.0%} of calls, but that is the one"
