@@ -880,7 +880,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check runs your program in small worlds of its own, in which states look alike, and for 20 000 steps in the
-# corridor. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the likely
+# corridor, some twenty seconds in all. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the likely
 # one.
 
 # %% tags=["project"]

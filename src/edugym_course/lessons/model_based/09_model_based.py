@@ -978,7 +978,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   Draw each imagined pair anew from all that were tried: a state that was seen and an action taken there, or a pair at once.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check runs your program in small worlds of its own and for 2 000 steps in the shop. It sees the steps that your
+# The check runs your program in small worlds of its own and for 2 000 steps in the shop, half a minute in all. It sees the steps that your
 # program takes, and no line of it. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]

@@ -527,7 +527,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 #   `"player_0"` and `"player_1"`: `seen, _ = environment.reset(seed=seed)`, and `seen, rewards, terminated, truncated, _ = environment.step({"player_0": a, "player_1": o})`.
 #   When an episode is over, terminated or truncated, `environment.agents` is empty, and `seen` still holds the last state for both. Only `terminated["player_0"]` means that nothing follows.
 # - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions it has; `"player_1"` may have fewer.
-#   Both players see the same state.
+#   Both players see the same state. (`games.parallel_env(games.Soccer.create())` is one to try your program in.)
 # - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player, drawn for each of them. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #

@@ -204,13 +204,13 @@ def _traps(rng: Random) -> House:
 
 AFTER_THE_END = (
     "after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated`"
-    " the target is R alone"
+    " the target is R alone (and elsewhere R + γ V(S'), with the value of the matrix game)"
 )
 BACK = "there an action leads back to the same state, and costs 1: learn from it as from any other step"
 ROOMS = Riddle(
     _rooms,
     "its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] moved by α (T - Q) after"
-    " every pair of actions, and is the policy returned without the random moves?",
+    " every pair of actions, can Q hold fractions, and is the policy returned without the random moves?",
 )
 CHANCE = Riddle(
     _chance,
@@ -227,8 +227,8 @@ RIDDLES = (
     CHANCE,
     Riddle(
         _way,
-        "it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is"
-        " the value of the matrix game of S'. (Is `terminated` read by the name of a player?)",
+        "it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the"
+        " matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)",
     ),
     Riddle(
         _soon,

@@ -234,18 +234,17 @@ highest.measured(seen)
 # **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. What it gets for
 # that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
 # seeking one about 3 in 100; the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
-# neutral player did not pay here. (While exploring, in the right panel of the learning curves, the seeking player is a
-# little ahead.)
+# neutral player did not pay here. (With $\alpha = 0.1$ it does: nearly all seeking runs drive first, and earn 0.06 more. See the aside.)
 #
 # *Seeking.* The order of the swings matters. Runs that drive first earn 0.86. But half of the runs chip first and
 # drive then, from closer to the far edge. They lose more than twice as many balls, and earn 0.78.
 #
-# *Averse.* Of its runs, 8 of 30 have learned to start with a putt, which wastes a hit: 0.70. The others earn 0.78, and
+# *Averse.* Of its runs, 8 of 30 have learned to start with a putt, which wastes a hit: 0.70. (With first values of 1 none does.) The others earn 0.78, and
 # a player who follows a rule and never drives earns 0.79 (exercise 2).
 #
 # *Neutral.* Played without a mistake, the fast plan earns 0.87. But only 11 of the 30 neutral runs start with a drive;
-# most of the others play the safe plan. So the neutral mean is 0.82, only 0.06 more than that of the averse player. What keeps the others from
-# the drive is the question of "What noise does to learning".
+# most of the others play the safe plan. So the neutral mean is 0.82, only 0.06 more than that of the averse player. Why, is the question of
+# "What noise does to learning".
 # </details>
 
 # %% [markdown]
@@ -295,7 +294,7 @@ sliders(
 # Up to about 0.0075 all three play alike. With $\beta = 5$ the averse player falls to 0.66, and the seeking player
 # gains nothing. With $\alpha = 1$ the averse player falls to 0.73 and the seeking one to 0.67; the neutral one stays at
 # 0.81. The weight goes up to 2, so with $\alpha = 1$ a value can jump beyond its target. With $\alpha = 0.5$ no
-# step is so long, and the two earn 0.79 and 0.86.
+# step is so long, and the two earn 0.79 and 0.86, more than with 0.02: large steps soon forget first values of 0.
 # </details>
 
 # %% [markdown]
@@ -420,7 +419,7 @@ noisy.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. There
+# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. (The learned one stops a little earlier, near 0.018.) There
 # seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
@@ -514,8 +513,8 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** With the rest of the game known, by far. So here bad luck with drives is the smaller reason. With both
-# changes all runs drive. (That is not so everywhere. At level 0.0165 the drive is ahead by 0.05 only. There bad luck
-# alone is enough: also with the rest of the game known, only 28 % of 60 runs drive, and 43 % of 60 others. With smaller steps as well, $\alpha
+# changes all runs drive. (Not everywhere: at level 0.0165 the drive is ahead by 0.05 only, and bad luck
+# alone is enough: also with the rest of the game known, only 29 % of 420 runs drive. With smaller steps as well, $\alpha
 # = 0.005$, 88 % do.)
 #
 # The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. Probably that has the same
@@ -525,8 +524,7 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # What can an agent do that has nobody to play the rest of the game? Its values can start at 1, so that what was not
 # tried looks good; it can take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
-# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100. (Here
-# all such runs drive in about half of their games or more.)
+# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100: it drives in about half of its games or more, perhaps after a chip.
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -537,10 +535,9 @@ for label, one in players.items():
     print(f"neutral, {label:23}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk")
 
 # %% [markdown]
-# All patient runs take the risk, and their mean is nearly the optimum. Does it take all three changes? We tried the
-# other combinations. With one change alone, half to three quarters of the runs take the risk, and with longer training and
-# one of the other two no more. With good first values and smaller steps all runs take it, but their mean is 0.85: they
-# are not done learning. So it takes all three.
+# All patient runs take the risk, and their mean is nearly the optimum. It takes all three changes. With one
+# alone, half to three quarters of the runs take the risk, and with longer training and one other no more. With first
+# values and smaller steps all runs take it, but they are not done learning: 0.85.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: "Risk-seeking pays"?
@@ -708,7 +705,7 @@ from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1,
 #
 # <details><summary>Hint</summary><code>exact.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
 # swing from the tee at level 0.015, as a dictionary: <code>["drive"]</code> and <code>["chip"]</code> are its entries.
-# Leave out the <code>cell=0.25</code> of the code above, which is faster but too coarse for four decimals. Try some
+# Leave out the <code>cell=0.25</code> of "The attitude moves the crossing", which is faster but too coarse for four decimals. Try some
 # levels, or write a loop that starts at 0.01 (a level of 0 is not allowed).</details>
 
 # %%
@@ -877,7 +874,7 @@ display(
 #
 # With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes nearly as much
 # risk as the seeking one: other weights, the same idea. $\kappa = -0.5$ also has the highest mean of the five. Many
-# neutral learners are too careful at this level, so a push can help. $\beta = 2$ leads half of its runs to the worse
+# neutral learners are too careful at this level, so a push can help. $\beta = 2$, with steps as small as $\alpha = 0.02$, leaves half of its runs at the worse
 # order. With $\kappa = -0.5$, 23 of 30 runs drive first.
 #
 # Try it where the drive is not the best swing: give `race` an empty dictionary instead of `played`, and `level=0.02`,
@@ -971,7 +968,7 @@ check(project_8, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
-# of them, and so learning takes many visits, and with a constant step size a small one. A mean does not tell how far
+# of them, and so to get it right takes many visits, and a constant step size that is small. A mean does not tell how far
 # the results lie apart. Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal
 # rewards adds $\beta/2$ times the variance to the mean. So it moves the point at which a risk stops being worth taking.
 # Safety has a price in the mean. An exact risk-seeker never earns more on average than the best neutral player; a

@@ -33,21 +33,21 @@
 # %% half at random
 # slow
 # says: Look at this state:
-# says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] moved by α (T - Q) after every pair of actions, and is the policy returned without the random moves?
+# says: its policy should be that of the matrix game Q[state]: is Q[state, action, other_action] moved by α (T - Q) after every pair of actions, can Q hold fractions, and is the policy returned without the random moves?
 # in: all pairs at random
 # - return lambda state: solved[state].first if state in solved else [1 / shape[1]] * shape[1]
 # + return lambda state: 0.6 * solved[state].first + 0.4 / shape[1]
 
 # %% reward alone
 # slow
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)
 # in: all pairs at random
 # - target += 0.9 * value(int(seen[me]))
 # + target += 0.0
 
 # %% as if the other were kind
 # slow
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return Q[state].max()
@@ -67,7 +67,7 @@
 
 # %% beyond the end
 # slow
-# says: Look at the end of an episode: after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated` the target is R alone
+# says: Look at the end of an episode: after the end a number is seen that other states have, too: what comes then is worth 0, so with `terminated` the target is R alone (and elsewhere R + γ V(S'), with the value of the matrix game)
 # in: all pairs at random
 # - if not terminated[me]:
 # -     target += 0.9 * value(int(seen[me]))
@@ -149,7 +149,7 @@ my_program = games.MinimaxQ
 
 # %% one action by itself is what a place is worth
 # slow
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return Q[state].min(axis=1).max()
@@ -188,7 +188,7 @@ my_program = games.MinimaxQ
 
 # %% a place is worth what coins bring
 # slow
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return Q[state].mean()
@@ -196,7 +196,7 @@ my_program = games.MinimaxQ
 
 # %% a place is worth what is won from random play
 # slow
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return solved[state].first @ Q[state].mean(axis=1) if state in solved else 0.0
@@ -204,7 +204,7 @@ my_program = games.MinimaxQ
 
 # %% a place is worth what comes with the random moves
 # slow
-# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player?)
+# says: it pays nothing and leads to others: the target is R + γ V(S'), with γ = 0.9, where V(S') is the value of the matrix game of S'. (Is `terminated` read by the name of a player, and is each action tried?)
 # in: all pairs at random
 # - return solved[state].value if state in solved else 0.0
 # + return 0.8 * solved[state].value + 0.2 * Q[state].mean() if state in solved else 0.0
