@@ -294,19 +294,20 @@ worst.measured(min(late, key=late.get))
 # $\gamma = 0.99$ find the optimum in most runs (here in 28 of 30, and in 24 of 30 on average over 59 other seeds), and in the rest
 # a worse way, mostly with two items.
 #
-# At first this learner is as bad as the one with $\gamma = 0$. It has to meet the items and the exit. Every step costs a point,
-# so an action that it has tried soon looks worse than one that it has not, and it tries them all. Then the value of
-# the items and the exit comes back along the way, one state after the other. </details>
+# At first its line on the left is as low as that of $\gamma = 0$: it does not learn in these episodes, so it takes the same
+# action again and again, often into a wall. While it learns (right) it is soon better than random play: what it
+# has tried looks worse than what it has not, so it tries all actions. Then the value of the items and the exit comes
+# back along the way, one state after the other. </details>
 #
 # <details><summary>Why is γ = 0 worse than random play, and why does its line rise later?</summary>
 #
 # Where the agent has often been, its values are about −1, except beside an item or the exit. With exactly right values
 # it would be the player with −248 points from above. But they are not quite right, and in these episodes they do not change. So the
 # smallest difference decides, in the same way at every visit, and the shopper stands at a wall or wanders in one part
-# of the shop until the clock stops. While it learns (right panel) it is no worse than random play.
+# of the shop until the clock stops. While it learns (right panel) it is a little better than random play.
 #
-# Why the orange line rises later is a guess of ours: after some forty tries of each action all four values are so near
-# to −1 that they count as equal (up to $10^{-12}$ here), and chance decides again. A test of it: with $\alpha = 1$ a
+# Why does the orange line rise later? After some forty tries of each action all four values are so near
+# to −1 that they count as equal (up to $10^{-12}$ here), and chance decides again. Two tests: where the first of equal actions is always taken, the line stays at −500; and with $\alpha = 1$ a
 # value is exactly −1 after one try, and this player is nearly as good as the one of −248. </details>
 
 # %% [markdown]
@@ -314,7 +315,7 @@ worst.measured(min(late, key=late.get))
 #
 # With $\gamma = 0.95$ the best way collects all three items.
 #
-# **Predict.** How many items does the best way collect with $\gamma = 0.85$?
+# **Predict.** How many items does the best way (the orange line below) collect with $\gamma = 0.85$?
 
 # %%
 items = predict("With γ = 0.85 the best way collects ...", ["no item", "one", "two", "all three"])
@@ -335,8 +336,8 @@ items.measured(items.options[exact.items_on(exact.best_way(0.85))])
 
 # %% [markdown]
 # The map shows $v_*$ of each cell for one bag, and the best action as an arrow. (A slanted arrow: two actions are
-# equally good. No arrow: more than two are, or two opposite ones, or it is the entrance, "in".) The orange line is the best way from the entrance,
-# for the empty bag only. After an item the bag is another one, so from there on the line may run against the arrows.
+# equally good. No arrow: more than two are, or two opposite ones, or it is the entrance, "in".) The orange line, the best way from the entrance,
+# is drawn on the map of the empty bag alone. After an item the bag is another one, so from there on the line may run against the arrows.
 # The right panel always shows this way: what each of its rewards counts at the start.
 #
 # *Move a slider and let it go.* At which values of $\gamma$ does the best way change? What is best for $\gamma = 0$?
@@ -373,7 +374,7 @@ sliders(
 )
 
 # %% [markdown]
-# The colour starts beside the red item and comes back towards the entrance, a few cells from picture to picture. Later
+# The colour starts beside the red item and comes back towards the entrance, one or two cells from picture to picture. Later
 # the cells grow darker once more: now the value of the other items and of the exit has come back too. In the end the
 # value of the first state, the entrance with an empty bag, is exactly right, for this agent. (The rest of the way has the bags "red",
 # "red and green" and "all three".)

@@ -144,15 +144,13 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
     if isinstance(answer, Morning) or type(answer).__name__ == "Morning" or is_like(type(answer), Morning):
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
     with student_code("my_problem"), told_as_wrong():
-        task_of(answer, "my_problem", MDP_ONLY)
+        max_steps = task_of(answer, "my_problem", MDP_ONLY).max_steps
     kind = type(answer)
     if not issubclass(kind, tuple):
         raise WrongAnswer(
             f"{kind.__name__} should inherit from NamedTuple, as the form does: class {kind.__name__}(NamedTuple), with"
             " its numbers as fields and without __init__"
         )
-    with student_code("my_problem"):
-        max_steps = task_of(answer).max_steps
     if max_steps is not None:
         raise WrongAnswer(
             "my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the"

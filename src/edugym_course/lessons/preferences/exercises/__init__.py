@@ -93,6 +93,8 @@ def exercise_1(answer: Any, seed: int, lead: Lead = 0.0) -> str:
         with student_code(call):
             found = answer(first, second, 1.0)
         given(call, found)
+        if hasattr(found, "item") and not getattr(found, "ndim", 0):
+            found = found.item()  # an array without axes, of NumPy or torch
         if isinstance(found, int | float | np.number) and 1e-6 < abs(found - expected) < 0.1:
             raise WrongAnswer(f"{call} should be {expected:g}, but is {found}: the difference is cut off too early")
         if not isinstance(found, int | float | np.number) or not abs(found - expected) < 1e-6:
