@@ -60,7 +60,7 @@ class Reader:
         return str(self("document.querySelector(arguments[0]).innerText", selector))
 
     def see_drawn(self) -> None:
-        """Wait for twenty frames: the page draws one thing a frame, and has fewer things to draw."""
+        """Wait for twenty frames: the page draws one thing a frame, and fewer than twenty."""
         self.driver.execute_async_script(
             "const done = arguments[0], wait = left => left ? requestAnimationFrame(() => wait(left - 1)) : done();"
             "wait(20)"

@@ -1,4 +1,4 @@
-"""Whatever call of a student's code does not end, the check ends it: each is made within `time_limit`.
+"""The check of an exercise ends any call of a student's code that does not end: each is made within `time_limit`.
 
 Here the limit is over at once, in one of the calls that a check makes, so nothing has to wait.
 """
@@ -22,7 +22,7 @@ EXERCISES = groupby(
     (answer for answer in ANSWERS if answer.exercise and not answer.slow),
     lambda answer: (answer.lesson, answer.exercise, answer.right),
 )
-SOME = [answer for _, answers in EXERCISES for answer in [*answers][::5]]
+EVERY_FIFTH = [answer for _, answers in EXERCISES for answer in [*answers][::5]]
 """Of each exercise every fifth right answer and every fifth wrong one."""
 LATE = "it is too late"
 
@@ -64,7 +64,7 @@ class Watch:
         while caller:
             callers.append(f"{caller.f_code.co_filename}, line {caller.f_lineno}")
             caller = caller.f_back
-        if any("checking.py" in caller for caller in callers):  # and not when the answer itself is made
+        if any("checking.py" in place for place in callers):  # and not when the answer itself is made
             self.untimed = self.untimed or callers[0]
 
 
@@ -81,9 +81,9 @@ def watched(answer: Answer, monkeypatch: pytest.MonkeyPatch, late: int | None = 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("answer", SOME, ids=lambda one: f"{one.lesson}-{one.exercise}-{one.name}")
+@pytest.mark.parametrize("answer", EVERY_FIFTH, ids=lambda one: f"{one.lesson}-{one.exercise}-{one.name}")
 def test_a_call_that_does_not_end(answer: Answer, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first call, one in the middle, or the last: then a right answer is refused; no call has no limit."""
+    """The first call, one in the middle, or the last: then a right answer is refused; each call has a limit."""
     _, watch = watched(answer, monkeypatch)
     assert watch.untimed == ""
     for late in sorted({1, (watch.timed + 1) // 2, watch.timed}) if watch.timed else []:

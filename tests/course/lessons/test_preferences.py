@@ -66,7 +66,7 @@ def test_a_learned_reward_is_paid_at_its_state() -> None:
 
 def test_what_is_meant_is_hidden() -> None:
     """The environment of the project pays nothing, and nothing below it can be reached by the usual name."""
-    environment = project.Silent(MDPEnv(teachers.TASK), [])
+    environment = project.Silent(MDPEnv(teachers.TASK), 1)
     environment.reset(seed=0)
     while True:
         _, reward, terminated, _, info = environment.step(2)
@@ -120,7 +120,7 @@ def test_what_a_policy_has_learned(method: Callable[[replay.Replay], Integers], 
 
 
 def test_what_follows_from_many_answers() -> None:
-    """The best policy, nearly; each mistake is worse than that, and only the opposite than random actions."""
+    """The best policy, nearly; each mistake is worse than that, and only `opposite` is worse than random actions."""
     replayed = replay.Replay(Morning(), compared_nights(Morning(), 3_000, 0))
     right, *wrong = (
         policy_evaluation(MODEL, method(replayed)).start for method in (replay.Replay.right, *replay.MISTAKES.values())
@@ -129,5 +129,5 @@ def test_what_follows_from_many_answers() -> None:
     at_random = policy_evaluation(MODEL, np.full_like(REFERENCE, 1 / 3)).start
     assert all(one < right - 1 for one in wrong)
     assert [one < at_random for one in wrong] == [
-        mistake is replay.Replay.reversed for mistake in replay.MISTAKES.values()
+        mistake is replay.Replay.opposite for mistake in replay.MISTAKES.values()
     ]

@@ -461,7 +461,7 @@ noise.measured(100 * targets.noise_share(0.2))
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
 # aside), while on a free day two actions of this layout differ by 0.1 on average. That is one reason why Monte Carlo passes the exam and wastes its free
-# days, even without noise of the rewards. It is not the only one: with $\varepsilon = 0$ nothing scatters, and it wastes them too (see the aside).
+# days, even without noise of the rewards. It is not the only one: with $\varepsilon = 0$ nothing scatters, and Monte Carlo wastes them too (see the aside).
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is this scatter the reason?
@@ -524,7 +524,7 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # 0.1 for $n = 5$ (it hardly matters), and 0.3 for $n = 3$ and $n = 1$. One-step targets need a large rate to get down the staircase in
 # time. Monte Carlo explores more with a small one (see “why a small rate suits Monte Carlo”).
 #
-# In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. (Here $n = 3$ did as well.) *Never compare two values of $n$ at one
+# In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. (Here $n = 3$ equals Monte Carlo.) *Never compare two values of $n$ at one
 # learning rate only.*
 # </details>
 

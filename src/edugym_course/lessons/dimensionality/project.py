@@ -27,8 +27,8 @@ from edugym_course.lessons.dimensionality.riddles import (
     GOOD,
     LOW,
     N_ACTIONS,
+    NEVER_STORED,
     RIDDLES,
-    STORED,
     Album,
     Riddle,
 )
@@ -177,14 +177,14 @@ def _cause(program: Any, riddle: Riddle, found: Solution, seed: int) -> str:
     if found.trained > SOLVED:
         return (
             "While it learned, it did: does the policy compute the values of the image that it is given, without ε? If"
-            f" it does, they have changed once more in the last steps: is the learning rate too large, or {STORED}"
+            " it does, they have changed once more in the last steps: is the learning rate too large, or"
+            f" {NEVER_STORED}"
         )
     if found.is_one and riddle is RIDDLES[0]:
         return (
             "It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed"
             " before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are"
-            " all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should"
-            " be a copy?"
+            " all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, and not copies?"
         )
     if riddle is RIDDLES[0] and found.played < OPPOSITE:
         return (

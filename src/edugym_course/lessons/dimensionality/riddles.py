@@ -101,13 +101,13 @@ DARK = RIDDLES[0]._replace(
     " matter and the values are those of the biases: are there biases, and does the gradient change b1 and b2?",
     dark=True,
 )
-STORED = "are rows of a batch drawn that were never stored?"
+NEVER_STORED = "are rows of a batch drawn that were never stored?"
 EMPTY = Riddle(
     Move(1.0, GOOD),
     Move(0.5, GOOD),
     "only a black image counts, with which half of the episodes begin. There action 0 brings 1, and the others 0.5. If"
-    f" your program has a memory, an empty place of it looks like a black image, action 0 and a reward of 0: {STORED}"
-    " If it has none: does it learn too slowly?",
+    " your program has a memory, an empty place of it looks like a black image, action 0 and a reward of 0:"
+    f" {NEVER_STORED} If it has none: does it learn too slowly?",
     dark=True,
     first=True,
 )

@@ -310,7 +310,7 @@ sliders(
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on.
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
-# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99: it climbs too slowly, with small bonuses too. Why, we do not know.
+# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99: it climbs too slowly, even with small bonuses. We do not know why.
 # </details>
 
 # %% [markdown]
@@ -394,7 +394,7 @@ for method in causes.methods:
 # %% [markdown]
 # So novelty stalls for two reasons, the way back and the grip, and they multiply. At a frontier of 40, one climb in
 # eight gets back, and one visit in twenty takes the right grip: that makes about 150 climbs after each wrong first try.
-# (Between 5 and 20 it takes about 100, where the two make 40; with $\alpha = 1$, 60.)
+# (At heights 5 to 20 it took some 100, where the two make 40, and 60 with $\alpha = 1$.)
 # And the two pull in opposite directions: slips end the climbs, and slips are what it needs at the frontier. (Exercise
 # 3 mends both.)
 #
@@ -778,10 +778,10 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall
 # of height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an
-# idea of your own. (Optimism with α = 0.5 as in exercise 2, the explorer of exercise 3 with any α, and Go-Explore with many random steps in a row often need more steps. First values or bonuses that are larger than the reward of the top pay for staying below.) Some 30 lines are enough.
+# idea of your own. (Optimism with α = 0.5 as in exercise 2, the explorer of exercise 3 with any α, and Go-Explore with many random steps in a row often need more steps. If first values or bonuses exceed the reward of the top, staying below pays.) Some 30 lines are enough.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
-# episode. In the end it returns its *policy*: a function that takes a state and returns an action, always the same one, and climbs to the top
+# episode. In the end it returns its *policy*: a function that takes a state and returns an action, the same at each visit, and climbs to the top
 # without a fall. All else is up to you: functions, classes, any names.
 #
 # - States and actions are whole numbers from 0. `environment.observation_space.n` and `environment.action_space.n` say how

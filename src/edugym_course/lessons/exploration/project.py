@@ -65,8 +65,8 @@ def project_1(answer: Any, seed: int) -> str:
                 f"{name}, the program reached the top {len(firsts)} times while it learned, but the policy that it"
                 f" returns does so in {(climbs >= 1).sum()} of {CLIMBS} climbs of {HEIGHT} steps: does it remember the"
                 " way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), from"
-                " the state that reset gives in each episode, and are no first values or bonuses larger than what the"
-                " top brings?"
+                " the state that reset gives in each episode, and are all first values and bonuses below what the top"
+                " brings?"
             )
         found.append(firsts[0])
     told = ", ".join(map(str, found))
@@ -90,8 +90,8 @@ def _why(run: Run, n_grips: int) -> str:
     if place >= LOW and times > OFTEN:
         return (
             f"{seen}, and at place {place} grip {grip} was tried {times} times, though it sends the climber to the"
-            " ground every time: remember what did not hold, and try something else there (a try is counted at the"
-            " place that was *left*)"
+            " ground every time: remember what did not hold, and try something else there (count a try where"
+            " it *began*)"
         )
     untried = _never_taken(run.steps, n_grips)
     if untried:

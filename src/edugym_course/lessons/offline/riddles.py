@@ -101,9 +101,8 @@ RIDDLES = (
         right=2,
         shows="action 0 brings 3 at once and 6.9 in the last step, and action 2 brings 10 in the last step",
         asks=(
-            "a target is R (in the last step, too) plus the value of the *next* state, without discount, in as many"
-            " sweeps as a night has steps, or more, each with new sums. (Or are values whole numbers, as in"
-            " np.full(..., -90)?)"
+            "a target is R (in the last step, too) plus the value of the *next* state, without discount, with new sums"
+            " in each sweep, and ten sweeps or more. (Or are values whole numbers, as in np.full(..., -90)?)"
         ),
     ),
     Riddle(

@@ -229,7 +229,7 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # For the *meant* return to fall it takes one thing more: a reference that is good, as ours is, which was made from the best clock. With the same rewards and a
-# penalty for leaving *random buttons* the first reward promises as much too much, and the meant return rises to the end (100 runs). So a penalty
+# penalty for leaving *random buttons* the first reward overpromises just as much, and the meant return rises to the end, though no higher than it falls to here (100 runs). So a penalty
 # helps as far as the reference knows what the comparisons do not tell.
 #
 # On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises nearly to the end. (Both
@@ -343,7 +343,7 @@ in_rounds.measured(rounds.at(methods.MODEST).mean())
 #
 # **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth 0.8 more (about 1 in other runs). The fall is
 # smaller and not gone. So four things helped here: more comparisons, comparisons of what the policy does now, a penalty for
-# leaving a good reference, and a stronger prior (with 10 it fell by some 0.15). And a second reward, for which other answers must be paid, shows the fall in the mean over the runs (for a single clock it is a weak sign).
+# leaving a good reference, and a stronger prior (with a prior of 10 the fall was some 0.15). And a second reward, for which other answers must be paid, shows the fall in the mean over the runs (for a single clock it is a weak sign).
 # </details>
 
 # %% [markdown]
@@ -453,7 +453,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # an action, always the same action for an observation.
 #
 # - `environment` is a morning, as a Gymnasium environment. An observation is an array, (time, depth) (make a tuple of it for a key), and
-#   `environment.observation_space.nvec` says how many there are of both, with the time after the last step. The rewards of the environment are always 0. Its
+#   `environment.observation_space.nvec` says how many there are of both, counting the time after the last step. The rewards of the environment are always 0. Its
 #   nights are longer than those above, and the costs are others: only the teacher knows them.
 # - `compare(first, second)` asks the teacher: True if she prefers the first night. A night is a list of `(observation, action,
 #   next_observation)`, one for each step from `reset` to the end. She may be asked at most `n_comparisons` times (the check allows 300).
@@ -462,7 +462,7 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - A night has no discount: what comes late counts in full. It ends with `terminated`, after the last action.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. But they are few, so one pass over them is rarely enough (the solution makes 500, with a step of 0.02 for the sum over all comparisons).
+# How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. Her answers are few, so one pass over them is rarely enough (the solution makes 500, with a step of 0.02 for the sum over all comparisons).
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more; ours is worth 8.1, and random buttons much less than 0. (Ours is a plain one, from random nights; yours may do better.) Then it lets three *other* teachers answer, who want something
 # else, and two more whose sleepers sleep otherwise (in one of these a night may begin in two ways). Only their answers tell what, so a clock that you wrote by hand will not please them. Your program runs some 26 times in all. So count the steps of a night in an
@@ -537,7 +537,7 @@ check(project_14, my_program)
 # - Rewards can be learned from comparisons alone: a hundred of them took a clock from a return of 0.2 to more than 8.
 # - Followed too far, the learned return still rises and the meant one falls.
 # - A teacher who is never wrong did not cure it, nor did nights in which every action is tried as often. Thirty times as many comparisons did.
-# - With a penalty for leaving random buttons, in place of a good clock, it did not fall.
+# - With a penalty for leaving random buttons, in place of a good clock, it did not fall: it began lower, and ended the same.
 # - A second reward, learned from other comparisons, saw the fall on average. The first one could not.
 # - The same number of comparisons, asked in rounds about what the policy does now, made a better clock.
 #

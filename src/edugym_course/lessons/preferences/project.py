@@ -42,23 +42,26 @@ SEEDS, OTHER_SEEDS = 5, 3
 OUR_SEEDS = range(100, 140)
 LOW, SLACK = 0.1, 0.5
 """The middle run must reach this quantile of our returns, less the slack: ours hardly ever misses it."""
+ALMOST = 0.6
+"""A clock that finds what is paid at once in one of two kinds of nights gets a half of it. In 12 runs each, eight right
+programs got all of it."""
 NIGHT = "a list of (observation, action, next_observation), one for each step"
 
 
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
     """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows.
 
-    Where a night may begin in several ways, no two in a row begin alike.
+    Where a night may begin in several ways, no two in a row begin alike, whatever the seeds are.
 
     Attributes:
         seeds: how often reset was given each seed.
     """
 
-    def __init__(self, environment: gymnasium.Env[Any, Any], starts: Sequence[State]) -> None:
-        """Count the seeds that reset is given."""
+    def __init__(self, environment: gymnasium.Env[Any, Any], n_starts: int) -> None:
+        """Count the seeds that reset is given; a night may begin in so many ways."""
         super().__init__(environment)
         self.seeds = Counter[int]()
-        self._starts = starts
+        self._n_starts = n_starts
         self._last: tuple[Any, ...] | None = None
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
@@ -66,7 +69,7 @@ class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
         begun = self.env.reset(seed=seed, options=options)  # it refuses what is no seed
         if seed is not None:
             self.seeds[seed] += 1
-        while len(self._starts) > 1 and tuple(begun[0]) == self._last:
+        while self._n_starts > 1 and tuple(begun[0]) == self._last:
             begun = self.env.reset()
         self._last = tuple(begun[0])
         return begun
@@ -197,7 +200,7 @@ def judged(program: Any, seed: int, mdp: Any = TASK) -> Judged:
     call = f"{NAME}(environment, compare, {N_COMPARISONS}, {seed})"
     morning = MDPEnv(mdp)
     morning.reset(seed=1_000_003 + seed)
-    environment = Silent(morning, starts_of(mdp))
+    environment = Silent(morning, len(starts_of(mdp)))
     teacher = Teacher(mdp, N_COMPARISONS, np.random.default_rng([seed, 1]))
     with student_code(call):
         policy = program(environment, teacher, N_COMPARISONS, seed)
@@ -306,9 +309,9 @@ def _check_first_step(answer: Any, seed: int) -> None:
         WrongAnswer: most of its clocks do not take what is paid there in each night.
     """
     found = [judged(answer, OTHER_SEEDS * seed + number, AT_ONCE).meant for number in range(OTHER_SEEDS)]
-    if (taken := sum(meant > 0.6 * AT_ONCE.soon for meant in found)) <= OTHER_SEEDS // 2:
+    if (taken := sum(meant > ALMOST * AT_ONCE.soon for meant in found)) <= OTHER_SEEDS // 2:
         raise WrongAnswer(
-            f"A last sleeper begins a night asleep or awake, and wakes and falls asleep again in turns, whatever is"
+            f"One sleeper begins a night asleep or awake, and wakes and falls asleep again in turns, whatever is"
             f" done. The teacher pays {AT_ONCE.soon:g} in the first step, for a chime if she is asleep, and for a ring"
             f" if she is awake, and takes {AT_ONCE.later:g} for the same later. Only {taken} of {OTHER_SEEDS} clocks do"
             " both, and not again: each *time*, depth and action has its own reward, in the first step of *both* nights"

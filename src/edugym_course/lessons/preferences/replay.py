@@ -77,14 +77,14 @@ class Replay:
     def without_time(self) -> Integers:
         """Rewards that are the same at all times."""
         fitted = self._fitted(lambda step: ((1, step[0][1]), step[1]))
-        return self._best(np.array([fitted[self._model.rows.get((1, depth), 0)] for _, depth in self._model.states]))
+        return self._best(np.array([fitted[self._model.rows[1, depth]] for _, depth in self._model.states]))
 
-    def both(self) -> Integers:
+    def summed(self) -> Integers:
         """Rewards that explain the answers by the sum of both nights."""
         first, second = self._counted(lambda step: step[:2])
         return self._best(fit_rewards(first + second, 0 * second, self._answers, prior=PRIOR))
 
-    def reversed(self) -> Integers:
+    def opposite(self) -> Integers:
         """Rewards that explain the opposite of the answers."""
         return self._best(-self._rewards)
 
@@ -96,9 +96,11 @@ MISTAKES: dict[str, Callable[[Replay], Integers]] = {
     " the same one in both places": Replay.after,
     "a reward does not hang on the action: each time, depth *and* action has its own": Replay.without_action,
     "a reward does not hang on the time: each *time*, depth and action has its own": Replay.without_time,
-    "the counts of both nights are added, and those of the second should be taken from those of the first": Replay.both,
+    "the counts of both nights are added, and those of the second should be taken from those of the first": (
+        Replay.summed
+    ),
     "the night that was *not* preferred gains: where the first one was preferred, y is 1, and w grows by α (y - p)"
-    " times its counts less those of the second": Replay.reversed,
+    " times its counts less those of the second": Replay.opposite,
 }
 """The usual mistakes, by their sentences."""
 

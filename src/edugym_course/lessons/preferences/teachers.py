@@ -64,11 +64,11 @@ class Settled(NamedTuple):
 class AtOnce(NamedTuple):
     """A sleeper who wakes in every other step, and a teacher who pays for one action in the first, and never again.
 
-    That is a chime if she is asleep then, and a ring if she is awake. Later she takes something for the same, so that
-    who leaves out the time does not find it. No state after it tells of the action, so who
-    does not learn from the first step of a night never finds it. No step leads to the depth from which it comes, so who
-    learns by the next depth and looks up by this one does not either. Where nights begin asleep and awake in turns, who
-    learns from one night of each pair alone finds one of the two.
+    That is a chime if she is asleep then, and a ring if she is awake. Later she takes something for the same, so a
+    program without the time misses it. No state after it tells of the action, so a program that does not learn from the
+    first step misses it, too. No step leads to the depth from which it comes, so a program that learns by the next
+    depth and looks up by this one also does. And since nights begin asleep and awake in turns, a program that learns
+    from one night of each pair finds only one of the two.
 
     Attributes:
         mdp: the morning.

@@ -359,7 +359,7 @@ longer.measured(
 # 4 % of the way to its target. So a larger table needs a larger learning rate, or more time: with $\alpha = 0.2$ four
 # words are ahead of one already. In the end $\alpha = 0.05$ is best (a larger rate keeps
 # values noisy: lowered halfway, it ends higher). None gets as far as the vote, which knows what each word means, and that
-# neither the *order* of the words nor the hit points matter. The hit points are what costs: where they are hidden, Q-learning
+# neither the *order* of the words nor the hit points matter. The hit points cost most: where they are hidden, Q-learning
 # gets 1 830 after 1 600 000 steps ($\alpha = 0.02$, 8 runs), as much as the vote.
 # </details>
 

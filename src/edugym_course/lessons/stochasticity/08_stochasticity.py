@@ -234,7 +234,7 @@ highest.measured(seen)
 # **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. What it gets for
 # that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
 # seeking one about 3 in 100; the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
-# neutral player did not pay here. (With $\alpha = 0.1$ it does: nearly all seeking runs drive first, and earn 0.06 more. See the aside.)
+# neutral player did not pay here. (With $\alpha = 0.1$ it does: all seeking runs drive first, and earn 0.06 more than neutral ones.)
 #
 # *Seeking.* The order of the swings matters. Runs that drive first earn 0.86. But half of the runs chip first and
 # drive then, from closer to the far edge. They lose more than twice as many balls, and earn 0.78.
@@ -419,7 +419,7 @@ noisy.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. (The learned one stops a little earlier, near 0.018.) There
+# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. (A learner stops driving a little earlier, near 0.018.) There
 # seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
@@ -535,9 +535,9 @@ for label, one in players.items():
     print(f"neutral, {label:23}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk")
 
 # %% [markdown]
-# All patient runs take the risk, and their mean is nearly the optimum. It takes all three changes. With one
-# alone, half to three quarters of the runs take the risk, and with longer training and one other no more. With first
-# values and smaller steps all runs take it, but they are not done learning: 0.85.
+# All patient runs take the risk, and their mean is nearly the optimum. For a mean so high it takes all three changes. With one
+# alone, half to three quarters of the runs take the risk, and with longer training and one other no more. With good first
+# values and smaller steps all take it, but they are not done learning: 0.85.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: "Risk-seeking pays"?
@@ -968,7 +968,7 @@ check(project_8, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
-# of them, and so to get it right takes many visits, and a constant step size that is small. A mean does not tell how far
+# of them, and so to get it right takes many visits, and a small constant step size. A mean does not tell how far
 # the results lie apart. Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal
 # rewards adds $\beta/2$ times the variance to the mean. So it moves the point at which a risk stops being worth taking.
 # Safety has a price in the mean. An exact risk-seeker never earns more on average than the best neutral player; a

@@ -1,6 +1,6 @@
 # %% up the slope
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, and not copies?
 # in: a memory in arrays
 # - self.W[1] -= 0.2 * h.T @ d / len(x)
 # - self.W[0] -= 0.2 * x.T @ back / len(x)
@@ -23,7 +23,7 @@
 
 # %% too fast
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, and not copies?
 # in: SARSA from each step once
 # - W += 0.05 * delta * np.outer(g, x)
 # + W += 5.0 * delta * np.outer(g, x)
@@ -43,7 +43,7 @@
 
 # %% weights of 0
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, and not copies?
 # in: SARSA from each step once
 # - W, b = rng.normal(0, np.sqrt(2 / n), (64, n)), np.zeros(64)
 # - V, c = rng.normal(0, 0.1, (k, 64)), np.zeros(k)
@@ -153,7 +153,7 @@ def my_program(environment, n_steps, seed):
 
 # %% W2 before W1
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, and not copies?
 # in: SARSA from each step once
 # - g = V[a] * (h > 0)
 # - V[a] += 0.05 * delta * h
@@ -162,7 +162,7 @@ def my_program(environment, n_steps, seed):
 
 # %% W2 before W1, in a batch
 # slow
-# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, of which each should be a copy?
+# says: It takes the same action for every image. Do its values become NaN? The usual reasons: W2 is changed before it hands the gradient back to W1, a minus sign is missing, or a learning rate is too large. Or are all first weights 0, all pixels rounded to 0 or 1, or all stored images one array, and not copies?
 # in: a memory in arrays
 # - back = (d @ self.W[1].T * (h > 0))[:, :-1]
 # - self.W[1] -= 0.2 * h.T @ d / len(x)

@@ -22,7 +22,7 @@ def my_program(environment, n_steps, seed):
 
 # %% the wrong grip again
 # says: on a wall of height 30 with 2 grips,
-# says:  times, though it sends the climber to the ground every time: remember what did not hold, and try something else there (a try is counted at the place that was *left*)
+# says:  times, though it sends the climber to the ground every time: remember what did not hold, and try something else there (count a try where it *began*)
 def my_program(environment, n_steps, seed):
     Q = np.zeros((environment.observation_space.n, environment.action_space.n))
     rng = np.random.default_rng(seed)
@@ -41,7 +41,7 @@ def my_program(environment, n_steps, seed):
 # %% the policy forgets the way
 # says: , the program reached the top
 # says:  times while it learned, but the policy that it returns does so in 0 of 20 climbs of
-# says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), from the state that reset gives in each episode, and are no first values or bonuses larger than what the top brings?
+# says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), from the state that reset gives in each episode, and are all first values and bonuses below what the top brings?
 # in: a random grip where none is known
 # - return lambda s: known.get(s, 0)
 # + return lambda s: 0
@@ -137,7 +137,7 @@ def my_program(environment, n_steps, seed):
 # + a = best(s) if rng.random() > 0.1 else int(rng.integers(len(Q[s])))
 
 # %% the last grip is not known
-# says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), from the state that reset gives in each episode, and are no first values or bonuses larger than what the top brings?
+# says: steps: does it remember the way, and go it without trying anything? Did it learn fast enough (with α = 1 one try is enough), from the state that reset gives in each episode, and are all first values and bonuses below what the top brings?
 # in: one grip after another, without chance
 # - return lambda s: grip[s]
 # + return lambda s: grip[s] if s < len(grip) - 2 else 0

@@ -34,7 +34,7 @@ def my_program(steps, n_states, n_actions, seed):
 
 
 # %% one sweep
-# says: a target is R (in the last step, too) plus the value of the *next* state, without discount, in as many sweeps as a night has steps, or more, each with new sums. (Or are values whole numbers, as in np.full(..., -90)?)
+# says: a target is R (in the last step, too) plus the value of the *next* state, without discount, with new sums in each sweep, and ten sweeps or more. (Or are values whole numbers, as in np.full(..., -90)?)
 # in: sums and counts
 # - for _ in range(30):
 # + for _ in range(1):

@@ -211,7 +211,7 @@ my_program = [0, 1, 2]
 
 # %% the first step has no reward
 # slow
-# says: A last sleeper begins a night asleep or awake, and wakes and falls asleep again in turns, whatever is done. The teacher pays
+# says: One sleeper begins a night asleep or awake, and wakes and falls asleep again in turns, whatever is done. The teacher pays
 # says: in the first step, for a chime if she is asleep, and for a ring if she is awake, and takes
 # says: for the same later. Only
 # says: clocks do both, and not again: each *time*, depth and action has its own reward, in the first step of *both* nights too (are the counts of the second night taken from those of the first?), and it belongs where it is looked up later: by the depth from which the step comes in both places, or by the one to which it leads
