@@ -76,6 +76,18 @@ def test_what_is_meant_is_hidden() -> None:
     assert environment.unwrapped is environment
 
 
+def test_nights_begin_in_turns() -> None:
+    """Only those that are played count."""
+    mdp: Any = teachers.AT_ONCE
+    environment = project.Silent(MDPEnv(mdp), 2)
+    before = environment.reset(seed=0)[0][1]
+    for seed in range(6):
+        environment.step(0)
+        begun, again = environment.reset(seed=seed)[0][1], environment.reset()[0][1]
+        assert begun == again != before
+        before = again
+
+
 def test_the_teacher_remembers_a_slip() -> None:
     """A program that catches her error is refused all the same."""
 

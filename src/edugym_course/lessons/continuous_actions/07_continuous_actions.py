@@ -431,8 +431,8 @@ first.measured(min(soon, key=soon.get))
 # reach it, and eight stop at 4.07. Five and nine end higher on average.
 #
 # The continuous agent needs about as many steps as 5 bins, but only with this baseline, whose order of updates is slow
-# (exercise 3): without the baseline it equals 9 bins, and 5 bins need a third less (60 runs). 9 bins and the continuous agent relapse most. (The aside
-# on PPO has a fair comparison.) </details>
+# (exercise 3): without the baseline it equals 9 bins, and 5 bins need a third less (60 runs). 9 bins and the continuous agent fall back most. (The aside
+# on PPO compares fairly.) </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent.

@@ -229,7 +229,7 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # For the *meant* return to fall it takes one thing more: a reference that is good, as ours is, which was made from the best clock. With the same rewards and a
-# penalty for leaving *random buttons* the first reward overpromises just as much, and the meant return rises to the end, though no higher than it falls to here (100 runs). So a penalty
+# penalty for leaving *random buttons* the first reward overpromises just as much, and the meant return rises to the end, to where it ends here (100 runs). So a penalty
 # helps as far as the reference knows what the comparisons do not tell.
 #
 # On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises nearly to the end. (Both

@@ -51,7 +51,8 @@ NIGHT = "a list of (observation, action, next_observation), one for each step"
 class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
     """An environment whose rewards are always 0, and whose `info` is empty: what is meant only the teacher knows.
 
-    Where a night may begin in several ways, no two in a row begin alike, whatever the seeds are.
+    Where a night may begin in several ways, no two in a row begin alike, whatever the seeds are. A night that is begun
+    and not played does not count: a right program may reset twice.
 
     Attributes:
         seeds: how often reset was given each seed.
@@ -62,20 +63,22 @@ class Silent(gymnasium.Wrapper[Any, Any, Any, Any]):
         super().__init__(environment)
         self.seeds = Counter[int]()
         self._n_starts = n_starts
-        self._last: tuple[Any, ...] | None = None
+        self._begun: tuple[Any, ...] | None = None
+        self._played: tuple[Any, ...] | None = None
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin a night."""
         begun = self.env.reset(seed=seed, options=options)  # it refuses what is no seed
         if seed is not None:
             self.seeds[seed] += 1
-        while self._n_starts > 1 and tuple(begun[0]) == self._last:
+        while self._n_starts > 1 and tuple(begun[0]) == self._played:
             begun = self.env.reset()
-        self._last = tuple(begun[0])
+        self._begun = tuple(begun[0])
         return begun
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Take a step, and pay nothing."""
+        self._played = self._begun
         observation, _, terminated, truncated, _ = self.env.step(action)
         return observation, 0.0, terminated, truncated, {}
 

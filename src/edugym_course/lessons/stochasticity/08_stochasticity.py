@@ -243,8 +243,8 @@ highest.measured(seen)
 # a player who follows a rule and never drives earns 0.79 (exercise 2).
 #
 # *Neutral.* Played without a mistake, the fast plan earns 0.87. But only 11 of the 30 neutral runs start with a drive;
-# most of the others play the safe plan. So the neutral mean is 0.82, only 0.06 more than that of the averse player. Why, is the question of
-# "What noise does to learning".
+# most of the others play the safe plan. So the neutral mean is 0.82, only 0.06 more than that of the averse player. The section
+# "What noise does to learning" asks why.
 # </details>
 
 # %% [markdown]
