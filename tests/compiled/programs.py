@@ -172,6 +172,12 @@ SURPRISES = {
     "large power late": program("return 3 ** int(s / 10) % 7 + s + 1"),
     "the largest of two zeros": program("self.Q[0] = -0.0, 0.0\nreturn s + 1 + math.copysign(1, self.Q[0].max())", **Q),
     "the smallest of two zeros": program("self.Q[:] = -0.0\nself.Q[3, 1] = 0.0\nreturn s + 1 + math.copysign(1, np.min(self.Q))", **Q),
+    "the sign of a late NaN": program("x = math.inf - math.inf if s > 700 else 1.0\nreturn s + 1 + 0.25 * math.copysign(1.0, x)"),
+    "a wide range": program(
+        "low = -9223372036854775807 if s > 700 else 9223372036854775000\nn = 0\nfor k in range(9223372036854775807, low, -2):\n"
+        "    n += 1\n    if n > 5: break\nreturn s + 1 + 0.25 * n"),
+    "the length of a wide range": program(
+        "low = 2 if s < 700 else -9223372036854775807\nreturn s + 1 + len(range(low, 9223372036854775807)) % 4"),
     "sum": program("return s + 9007199254740993", start="2**62"),
     "product": program("return s * 3 + 1 if s < 10 ** 400 else 1", start="1"),
     "generator of numbers": program("return (s * 6364136223846793005 + 1442695040888963407) % 2 ** 64", start="1"),

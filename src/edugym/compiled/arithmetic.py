@@ -46,6 +46,13 @@ def _finite(function: Function) -> Function:
     return checked
 
 
+def _copysign(x: Any, y: Any) -> Any:
+    """`math.copysign`, which alone shows the sign of NaN: processors and compilers do not agree on it."""
+    if y != y:
+        raise ValueError("NaN has no sign")
+    return math.copysign(x, y)
+
+
 def _to_whole(function: Function) -> Function:
     """A function that makes whole numbers of real ones, and leaves whole ones as they are, however large."""
 
@@ -216,6 +223,7 @@ REPLACED: dict[Any, Function] = {
     math.log1p: _in_domain(math.log1p, -BELOW_ONE, math.inf),
     math.atanh: _in_domain(math.atanh, -BELOW_ONE, BELOW_ONE),
     math.acosh: _in_domain(math.acosh, 1.0, math.inf),
+    math.copysign: _copysign,
     **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
     **{function: _to_whole(function) for function in (math.floor, math.ceil, math.trunc)},
     builtins.any: _any,

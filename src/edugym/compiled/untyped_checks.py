@@ -239,7 +239,10 @@ def _rewrite_arguments(func_ir: Any, block: Any, statement: Any) -> None:
         if isinstance(kind, ir.Global) and (named := _entry(NUMPY_TYPE, kind.value)):
             kind.value = named
     called = _global(func_ir, call.func)
-    if called is enumerate:
+    if called is range and len(call.args) > 1:
+        # The difference is not used: it is an error where it leaves 64 bits, as the length of the range would.
+        _assigned(func_ir, block, statement, ir.Expr.binop(operator.sub, call.args[1], call.args[0], statement.loc))
+    elif called is enumerate:
         call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()
     elif called is zip and call.kws:
         refuse("it calls zip with strict", statement.loc)
@@ -302,9 +305,10 @@ def _checked_builtin(func_ir: Any, called: Any, statement: Any) -> Any:
 
 
 def _assigned(func_ir: Any, block: Any, statement: Any, value: Any) -> Any:
-    """A new variable to which the value is assigned before the statement."""
+    """A new variable to which the value, or that of an expression, is assigned before the statement."""
     variable = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
-    assign = ir.Assign(ir.Global(variable.name, value, statement.loc), variable, statement.loc)
+    given = value if isinstance(value, ir.Expr) else ir.Global(variable.name, value, statement.loc)
+    assign = ir.Assign(given, variable, statement.loc)
     block.body.insert(block.body.index(statement), assign)
     func_ir._definitions[variable.name].append(assign.value)
     return variable
