@@ -95,7 +95,10 @@ HINTS = (
         "an array keeps its size: write into an entry of it",
     ),
     ("'list' object has no attribute", "that is a list: np.array(...) makes an array of it"),
-    ("has no attribute", "is the name spelt as in the exercise?"),
+    (
+        "has no attribute",
+        "is the name spelt as in the exercise? (A NamedTuple takes no new names: use a plain variable.)",
+    ),
 )
 """What often lies behind an error, by what its message contains."""
 

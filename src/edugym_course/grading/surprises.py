@@ -156,8 +156,8 @@ def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) ->
 def refusal(where: str, epsilon: float, found: Surprises, cause: str) -> WrongAnswer:
     """Return what to say of surprises in some worlds, and of their cause."""
     return WrongAnswer(
-        f"in {where} with {found.found.size} steps, {found.found.sum():.0f} actions of {NAME} are not those that its"
-        f" own steps make look best by the equation of this lesson, and with ε = {epsilon:g} it should be some"
+        f"in {where} with {found.found.size} steps, {found.found.sum():.0f} actions of {NAME} are not greedy, if it"
+        f" learns from its steps by the equation of this lesson, and with ε = {epsilon:g} it should be some"
         f" {found.expected:.0f}. {cause}"
     )
 

@@ -133,7 +133,7 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # \end{aligned}
 # $$
 #
-# (For real actions the sums are integrals.) This is the *log-likelihood trick*. The last line is an expectation over
+# (For real actions the sums are integrals.) This is the *likelihood-ratio* or *log-derivative trick*. The last line is an expectation over
 # actions that the agent draws itself. So each single action gives an estimate that is right on average: $R\, \nabla \ln
 # \pi(A \mid \theta)$. The vector $\nabla \ln \pi$ is called the *score*. It points to where the action would be more
 # likely.
@@ -308,7 +308,7 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves in 2 000 updates.
 #
-# (After 20 000 updates nearly all have left; with $\sigma$ at 0.2 or above, 5 of 100 at most.)
+# (With a baseline nearly all leave at some time in 20 000 updates, but come back; with a baseline and $\sigma$ at 0.2 or above 5 of 100 at most leave.)
 #
 # With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. A baseline alone leaves 8
 # outside, and so does a $\sigma$ of 0.2 or above alone (of 1 000 more runs 12 % and 5 %), but nearly all leave at some
@@ -430,9 +430,8 @@ first.measured(min(soon, key=soon.get))
 # nine make 81.) But three bins cannot get more than 4.31: twelve of the 20 runs
 # reach it, and eight stop at 4.07. Five and nine end higher on average.
 #
-# The continuous agent needs about as many steps as 5 bins, but only with this baseline, whose order of updates is slow
-# (exercise 3): without the baseline it equals 9 bins, and 5 bins need a third less (60 runs). 9 bins and the continuous agent fall back most. (The aside
-# on PPO compares fairly.) </details>
+# The continuous agent needs about as many steps as 5 bins. (Without the baseline 5 bins need a third less, in 60 runs; exercise 3 shows
+# why.) 9 bins and the continuous agent fall back most. (The aside on PPO compares fairly.) </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent.
@@ -472,7 +471,7 @@ sliders(
 # <details><summary>What we found</summary>
 #
 # $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. With $\sigma = 1$
-# three of four deliver the box (of 80 more runs 64 %, but 85 % with `actor_rate` 0.05: a larger $\sigma$ makes the steps smaller, so none was too large to deliver; but the box is placed less exactly). With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
+# three of four deliver the box (of 80 more runs 64 %, and 85 % with `actor_rate` 0.05, since a larger $\sigma$ makes the steps smaller), but the box is placed less exactly. With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
 # </details>
 
 # %% [markdown]
@@ -486,7 +485,7 @@ figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 
 # %% [markdown]
 # Both have learned a corridor of good places. Of a cell where it has never been the table knows nothing; tile coding
-# guesses the value of a place from its neighbours. (Flat areas keep first values, 0 and 1.)
+# guesses the value of a place from its neighbours. (On the right, blue is the first value 1, and dark was learned to be bad. On the left, dark is both: never updated, or bad.)
 
 # %% [markdown]
 # ## Predict, then check
@@ -502,8 +501,8 @@ figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 source(clipped_gain)
 
 # %% [markdown]
-# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `clip` is 0.2, and `advantage` is what stands for $\delta$.) One step of look-ahead or many? Here is the
-# answer of lesson 3 again, a mean of all depths: later errors of the critic count too, each $\gamma \lambda$ times as much as the one before it (generalised advantage estimation, GAE; $\lambda = 0.95$):
+# (`ratio` is $\pi(A \mid S) / \pi_{\text{old}}(A \mid S)$, `clip` is 0.2, and `advantage` is what stands for $\delta$.) One step of look-ahead or many? Here
+# is a mean of all depths: later errors of the critic count too, each $\gamma \lambda$ times as much as the one before it (generalised advantage estimation, GAE; $\lambda = 0.95$):
 #
 # $$
 # \hat A_t = \delta_t + \gamma \lambda\, \delta_{t+1} + (\gamma \lambda)^2\, \delta_{t+2} + \dots
@@ -612,7 +611,7 @@ narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 # **Measured.** The continuous agent, by far. Some 40 % of these runs end at 0 (here 9 of 20): the arm picks up the box, and then stays
 # away from the container until time is up. The best possible return of real numbers is still 5, and some runs come
 # close to it. A collision costs 2, and the agent learns to stay away from walls before it learns to deliver: at a cost of 1 only 8 of 100 runs ended at 0. That drawn actions are
-# never exact ($\sigma$ is fixed) is not the reason: agents that learned in the wide container went on delivering in the narrow one with the same $\sigma$ (all of 40).
+# never exact ($\sigma$ is fixed) is not the reason: agents that had learned in the wide container went on learning in the narrow one, and went on delivering, with the same $\sigma$ (all of 40).
 #
 # Three bins lose little more than what is no longer possible for them.
 # </details>
@@ -652,8 +651,7 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** None. They start narrow: hardly any action reaches the rich container, and those in between hit the
-# wall. So they place the box exactly, in the wrong container. The bins start everywhere, and all of them find the rich
+# **Measured.** None. They start narrow: hardly any action reaches the rich container. So they place the box exactly, in the wrong container. The bins start everywhere, and all of them find the rich
 # container. But they cannot reach its middle, so they stop below 4. </details>
 #
 # Does a wider start help the Gaussian? Does another first $\mu$?
@@ -880,9 +878,17 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # last step backwards, you have another line, an earlier one: the arm comes to some cells several times in an episode, and then the
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
-# The baseline itself is not to blame, but the order is. Move $V$ only after all steps of the policy, and both lines are alike: in 60 runs the arm got to 3.5 after 15 000 steps with this baseline, after 14 900 without one, and after 23 000 in the book's order.
+# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we shrink $\delta$ by hand, to 60 % with each other visit to the cell. Steps to 3.5 (mean of 120 runs):
 #
-# Why? Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. We tested only that: $V$ moves after all steps, and $\delta$ shrinks to 60 % with each visit *before* it. Then it takes 22 000 steps, and 13 000 if nothing shrinks; with each visit *after* it, as in the reverse order, 10 000. (60 runs each. With 4 bins: 18 000, 10 000 and 9 000.) So the last visit matters most; likely since it is the one that leaves the cell.
+# | | steps |
+# |---|---|
+# | the book's order | 23 000 |
+# | $V$ moves after all steps | 14 000 |
+# | and $\delta$ shrinks with each visit *before* it | 23 000 |
+# | and $\delta$ shrinks with each visit *after* it | 9 000 |
+# | no baseline | 14 000 |
+#
+# So the last visit matters most; likely since it is the one that leaves the cell.
 #
 # A baseline makes each estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
 # </details>
@@ -997,7 +1003,7 @@ check(project_7, my_program)
 # choose a few: then the best of these few is the most that we can get, and with $m$ joints there are $n^m$ of them. Or
 # we learn a stochastic policy itself: draw an action from $\pi(a \mid s, \theta)$, and move $\theta$ along $(G - b)\,
 # \nabla \ln \pi$, towards actions that did better than expected. For a Gaussian this moves the mean towards good
-# actions, and makes the policy narrow when good ones are near. It places exactly, but it has one peak and sees only
+# actions, and makes the policy narrow when good ones are near. It can place exactly, but it has one peak and sees only
 # what is near it.
 #
 # ### Limits

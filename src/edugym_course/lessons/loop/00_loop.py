@@ -1,7 +1,7 @@
 # %% [markdown]
 # # The loop: rewards, returns, and a first learner
 #
-# **The challenge.** Nobody tells the agent what to do. It acts, and now and then it gets a reward. From these rewards
+# **The challenge.** Nobody tells the agent what to do. It acts, and it gets rewards. From these rewards
 # alone it has to find out which actions are good, even when the reward comes thirty steps later.
 #
 # **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
@@ -171,8 +171,7 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 # %% [markdown]
 # ### Values: the return to be expected
 # So an agent needs to know what return an action *leads to*. That is its **value**. With the best policy from then on
-# it is called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, without chance; $s'$ is the next state and $r$
-# the reward; the second equation only gives the largest of these values a name):
+# it is called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, without chance; $s'$ is the next state, $r$ the reward):
 #
 # $$
 # q_*(s, a) = r + \gamma \max_{a'} q_*(s', a') \qquad\qquad v_*(s) = \max_a q_*(s, a)
@@ -276,8 +275,6 @@ display(figures.learning_curves(results))
 late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
 for player, points in late.items():
     print(f"{player:20} mean over the last 5 000 steps: {points:5.0f} points")
-at_once = methods.play_and_learn(n_steps=20_000, learning_rate=1.0, repetitions=30).curves(methods.MYOPIC)
-print(f"{methods.MYOPIC} and α = 1: {at_once.loc[15_000:].to_numpy().mean():.0f} points")
 solved = results.share(methods.Q_LEARNING, methods.OPTIMUM).estimate
 print(f"runs of {methods.Q_LEARNING} that end with the optimum: {solved:.0%}")
 worst.measured(min(late, key=late.get))
@@ -308,7 +305,11 @@ worst.measured(min(late, key=late.get))
 #
 # Why does the orange line rise later? After some forty tries of each action all four values are so near
 # to −1 that they count as equal (up to $10^{-12}$ here), and chance decides again. Two tests: where the first of equal actions is always taken, the line stays at −500; and with $\alpha = 1$ a
-# value is exactly −1 after one try, and this player is nearly as good as the one of −248. </details>
+# value is exactly −1 after one try, and this player is nearly as good as the one of −248: </details>
+
+# %%
+at_once = methods.play_and_learn(n_steps=20_000, learning_rate=1.0, repetitions=30).curves(methods.MYOPIC)
+print(f"{methods.MYOPIC} and α = 1: {at_once.loc[15_000:].to_numpy().mean():.0f} points")
 
 # %% [markdown]
 # ## Your turn: the discount
@@ -336,7 +337,7 @@ items.measured(items.options[exact.items_on(exact.best_way(0.85))])
 
 # %% [markdown]
 # The map shows $v_*$ of each cell for one bag, and the best action as an arrow. (A slanted arrow: two actions are
-# equally good. No arrow: more than two are, or two opposite ones, or it is the entrance, "in".) The orange line, the best way from the entrance,
+# equally good. No arrow: several are, or it is the entrance, "in".) The orange line, the best way from the entrance,
 # is drawn on the map of the empty bag alone. After an item the bag is another one, so from there on the line may run against the arrows.
 # The right panel always shows this way: what each of its rewards counts at the start.
 #
@@ -355,7 +356,7 @@ sliders(
 # <details><summary>Answer</summary>
 #
 # On this slider: at $\gamma = 0$ all ways from the start are equal. From 0.5 to 0.89 one item is best (16 steps), from
-# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps). (Between 0 and 0.5 it is two again: try `figures.with_discount(gamma=0.3)`.)
+# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps). (At $\gamma = 0.3$ it is two again: from the red item the green one is a step nearer than the exit. Try `figures.with_discount(gamma=0.3)`.)
 # </details>
 
 # %% [markdown]
@@ -489,7 +490,7 @@ check(exercise_2, choose, seed=1, quiet=True)
 # After the check your agent races the players of this lesson, with a table of 800 rows: 100 cells × 8 bags. You write
 # plain Python, and it is translated into machine code, which takes some seconds, once. Then it runs millions of steps a
 # second. That works for a `NamedTuple`, and without a `print` in its methods. With a `print`, or with an ordinary class, the cell
-# takes half a minute or more.
+# takes minutes.
 #
 # <details><summary>Hint</summary><code>state</code>, <code>action</code>, <code>reward</code> and <code>next_state</code> are
 # S, A, R and S'. <code>self.Q[state, action]</code> is one guess, and <code>max(self.Q[next_state])</code> the highest value in

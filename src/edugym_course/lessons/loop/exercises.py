@@ -107,7 +107,7 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
         "the first reward is left out": weighted([0.0, *powers[1:]][:n]),
         "the first reward is left out, and the second one counts in full": weighted([0.0, *powers][:n]),
         "that is the first reward alone": rewards[0],
-        "that is the last reward alone": rewards[-1],
+        "that is the last reward alone: is `return` inside the loop?": rewards[-1],
         "that is the largest of the discounted rewards; add all of them up": max(
             weight * reward for weight, reward in zip(powers, rewards, strict=True)
         ),

@@ -293,6 +293,24 @@ def update(self, n):
             self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
 
 
+# %% V afterwards
+# says: V moves after all steps of the policy; that is sound too, but in this box it moves first, in each step
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+    for t in range(n):
+        self.V[self.states[t]] += self.value_learning_rate * (self.rewards[t] - self.V[self.states[t]])
+
+
 # %% every π before any change
 # says: the probabilities are those from before the episode; they should be those of the preferences as the updates so
 #   far have left them

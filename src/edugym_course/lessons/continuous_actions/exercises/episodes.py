@@ -141,6 +141,8 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backw
             V[place] += value_rate * returns[t]
         if change.get("late"):
             delta = returns[t] - V[place]
+        elif change.get("values") == "afterwards":
+            delta = returns[t] - case.V[place]
         if change.get("delta") == "return":
             delta = returns[t]
         elif change.get("delta") == "reward":

@@ -67,6 +67,9 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         " so far have left them": {"look": "old"},
         "δ is computed with V from before the episode; that is sound too, but in this box V is the one that the updates"
         " so far have left": {"values": "old"},
+        "V moves after all steps of the policy; that is sound too, but in this box it moves first, in each step": {
+            "values": "afterwards"
+        },
         "a state that comes twice is updated twice, once for each step": {"visits": "one"},
         "that is the TD error of the actor-critic; here δ is the return less V(S_t)": {"delta": "TD"},
         "that is the TD error of the actor-critic, and at the last step it looks up states[n], which is not of this"

@@ -351,7 +351,7 @@ def my_program(environment, n_steps, seed):
 
 # %% goals of 'future' in place of 'final'
 # slow
-# says: actions of my_program are not those that its own steps make look best by the equation of this lesson, and with ε = 0.1 it should be some
+# says: actions of my_program are not greedy, if it learns from its steps by the equation of this lesson, and with ε = 0.1 it should be some
 # in: numbers for patterns
 # - for s, a, s2 in episode[::-1]:
 # + for i in reversed(range(len(episode))):

@@ -86,7 +86,7 @@ def discounted_return(rewards, discount):
 
 
 # %% return inside the backward loop
-# says: that is the last reward alone
+# says: that is the last reward alone: is `return` inside the loop?
 def discounted_return(rewards, discount):
     G = 0
     for reward in reversed(rewards):

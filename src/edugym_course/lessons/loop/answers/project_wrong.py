@@ -99,7 +99,7 @@ my_program = ...
 
 # %% tries too much
 # slow
-# says: are not those that its own steps make look best by the equation of this lesson, and with ε = 0.1 it should be some
+# says: are not greedy, if it learns from its steps by the equation of this lesson, and with ε = 0.1 it should be some
 # says: If all that is right, ε is about 0.
 # says: Compare α, γ and the first values with those of the text, and the update with its equation, term by term
 # in: ε-greedy written out

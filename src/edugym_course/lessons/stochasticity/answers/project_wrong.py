@@ -86,7 +86,7 @@
 
 # %% an ε that falls
 # slow
-# says: actions of my_program are not those that its own steps make look best in the first half of its runs, and
+# says: actions of my_program are not greedy in the first half of its runs, and
 # says: in the second. Their share falls during a run: ε should be the same from the first step to the last, and rng made once
 # in: the weight in one line
 # - for _ in range(n_steps):
