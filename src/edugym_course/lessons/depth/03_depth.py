@@ -325,7 +325,7 @@ for sigma, results in by_sigma.items():
 
 # %% [markdown]
 # Among the runs that pass, Monte Carlo ends behind at each of these $\sigma$, even without any noise. So noise of the
-# rewards cannot be the only reason. "See inside" solves this puzzle.
+# rewards cannot be the only reason. "See inside" gives one reason.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: does noise make Monte Carlo end worse?
@@ -524,7 +524,7 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # 0.1 for $n = 5$ (it hardly matters), and 0.3 for $n = 3$ and $n = 1$. One-step targets need a large rate to get down the staircase in
 # time. Monte Carlo explores more with a small one (see “why a small rate suits Monte Carlo”).
 #
-# In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. (Here $n = 3$ equals Monte Carlo.) *Never compare two values of $n$ at one
+# In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. *Never compare two values of $n$ at one
 # learning rate only.*
 # </details>
 
@@ -546,8 +546,7 @@ for rate, results in by_rate.items():
 # Up to the rate 0.3 the runs that meet the exam do about equally well. And with all noise taken away ($\varepsilon = 0$, $\sigma = 0$)
 # still 97 % of the runs meet it with 0.01, and a quarter with 0.3 (200 runs). So the variance of targets is not the reason. The rate decides *how many* runs meet the exam. With a small one
 # each bad return lowers a value only a little, so that the action that was tried least looks best, and the agent takes
-# one after another: it explores. With a large one the last return decides. How many more meet it with 0.01 than with
-# 0.3 hangs on the layouts: in 24 sets of 80 runs it was 9% to 34% of the runs. With start values of −5 untried
+# one after another: it explores. With a large one the last return decides. With start values of −5 untried
 # actions look bad, and this advantage is gone: then Monte Carlo does better with 0.3 than with 0.01 (over 80 runs). Only at the
 # rate 1, which keeps nothing but the last target, do most runs that met the exam lose it again.
 
@@ -566,7 +565,7 @@ print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap
 
 # %% [markdown]
 # With a small rate Monte Carlo keeps its early lead over $n = 1$, and it passes in all runs. But where both pass, $n = 1$ is still
-# better in the details. Does that contradict the formula? No: with a small rate the details take time. Here is Monte
+# better in the details. Does that contradict $\alpha / (2 - \alpha)$, by which a small rate averages the noise away? No: with a small rate the details take time. Here is Monte
 # Carlo without any noise of the rewards, after 4 000 episodes and after ten times as many: how far below the optimum
 # are the policies that pass? (We take the rate 0.01, since 0.003 takes longer still.)
 
@@ -742,7 +741,7 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 #
 # **Measured.** All of them (in other draws nearly all). From these start values Monte Carlo keeps what it found. The others lose some. A run that lost the
 # exam had often passed it only once or twice (in brackets the median), and one pass moves the values of $n$ days only.
-# (For $n = 1$ that is not the whole story: in other draws a quarter of such runs had passed it seven times or more.)
+# (For $n = 1$ that is not the whole story: in other draws many such runs had passed it often.)
 #
 # Why does one-step SARSA meet the exam in more runs? All values start at 0, and every action has a price, so what was
 # not tried looks better. One-step SARSA hands the 0 of an untried action back, too, so states from which untried actions are left look good, and it goes there (optimistic values, Sutton and
@@ -787,8 +786,8 @@ wary.measured(more)
 #
 # **Measured.** It meets the exam about as often, and keeps it more often. Without untried
 # actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. So it needs
-# them, as the explanation says. But Monte Carlo, too, now meets it in about half: in a state that it came to, untried
-# actions looked good to it as well. That $n = 1$ gains more from them with ten actions, because it hands them *back*, is still our guess.
+# them, as the explanation says. But Monte Carlo, too, now meets it in about half: with start values of 0 it also tried what was untried in the
+# states that it visited. That $n = 1$ gains more from them with ten actions, because it hands them *back*, is still our guess.
 #
 # But optimism does not explain who is ahead *here*, from −5. Monte Carlo meets the exam a little more often (in 52 % and 41 % of 400 runs). Most of the difference comes after
 # that: Monte Carlo hands a pass to all days at once. With $n = 1$ it goes back one day at a time, through values that
@@ -1122,13 +1121,12 @@ check(project_3, my_program)
 # *Learn it by heart, or better, say it in your own words.* The number $n$ says how many real rewards a target contains
 # before it trusts a learned value. With small $n$ a reward comes back step by step, through values that are wrong at
 # first: slow and biased early, and with a small learning rate precise late. With large $n$ it comes back at once, together with everything else that
-# happened, and much of that the agent did itself when it explored: fast early, where the reward is soon met, and blurred late. A smaller learning rate
+# happened, some of which the agent did itself when it explored: fast early, where the reward is soon met, and blurred late. A smaller learning rate
 # slowly averages a part of the blur away. A target that is cut where an action is not the best one after its update avoids it, unless rewards are very noisy.
 #
 # ### Limits
 # The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the
-# environment itself is random, cutting at exploring actions removes the agent's part of the variance only. Where
-# exploring actions are frequent, targets are cut early, and the agent nearly becomes a one-step agent again.
+# environment itself is random, cutting at exploring actions removes the agent's part of the variance only.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.

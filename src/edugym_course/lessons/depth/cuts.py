@@ -19,8 +19,12 @@ from edugym_course.lessons.depth.targets import EPSILON
 N_STEPS = 3_000
 BEGINS, COST = 0.3, -6.0
 """The share of the episodes that begin in the last state, and what every action brings there."""
-CUT = (Learner(slips), Learner(partial(slips, cut="value")))
-"""What may be learned where an episode is truncated: the rewards alone, or a value too. Both are in use."""
+CUT = (
+    Learner(slips),
+    Learner(partial(slips, cut="value")),
+    Learner(partial(slips, cut="value", cut_weight=lambda k: DISCOUNT**N if k == N else 0.0)),
+)
+"""What may be learned where an episode is truncated: the rewards alone; a value too; a value after n rewards only."""
 CUT_MISTAKES = {
     "nothing is learned there: all pairs that are left have the rewards that there are": Learner(
         partial(slips, cut="nothing")

@@ -6,7 +6,7 @@
 # to try what may not be best, in order to find out more.
 #
 # **You will be able to** explain why random exploration fails on sparse rewards, and by how much; turn a novelty
-# reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
+# reward into four lines of code, and say why it slows down; explain how "first return, then explore" avoids that; and write
 # an explorer of your own.
 #
 # **Time.** {time} **Before you start.** You should know what a value function and
@@ -304,13 +304,13 @@ sliders(
 #
 # **Measured.** With ten runs each:
 #
-# - **height.** The novelty reward solves 20 in all runs and 40 in half of them (in sets of 100 runs, 22 to 34 %). At 60 and 80 it gets to 40 and 37.
+# - **height.** The novelty reward solves 20 in all runs and 40 in half of these (in a quarter of larger sets). At 60 and 80 it gets to 40 and 37.
 # - **n_grips.** At height 60 the novelty agent gets to 27 with three and to 19 with five. Go-Explore
 #   still solves it with three, and with five in eight of ten runs (in nearly all of 100).
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on.
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
-# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99: it climbs too slowly, even with small bonuses. We do not know why.
+# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99: it climbs too slowly. We do not know why.
 # </details>
 
 # %% [markdown]
@@ -323,11 +323,11 @@ sliders(
 in_pairs("visits", figures.visit_maps(walls[100], 100))
 
 # %% [markdown]
-# - **ε-greedy** rarely gets higher than a dozen grips or so, and only by luck. It has nothing to learn from.
+# - **ε-greedy** gets to about 14, and only by luck. It has nothing to learn from.
 # - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
 # - **Go-Explore** moves its frontier up steadily, to the top.
 #
-# ### Why does novelty stall? The way back
+# ### Why does novelty slow down? The way back
 # To see something new, the agent must first get back to its frontier, *while it keeps taking random actions*. A *slip*
 # is a random action that is not the one the agent believes best. With
 # two grips it happens with probability $\varepsilon/2 = 0.05$ at every step. A *climb* is what lies between two visits
@@ -347,7 +347,7 @@ Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 # six in a thousand. An episode of 1 000
 # steps has some fifty climbs: that is why the dotted line of the high wall was at 0.25 and not at 0.006.
 #
-# ### Why does novelty stall? The grip at the frontier
+# ### Why does novelty slow down? The grip at the frontier
 # **Predict.** At its frontier the agent knows neither of the two grips, so on its first visit it takes the right one half
 # of the time. If it took the wrong one, it falls, and comes back some climbs later. How often does it take the right grip
 # then?
@@ -392,9 +392,8 @@ for method in causes.methods:
 # </details>
 
 # %% [markdown]
-# So novelty stalls for two reasons, the way back and the grip, and they multiply. At a frontier of 40, one climb in
+# So novelty slows down for two reasons, the way back and the grip, and they multiply. At a frontier of 40, one climb in
 # eight gets back, and one visit in twenty takes the right grip: that makes about 150 climbs after each wrong first try.
-# (At heights 5 to 20 it took some 100, where the two make 40, and 60 with $\alpha = 1$.)
 # And the two pull in opposite directions: slips end the climbs, and slips are what it needs at the frontier. (Exercise
 # 3 mends both.)
 #
@@ -402,7 +401,7 @@ for method in causes.methods:
 
 # %% [markdown] tags=["aside"]
 # ### Aside: two branches, and whether a frontier is forgotten
-# There is another reason why novelty may stall, **detachment**: the bonus at a frontier
+# There is another reason why novelty may get stuck, **detachment**: the bonus at a frontier
 # fades with every visit, so that the agent may turn to another frontier and never come back (Ecoffet et al., 2021). One
 # wall has one frontier and cannot show that. So here is a wall with two branches of height 100. The first action chooses the
 # branch, left or right. The only reward is at the flag, on top of the right-hand one. (The picture shows lower branches.)
@@ -615,9 +614,8 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 #
 # **Measured.** It is optimism. With $\alpha = 1$ it solves both walls, it first gets to the top sooner than Go-Explore, and
 # it is ahead in the evaluations, with two grips hardly, with three clearly. (With $\alpha = 0.5$, in your race above, each
-# disappointment takes only half of the optimism away: every run gets to the top, after some 17 000 steps, but few policies do. After 80 000 steps all do.) But this is Go-Explore
-# with 20 random steps. With 10 it is a little ahead of optimism (60 other runs: 59 % against 56 %, and 24 % against 21 %), and with
-# four grips it solves the wall in a fifth of the runs, where optimism never does. Random steps cost so much because they
+# disappointment takes only half of the optimism away: every run gets to the top, after some 17 000 steps, but few policies do.) But this is Go-Explore
+# with 20 random steps. With 10 it is as good as optimism. Random steps cost so much because they
 # repeat grips that failed: when it took untried grips first, it was far ahead (with three grips 54 %).
 # </details>
 #
@@ -733,7 +731,7 @@ display(figures.race({"my explorer": MyExplorer.create}))
 # one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
 #
 # Compare *four* methods there: the three in `METHODS`, under their names, and a fourth of your own choice
-# (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and
+# (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions (some 20 seconds), and
 # assign the results to `frozen`. Can you find a fourth *without goals* that solves the lake in all five runs, as
 # Go-Explore does?
 #
@@ -778,7 +776,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a program that finds its way up a wall
 # of height 30, in 3 000 steps. How it explores is up to you: by counts, by optimism, by going back first, or by an
-# idea of your own. (Optimism with α = 0.5 as in exercise 2, the explorer of exercise 3 with any α, and Go-Explore with many random steps in a row often need more steps. If first values or bonuses exceed the reward of the top, staying below pays.) Some 30 lines are enough.
+# idea of your own. (Optimism with α = 0.5 as in exercise 2, the explorer of exercise 3, and first values above the reward of the top need more steps.) Some 30 lines are enough.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a Gymnasium environment, episode after
 # episode. In the end it returns its *policy*: a function that takes a state and returns an action, the same at each visit, and climbs to the top

@@ -374,7 +374,7 @@ for label, (low, high) in between.items():
 # ends closer to the far edge.)
 #
 # At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. "What noise does
-# to learning" comes back to that, with a guess.
+# to learning" comes back to that.
 
 # %% [markdown]
 # ## Predict, then check
@@ -419,7 +419,7 @@ noisy.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. (A learner stops driving a little earlier, near 0.018.) There
+# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. There
 # seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
@@ -517,14 +517,14 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # alone is enough: also with the rest of the game known, only 29 % of 420 runs drive. With smaller steps as well, $\alpha
 # = 0.005$, 88 % do.)
 #
-# The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. Probably that has the same
-# reasons, and a lost ball weighs nearly twice as much with it.
+# The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. With the rest of the
+# game known it believes 0.75, but only 8 of 100 runs drive: a lost ball weighs nearly twice as much with it, so here bad luck alone is enough.
 # </details>
 
 # %% [markdown]
 # What can an agent do that has nobody to play the rest of the game? Its values can start at 1, so that what was not
 # tried looks good; it can take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
-# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100: it drives in about half of its games or more, perhaps after a chip.
+# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100, by drives from the tee or after a chip.
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -971,8 +971,8 @@ check(project_8, my_program)
 # of them, and so to get it right takes many visits, and a small constant step size. A mean does not tell how far
 # the results lie apart. Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal
 # rewards adds $\beta/2$ times the variance to the mean. So it moves the point at which a risk stops being worth taking.
-# Safety has a price in the mean. An exact risk-seeker never earns more on average than the best neutral player; a
-# learned one can, if it happens to make up for another fault.
+# Safety can have a price in the mean. No risk-seeker earns more on average than the best neutral player; it can
+# beat a neutral *learner* that has another fault.
 #
 # ### Limits
 # $\beta$ weighs single TD errors, not returns: for rewards that are not normal its value is not mean and variance, and

@@ -1,5 +1,5 @@
 # %% max
-# says: Right: dual ascent. The price rises and falls until the dives keep the limit on average.
+# says: Right: dual ascent. The price rises after dives that take too long, and falls after the others.
 def new_price(price, steps, limit, rate):
     return max(0.0, price + rate * (steps - limit))
 

@@ -188,4 +188,4 @@ def exercise_3(answer: Any, seed: int, delay: Delay = 0) -> str:
         wrong = {why: rule(price, taken, limit, rate) for why, rule in PRICE_MISTAKES.items()}
         cases.append(NumberCase(call, number(call, found), right_price(price, taken, limit, rate), wrong))
     compare_all(cases)
-    return "Right: dual ascent. The price rises and falls until the dives keep the limit on average."
+    return "Right: dual ascent. The price rises after dives that take too long, and falls after the others."
