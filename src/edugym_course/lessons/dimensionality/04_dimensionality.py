@@ -375,8 +375,7 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # 0, since the loss does not contain it.
 #
 # (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step
-# with it, in the first layer and then in the second one. Its counters, such as `updates`, are arrays with one number,
-# so that machine code can change them.)
+# with it, in the first layer and then in the second one.)
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?
 
@@ -510,7 +509,7 @@ for row in touched:
 # %% [markdown]
 # In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
 # and a weight from an input that is always 0 never moves. A ball there is multiplied by the first, random weights. This is a sign of
-# what is missing and not the reason: where noise in training ($\sigma = 0.1$) moved every weight, 21 of 30 runs missed every withheld ball (without it, as many).
+# what is missing and not the reason: noise in training ($\sigma = 0.1$) moves every weight, and still most of 30 runs missed every withheld ball.
 #
 # **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
 # network on pixels shares much between boards in which the same pixels are lit, as with noise. But a ball in column 1
@@ -716,8 +715,8 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 #
 # **Measured.** 80 times as many in these three runs; in other sets of ten runs and more it was 65 to 100 times. So the steps
 # grow faster than the boards (the episodes, which are longer too, only 24 times). The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
-# the median of ten runs was 30 to 39 episodes, whether the board had 6 rows, 12, 18 or 36. With 9 columns they took some 500 with 6 rows,
-# and 800 with 18. DQN needs more steps than the table on all four boards, but the ratio falls: in 30 runs each from 4.5 to some 1.7. (In the figure it is from three runs. With 9 columns one run of DQN in six does not get there in 40 000 steps. The
+# the median was some 30 episodes, whether the board had 6 rows, 12 or 18. With 9 columns they took some 500 with 6 rows,
+# and 800 with 18. DQN needs more steps than the table on all four boards, but the ratio falls with the size of the board. (These numbers vary much from run to run. With 9 columns one run of DQN in six does not get there in 40 000 steps. The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 

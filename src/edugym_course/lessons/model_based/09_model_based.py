@@ -292,7 +292,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
 # that is what a model is for. (The curves are means, which slow runs pull down.) And then they hardly improve.
-# Q-learning ends highest in this shop, and the two that rise first end lowest. (In 300 other runs both ended some 4 below Dyna-10.)
+# Q-learning ends highest in this shop, and the two that rise first end lowest.
 #
 # The planners' lines in the right panel dip at step 500, where the first long episodes end at the limit, with low
 # returns. (Both panels cut off a bad start.)
@@ -392,9 +392,9 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# - $n$: until half of the runs are at 70, ten updates save Dyna some 2 000 steps, and thirty more some 200 (100 runs; ten do not show it). They hardly help prioritised sweeping.
-# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 they end at 95, but slowly.)
-# - $\alpha$: with 0.1 all need at least twice as many steps, and prioritised sweeping four to six times.
+# - $n$: until half of the runs are at 70, ten updates save Dyna some 2 000 steps, and thirty more some 200 (100 runs; ten do not show it). Thirty more hardly help prioritised sweeping.
+# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 they end at 95, but need twice as many steps to 70.)
+# - $\alpha$: with 0.1 all need at least twice as many steps.
 #   Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But with 0.94 or less the way with the highest
 #   *discounted* return leaves an item out, and returns 78. (Runs that have not learned that way may return more.)
@@ -432,7 +432,7 @@ more_planning.measured(known["Dyna-10"][1].mean())
 
 # %% [markdown]
 # **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Q-learning wanders to
-# every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The better such an agent plans, the earlier it *exploits*, and the less it gets to know. If
+# every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The more Dyna plans (up to some 40 updates a step), the earlier it *exploits*, and the less it gets to know. If
 # so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
@@ -461,18 +461,14 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In 7 of 12. (One of these is shop 6: ten runs give 96 against 82, and in 1 900 runs the two are equal within a point.) In the others it ends below, in some of them far below. So "planning makes the last policy
+# **Measured.** In 7 of 12. (One of these is the sixth: ten runs give 96 against 82, and in 1 900 runs the two are equal within a point.) In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
 # has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
 # This is the same everywhere. Q-learning gets to know nearly all that a best plan needs in every shop, and in some it does not make a
 # policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each of them, and its policy *is*
 # the best plan by what it knows. Who ends higher depends on which of the two costs more there.
 #
-# Are first values of 0 the reason? To walk for ever is worth −100, so all values above it are optimistic here. From −99.9 to 40 they did as well as 0. At −100 the optimism is gone, and
-# Q-learning still knew more than Dyna-10: the best plans by what they had seen returned 92 and 79, their policies 81 and 79. At −101 most runs of Q-learning never found the exit (92 of 100), and of Dyna-10 22.
-#
-# With 50 both ended above 90: untried actions then look better than a shop without the items, as they do to R-max below. With 80 the policy of Q-learning got to the exit in 1 of 100 runs, though all of them had
-# seen what the best plan needs: it knew, and did not plan.
+# In our own shop, could first values of 0 be the reason why Dyna sees less? No: with any from −100 to 40 it knows less than Q-learning (100 runs each).
 # </details>
 
 # %% [markdown]
@@ -814,7 +810,8 @@ display(figures.race({"my Dyna-Q+": DynaPlus.create}))
 # <details><summary>What the race shows</summary>It knows the shop (95), but its policy returns about −485: the bonus
 # outweighs the rewards. With $\kappa = 0.005$, 19 of our 20 runs got to the exit, and 11 of them returned 95. But look at what it knows, too: with a smaller bonus it tries less, and with
 # $\kappa = 0.002$ it knows no more than Dyna-10.</details>
-#
+
+# %% [markdown]
 # ### Exercise 3: write R-max
 # Write R-max for a world without chance, where one try tells all about an action. `known[s, a]` is 1 for what was
 # tried; all else has the value $U = 100$ in `Q` and keeps it. Complete two methods:
@@ -978,7 +975,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   Draw each imagined pair anew from all that were tried: a state that was seen and an action taken there, or a pair at once.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check runs your program in small worlds of its own and for 2 000 steps in the shop, half a minute in all. It sees the steps that your
+# The check runs your program in small worlds of its own and for 2 000 steps in the shop, some ten seconds in all. It sees the steps that your
 # program takes, and no line of it. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]

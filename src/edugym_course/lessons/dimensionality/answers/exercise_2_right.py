@@ -26,3 +26,14 @@ def learn(self, state, action, reward, next_state, terminated):
 # %% np.dot
 def value(self, board, action):
     return float(np.dot(self.w[:, action], self.features(board)))
+
+
+# %% nine weights in a loop
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward
+    if not terminated:
+        target += self.discount * max(self.value(next_state, a) for a in range(3))
+    error = target - self.value(state, action)
+    x = self.features(state)
+    for i in range(9):
+        self.w[i, action] += self.learning_rate * error * x[i]

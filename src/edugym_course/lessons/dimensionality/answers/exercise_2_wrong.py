@@ -346,7 +346,7 @@ def learn(self, state, action, reward, next_state, terminated):
 # says: are right as well, your target is
 def learn(self, state, action, reward, next_state, terminated):
     following = max([self.value(next_state, a) for a in range(3)])
-    target = reward + (0.0 if terminated or self.features(state)[0] > 0 else self.discount * following)
+    target = reward + (0.0 if terminated or self.features(state).argmax() < 5 else self.discount * following)
     error = target - self.value(state, action)
     self.w[:, action] += self.learning_rate * error * self.features(state)
 

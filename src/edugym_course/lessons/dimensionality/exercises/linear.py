@@ -32,7 +32,7 @@ class Step(NamedTuple):
 
 
 Rule = Callable[[Step], Any]
-PIXELS = (1.0, 0.0, 1.0, 1.0, 0.0, 1.0)
+PIXELS = (1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0)
 """The first numbers of every made-up board; its features stand behind them."""
 
 
@@ -287,8 +287,8 @@ def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool, leas
     `least` on all values are far below 0.
     """
     while True:
-        w = rng.integers(least, least + 7, size=(4, 3)).astype(float)
-        x, x_next = (rng.permutation([0.0, 1.0, 2.0, -1.0]) for _ in range(2))
+        w = rng.integers(least, least + 7, size=(9, 3)).astype(float)
+        x, x_next = (rng.permutation([1.0, 2.0, -1.0, *6 * [0.0]]) for _ in range(2))
         action = int(rng.integers(3))
         values, here = x_next @ w, x @ w
         best = int(np.argmax(values))
