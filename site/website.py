@@ -54,7 +54,7 @@ pandas, Matplotlib and SciPy, which only a release of Pyodide has, and the tests
 so training is some hundred times slower than on your machine."""
 NO_LITE = """This site has [the playground](playground.md), where you can also change the code of agents, and all
 lessons to read, with their results and questions. Notebooks do not run in this copy of it. A link at the top of each
-lesson opens it in Colab, a service of Google for which you need an account there."""
+lesson opens it in Colab, a service of Google for which you need an account there (we have not tried it)."""
 
 
 def sources(with_lite: bool = False) -> dict[str, bytes]:

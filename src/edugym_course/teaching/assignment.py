@@ -283,21 +283,35 @@ def own_notebook(lesson: Any, tasks: list[Task], draws: list[Draw], student: Stu
 
 
 def _own_check(source: str, task: Task, draw: Draw) -> str:
-    """Return a check with a student's numbers.
+    """Return a check with a student's numbers."""
+    own = "".join(f", {name}={value!r}" for name, value in draw.numbers.items())
+    return _checked(source, task, f", seed={draw.seed}{own}", f", seed={draw.hidden_seed}{own}")
+
+
+def guarded_check(source: str, task: Task) -> str:
+    """Return a check of a lesson with a hidden test that a student's names do not change."""
+    settings = [
+        "".join(f", {given.arg}={ast.unparse(given.value)}" for given in call.keywords if given.arg != "quiet")
+        for _, call in check_calls(source)
+    ]
+    return _checked(source, task, settings[0], settings[-1])
+
+
+def _checked(source: str, task: Task, shown: str, hidden: str) -> str:
+    """Return a check with these settings, for the student and in the hidden test.
 
     The hidden test imports what it calls: a student may have given other meanings to `check` and `exercise_1`.
     """
     visible = without_solutions(source)
     line = next(line for line, _ in check_calls(visible))
-    own = "".join(f", {name}={value!r}" for name, value in draw.numbers.items())
     lines = visible.splitlines()
     assert line.end_lineno is not None
     lines[line.lineno - 1 : line.end_lineno] = [
-        f"check({task.function}, {task.answer}, seed={draw.seed}{own})",
+        f"check({task.function}, {task.answer}{shown})",
         "### BEGIN HIDDEN TESTS",
         "import edugym_course.grading as the_grading",
         f"import {task.module} as the_exercises",
-        f"the_grading.check(the_exercises.{task.function}, {task.answer}, quiet=True, seed={draw.hidden_seed}{own})",
+        f"the_grading.check(the_exercises.{task.function}, {task.answer}, quiet=True{hidden})",
         "### END HIDDEN TESTS",
     ]
     return "\n".join(lines)

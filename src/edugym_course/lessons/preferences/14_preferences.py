@@ -175,7 +175,8 @@ further
 hundred = methods.followed()
 display(figures.gains({"100 comparisons": hundred}))
 meant = hundred.meant.mean(axis=1)
-print(f"meant gain: highest {meant.max():.2f}, at the end {meant[-1]:.2f}; fall from β = 0.5 on {hundred.fall().mean():.2f}")
+print(f"meant gain: highest {meant.max():.2f}, at the end {meant[-1]:.2f}")
+print(f"fall from β = 0.5 to β = 0: {hundred.fall().mean():.2f}")
 further.measured("rises, and then falls" if meant.max() - meant[-1] > 0.3 else "rises to the end")
 
 # %% [markdown]
