@@ -39,7 +39,7 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 from rules import is_check, is_code, is_exercise, is_project, problems, where, without_marks, without_solutions
 
-from edugym_course.teaching.assignment import guarded_check, tasks_of
+from edugym_course.teaching.assignment import guarded_check, modules_of
 
 ROOT = Path(__file__).resolve().parent.parent
 LESSONS = Path("src", "edugym_course", "lessons")  # the folders of the lessons, below the root of a checkout
@@ -163,7 +163,7 @@ def teacher_edition(lesson: NotebookNode) -> NotebookNode:
     Grade ids count exercises, so that they stay when other cells come and go.
     """
     notebook = deepcopy(lesson)
-    number, tasks = 0, iter(tasks_of(lesson))
+    number, modules = 0, modules_of(lesson)
     for cell in filter(is_code, notebook.cells):
         points = cell.metadata.pop("points", 1)
         if is_exercise(cell):
@@ -173,7 +173,7 @@ def teacher_edition(lesson: NotebookNode) -> NotebookNode:
         elif is_check(cell):
             role = {"grade_id": f"check-{number}", "grade": True, "solution": False, "locked": True, "points": points}
             cell.metadata.tags = CHECK_TAGS
-            cell.source = guarded_check(cell.source, next(tasks))
+            cell.source = guarded_check(cell.source, modules)
         else:
             if is_project(cell):  # nbgrader knows nothing of it, and would leave the program in
                 cell.source, cell.metadata.tags = without_solutions(cell.source), PROJECT_TAGS

@@ -230,14 +230,7 @@ def tasks_of(lesson: Any) -> list[Task]:
     Raises:
         ValueError: it has none, or one is not checked by `check(exercise_1, answer)`.
     """
-    modules = {
-        alias.asname or alias.name: node.module
-        for cell in filter(is_code, lesson.cells)
-        for node in ast.walk(ast.parse(cell.source))
-        if isinstance(node, ast.ImportFrom) and node.module
-        for alias in node.names
-    }
-    tasks: list[Task] = []
+    modules, tasks = modules_of(lesson), list[Task]()
     for number, cell in enumerate(filter(is_check, lesson.cells), start=1):
         called = {tuple(map(ast.unparse, call.args)) for _, call in check_calls(cell.source)}
         function, answer = called.pop() if [*map(len, called)] == [2] else ("", "")
@@ -250,6 +243,17 @@ def tasks_of(lesson: Any) -> list[Task]:
     if not tasks or not any(map(is_exercise, lesson.cells)):
         raise ValueError("the lesson must be a teacher's notebook, with solutions and checks, but has none")
     return tasks
+
+
+def modules_of(lesson: Any) -> dict[str, str]:
+    """Return the modules from which a lesson imports, by the names that it imports."""
+    return {
+        alias.asname or alias.name: node.module
+        for cell in filter(is_code, lesson.cells)
+        for node in ast.walk(ast.parse(cell.source))
+        if isinstance(node, ast.ImportFrom) and node.module
+        for alias in node.names
+    }
 
 
 def check_calls(source: str) -> Iterator[tuple[ast.Expr, ast.Call]]:
@@ -285,33 +289,42 @@ def own_notebook(lesson: Any, tasks: list[Task], draws: list[Draw], student: Stu
 def _own_check(source: str, task: Task, draw: Draw) -> str:
     """Return a check with a student's numbers."""
     own = "".join(f", {name}={value!r}" for name, value in draw.numbers.items())
-    return _checked(source, task, f", seed={draw.seed}{own}", f", seed={draw.hidden_seed}{own}")
+    return _checked(source, task.module, f", seed={draw.seed}{own}", f", seed={draw.hidden_seed}{own}")
 
 
-def guarded_check(source: str, task: Task) -> str:
-    """Return a check of a lesson with a hidden test that a student's names do not change."""
-    settings = [
+def guarded_check(source: str, modules: Mapping[str, str]) -> str:
+    """Return a check of a lesson with a hidden test that a student's names do not change.
+
+    Args:
+        source: the cell. If it calls no check of a module, it stays as it is.
+        modules: of what the lesson imports, the modules.
+    """
+    calls = [call for _, call in check_calls(source) if ast.unparse(call.args[0]) in modules]
+    if not calls:
+        return source
+    shown, hidden = (
         "".join(f", {given.arg}={ast.unparse(given.value)}" for given in call.keywords if given.arg != "quiet")
-        for _, call in check_calls(source)
-    ]
-    return _checked(source, task, settings[0], settings[-1])
+        for call in (calls[0], calls[-1])
+    )
+    return _checked(source, modules[ast.unparse(calls[0].args[0])], shown, hidden)
 
 
-def _checked(source: str, task: Task, shown: str, hidden: str) -> str:
+def _checked(source: str, module: str, shown: str, hidden: str) -> str:
     """Return a check with these settings, for the student and in the hidden test.
 
     The hidden test imports what it calls: a student may have given other meanings to `check` and `exercise_1`.
     """
     visible = without_solutions(source)
-    line = next(line for line, _ in check_calls(visible))
+    line, call = next(check_calls(visible))
+    function, answer = map(ast.unparse, call.args)
     lines = visible.splitlines()
     assert line.end_lineno is not None
     lines[line.lineno - 1 : line.end_lineno] = [
-        f"check({task.function}, {task.answer}{shown})",
+        f"check({function}, {answer}{shown})",
         "### BEGIN HIDDEN TESTS",
         "import edugym_course.grading as the_grading",
-        f"import {task.module} as the_exercises",
-        f"the_grading.check(the_exercises.{task.function}, {task.answer}, quiet=True{hidden})",
+        f"import {module} as the_exercises",
+        f"the_grading.check(the_exercises.{function}, {answer}, quiet=True{hidden})",
         "### END HIDDEN TESTS",
     ]
     return "\n".join(lines)
