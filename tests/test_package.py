@@ -87,6 +87,50 @@ def test_a_test_that_hangs_is_named_and_the_others_pass(tmp_path: Path, hang: st
     assert "::test_hang" in out
 
 
+PROGRAM = """
+from typing import NamedTuple, assert_type
+
+import edugym
+import gymnasium
+import numpy as np
+from edugym import QLearning, Run, train
+
+
+class Counting(NamedTuple):
+    visits: np.ndarray[tuple[int, ...], np.dtype[np.int64]]
+
+    def act(self, state: int, rng: np.random.Generator) -> int:
+        return int(rng.integers(2))
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        self.visits[state] += 1
+
+
+env: gymnasium.Env[int, int] = gymnasium.make("edugym/Boulder-v0", height=5)
+agent = QLearning.create(env, learning_rate=0.5)
+run = train(env, agent, 1_000, seed=1)
+assert_type(run, Run)
+assert_type(agent, QLearning)
+print(run.returns[-1], agent.Q.sum())
+print(edugym.train(env, Counting(np.zeros(6, np.int64)), 100).steps[-1])
+
+
+def wrong() -> None:  # and known to be wrong: else mypy would say that the comments are not needed
+    train(env, agent, "many")  # type: ignore[arg-type]
+    edugym.no_such_name  # type: ignore[attr-defined]
+"""
+
+
+@pytest.mark.slow
+def test_a_users_program_passes_mypy_strict_and_runs(tmp_path: Path) -> None:
+    """With the types of the package as it is installed, in a folder without any settings."""
+    pytest.importorskip("mypy")
+    (tmp_path / "program.py").write_text(PROGRAM, encoding="utf-8")
+    for command in (["-m", "mypy", "--strict", "program.py"], ["program.py"]):
+        done = subprocess.run([sys.executable, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
 def _tested(*arguments: str, code: int = 0) -> str:
     """What pytest says that runs with these arguments, and ends with this code."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]

@@ -1,5 +1,6 @@
 """Stable-Baselines3 gets what its own vector environment gives, and learns from it."""
 
+import re
 import sys
 from typing import Any
 
@@ -7,8 +8,10 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.error import DependencyNotInstalled, ResetNeeded
+from sb3_contrib import RecurrentPPO
 from stable_baselines3 import DQN
 from stable_baselines3.common.env_checker import check_env
+from stable_baselines3.common.env_util import make_vec_env
 from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.vec_env import DummyVecEnv
 
@@ -132,6 +135,21 @@ def test_dqn_knows_a_time_limit_from_an_end() -> None:
     assert (over & ~right == over & ~cut_off).all()  # a wrong door, and nothing else, is an end
     assert 0 < cut_off.sum() < over.sum()
     assert (cut_off <= over).all()
+
+
+@pytest.mark.slow
+def test_a_recurrent_agent_learns_in_the_way_that_the_docstring_says() -> None:
+    """RecurrentPPO takes Golf as its copies are made there, and only so."""
+    says = re.search(r"`(make_vec_env\(.+\))`", str(stable_baselines3_env.__doc__))
+    assert says is not None
+    flat = eval(says[1], {"make_vec_env": make_vec_env, "gymnasium": gymnasium})
+    few: dict[str, Any] = {"n_steps": 32, "batch_size": 32, "n_epochs": 1, "seed": 0, "device": "cpu"}
+    model = RecurrentPPO("MlpLstmPolicy", flat, **few)
+    before = [weights.tolist() for weights in model.policy.parameters()]
+    assert model.learn(64).num_timesteps == 64
+    assert [weights.tolist() for weights in model.policy.parameters()] != before
+    with pytest.raises(TypeError, match="input_size should be of type int"):
+        RecurrentPPO("MlpLstmPolicy", copies("Golf"), **few)
 
 
 WRONG: list[tuple[Any, tuple[Any, ...], dict[str, Any], str]] = [

@@ -2,7 +2,8 @@
 
 import os
 import signal
-import threading
+from pathlib import Path
+from typing import Any
 
 import joblib
 import pandas as pd
@@ -16,19 +17,25 @@ distributed = pytest.importorskip("distributed", reason="`pip install distribute
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]  # Dask's own warnings are not ours
 
 
-def test_dask_gives_what_threads_give() -> None:
-    """Bit for bit; where a worker is lost, others do its work again."""
+def test_dask_gives_what_threads_give(tmp_path: Path) -> None:
+    """Bit for bit; where a worker is lost in the middle of a run, others do its work again."""
+    here, killed = os.getpid(), tmp_path / "killed"
+
+    def deadly(wall: Any) -> QLearning:
+        if os.getpid() != here and not killed.exists():
+            killed.touch()
+            os.kill(os.getpid(), signal.SIGKILL)
+        return QLearning.create(wall)
+
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
-        distributed.Client(cluster) as client,
+        distributed.Client(cluster),
         joblib.parallel_config(backend="dask"),
     ):
-        elsewhere = [small(20_000, jobs=None).table]
-        victim = next(iter(client.run(os.getpid).values()))
-        threading.Timer(0.5, os.kill, (victim, signal.SIGKILL)).start()
-        elsewhere.append(small(20_000, jobs=None).table)
-    for table in elsewhere:
-        pd.testing.assert_frame_equal(table, small(20_000).table)
+        elsewhere = [small(20_000, jobs=None).table, small(20_000, jobs=None, agents={"Q": deadly}).table]
+    assert killed.exists()
+    for table, expected in zip(elsewhere, (small(20_000), small(20_000, agents={"Q": deadly})), strict=True):
+        pd.testing.assert_frame_equal(table, expected.table, check_exact=True)
 
 
 def test_a_profile_is_the_same_too() -> None:
