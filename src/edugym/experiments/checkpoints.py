@@ -2,12 +2,14 @@
 
 import contextlib
 import hashlib
+import os
 import pickle
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from edugym.experiments.configuration import Planned
+from edugym.experiments.configuration import ExperimentTask, Planned
 from edugym.experiments.fingerprints import fingerprint
 from edugym.system.files import write_whole
 from edugym.training.run import Run
@@ -102,3 +104,19 @@ def _cannot_keep(method: str, error: Exception) -> None:
     warnings.warn(
         f"finished runs of {method!r} cannot be kept on the disk, so an interruption loses them: {error}", stacklevel=2
     )
+
+
+def checkpoints_in(
+    folder: str | os.PathLike[str] | None,
+    save_to: str | os.PathLike[str] | None,
+    task: ExperimentTask,
+    agents: Mapping[str, Any],
+    training: dict[str, Any],
+) -> Checkpoints:
+    """Where finished runs are kept: in the folder, or else beside the file."""
+    if folder is None and save_to is not None:
+        folder = f"{os.fspath(save_to)}.unfinished"
+    store = Checkpoints(None if folder is None else Path(folder))
+    for label, agent in agents.items():
+        store.describe(label, task.origin, agent, training)
+    return store

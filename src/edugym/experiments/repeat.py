@@ -16,7 +16,7 @@ from edugym.checks.contract import METHODS
 from edugym.checks.parameters import a_path, in_short, number_of_steps, true_or_false, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.checks.values import deep_copy
-from edugym.experiments.checkpoints import Checkpoints
+from edugym.experiments.checkpoints import Checkpoints, checkpoints_in
 from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
 from edugym.experiments.players import Player, is_policy, made_by, takes_observations
@@ -156,7 +156,7 @@ def repeat(
         with SignalGuard() as guard:
             for library in libraries:  # Ctrl-C during an import would leave half a library
                 call_interruptibly(importlib.import_module, library)
-            store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
+            store = checkpoints_in(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
             _do_all(experiment, training, runs, store, jobs, progress, stop, guard)
@@ -273,23 +273,25 @@ def _configuration(
     return {label: settings | described(maker(environment), "agent") for label, maker in makers.items()}
 
 
-def _checkpoints(
-    folder: str | os.PathLike[str] | None,
-    save_to: str | os.PathLike[str] | None,
-    task: ExperimentTask,
-    agents: Mapping[str, Any],
-    training: dict[str, Any],
-) -> Checkpoints:
-    """Where finished runs are kept: in the folder, or else beside the file."""
-    if folder is None and save_to is not None:
-        folder = f"{os.fspath(save_to)}.unfinished"
-    store = Checkpoints(None if folder is None else Path(folder))
-    for label, agent in agents.items():
-        store.describe(label, task.origin, agent, training)
-    return store
+def _do_all(experiment: Experiment, training: dict[str, Any], runs: Runs, *how: Any) -> None:
+    """Do every run of the plan that is not among `runs` yet; where a process of joblib's is killed, go on.
+
+    Raises:
+        BrokenProcessPool: it happens three times in a row, and no run ends between.
+    """
+    from concurrent.futures.process import BrokenProcessPool
+
+    finished, attempts = len(runs), 3
+    while True:
+        try:
+            return _do_missing(experiment, training, runs, *how)
+        except BrokenProcessPool:
+            finished, attempts = len(runs), 3 if len(runs) > finished else attempts - 1
+            if not attempts:
+                raise
 
 
-def _do_all(
+def _do_missing(
     experiment: Experiment,
     training: dict[str, Any],
     runs: Runs,
