@@ -18,6 +18,7 @@ from tests.messages import named
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")
+    pytest.importorskip("pettingzoo")
     from pettingzoo import ParallelEnv
     from pettingzoo.test import parallel_api_test, parallel_seed_test
     from pettingzoo.utils import parallel_to_aec
