@@ -82,13 +82,13 @@ class _Slips:
 
     Attributes:
         Q: the table, of shape (n_states, n_actions).
-        future: the value of the next state, from its row.
+        future: the value of the next state, from its row and the action that was taken.
         weighed: what the weight is made of, from the reward, the target and δ.
         moves: by how much the value moves, from the weight, δ and the target; it is multiplied by α.
     """
 
     Q: Reals
-    future: Callable[[Reals], float] = np.max
+    future: Callable[[Reals, int], float] = lambda row, action: float(row.max())
     weighed: Callable[[float, float, float], float] = lambda reward, target, delta: delta
     moves: Callable[[float, float, float], float] = lambda weight, delta, target: weight * delta
 
@@ -102,7 +102,7 @@ class _Slips:
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
         """Move Q(S, A) by δ, weighted."""
-        target = one_step_target(reward, DISCOUNT, float(self.future(self.Q[next_state])), terminated)
+        target = one_step_target(reward, DISCOUNT, self.future(self.Q[next_state], action), terminated)
         delta = target - float(self.Q[state, action])
         weight = 1.0 + math.tanh(RISK * self.weighed(reward, target, delta) / 2.0)
         self.Q[state, action] += LEARNING_RATE * self.moves(weight, delta, target)
@@ -151,10 +151,12 @@ RULE = Rule(
             partial(slips, moves=lambda weight, delta, target: weight)
         ),
         "the mean over the actions of the next state stands where the maximum should": Learner(
-            partial(slips, future=np.mean)
+            partial(slips, future=lambda row, action: float(row.mean()))
         ),
+        "Q(S', A) stands in the target, the value of the action that was taken before; it should be the maximum over"
+        " the actions in S'": Learner(partial(slips, future=lambda row, action: float(row[action]))),
         "the mean by ε-greedy over the next actions stands where the maximum should: that is expected SARSA": Learner(
-            partial(slips, future=lambda row: (1 - EPSILON) * row.max() + EPSILON * row.mean())
+            partial(slips, future=lambda row, action: (1 - EPSILON) * row.max() + EPSILON * row.mean())
         ),
         DISCOUNTED: Learner(
             agent, lambda step, before: step if step.terminated else step._replace(reward=DISCOUNT * step.reward)
@@ -163,7 +165,7 @@ RULE = Rule(
             agent, lambda step, before: step._replace(reward=DISCOUNT * step.reward)
         ),
         "the maximum starts from 0, and all values may be lower: start from the first one": Learner(
-            partial(slips, future=lambda row: max(0.0, float(row.max())))
+            partial(slips, future=lambda row, action: max(0.0, float(row.max())))
         ),
     }
     | other_settings(

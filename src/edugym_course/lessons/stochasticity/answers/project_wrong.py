@@ -65,10 +65,17 @@
 
 # %% the value of the same action
 # slow
-# says: ; look at two places: the target is R + γ max_a Q(S', a), and R alone where `terminated` is True; and the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
+# says: Q(S', A) stands in the target, the value of the action that was taken before; it should be the maximum over the actions in S'
 # in: the weight in one line
 # - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
 # + delta = r + 0.9 * (1 - over) * Q[s2, a] - Q[s, a]
+
+# %% the lowest value
+# slow
+# says: ; look at two places: the target is R + γ max_a Q(S', a), and R alone where `terminated` is True; and the weight 2σ(βδ) = 2/(1 + exp(−βδ)) has the whole TD error δ in it
+# in: the weight in one line
+# - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
+# + delta = r + 0.9 * (1 - over) * Q[s2].min() - Q[s, a]
 
 # %% a weight by the reward
 # slow
