@@ -70,7 +70,7 @@ test-lowest:
 	$(LOWEST)/bin/pip install --quiet --constraint $(LOWEST)/constraints.txt --editable ".[notebook]" \
 		hypothesis pytest pytest-timeout pytest-xdist
 	@# Old libraries use what newer ones call deprecated: that is no fault of ours.
-	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning $(ARGS) \
+	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning -W default::FutureWarning $(ARGS) \
 		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \
 		tests/mdp tests/rendering tests/system tests/training
 

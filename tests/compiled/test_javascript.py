@@ -188,7 +188,8 @@ def test_what_machine_code_can_do(node: Node) -> None:
 def test_traps(node: Node) -> None:
     """Nothing is silently different. What is in doubt at every step, or refused, has a sentence."""
     in_doubt = {"products modulo beyond", "part of a tuple", "the largest zero", "nan in tuples", "four dimensions"}
-    assert check(TRAPS, node).keys() == in_doubt
+    warned = {"array into an element of another size"}  # an error, unless NumPy's warnings of it are let pass
+    assert check(TRAPS, node).keys() - warned == in_doubt
 
 
 def test_what_is_left_to_python(node: Node) -> None:

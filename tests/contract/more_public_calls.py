@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 
 import edugym
 from edugym import deep, objectives
@@ -54,7 +55,7 @@ CALLS: dict[str, Callable[[], Case]] = {
     "games.MinimaxQ.create": lambda: row({"decay": "0"}),
     "games.train_players": lambda: row({"evaluate_every": "1e30 1e400"}, agents=[player_of_one()] * 2),
     "games.Soccer.create": lambda: row({"contact": "0"}),
-    "games.parallel_env": lambda: row({"render_mode": "None"}),
+    "games.parallel_env": lambda: pytest.importorskip("pettingzoo") and row({"render_mode": "None"}),
     "games.solve_zero_sum": lambda: row(payoffs=[[1]]),
     "objectives.ChebyshevQLearning.create": lambda: row(
         {"weights": "None", "margin": NOT_NEGATIVE, "whole_returns": ""}),
