@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from edugym import make_mdp
-from edugym_course.lessons.exploration import climbs, figures, fork, methods, optimism, stalling
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.lessons.exploration import climbs, exercises, figures, fork, methods, optimism, stalling
 from tests.course.lessons.made_up import follower, made_up, measured
 
 
@@ -41,6 +42,17 @@ def test_visits_by_hand() -> None:
     assert methods.best_return(1, 1.0) == pytest.approx(1 - 0.5**10)
     assert methods.best_return(1, 1.0, 3) == pytest.approx(1 - (2 / 3) ** 10)
     assert methods.best_return(30) == 1.0
+
+
+@pytest.mark.parametrize("height", [59, *range(60, 161)])
+def test_four_digits_are_enough(height: int) -> None:
+    """Of every wall that a student may have: the nearest number, the one below, and no other."""
+    right = 2 * (1 - 0.5 ** (1 / height))
+    for answer in (round(right, 4), math.floor(10_000 * right) / 10_000):
+        assert "Right" in exercises.exercise_1(answer, 0, height)
+    for answer in (round(right, 4) - 0.0002, round(right, 4) + 0.0002):
+        with pytest.raises(WrongAnswer):
+            exercises.exercise_1(answer, 0, height)
 
 
 def test_both_walls_of_the_fork() -> None:
