@@ -176,6 +176,11 @@ SURPRISES = {
     "a wide range": program(
         "low = -9223372036854775807 if s > 700 else 9223372036854775000\nn = 0\nfor k in range(9223372036854775807, low, -2):\n"
         "    n += 1\n    if n > 5: break\nreturn s + 1 + 0.25 * n"),
+    "a range down to the least number": program(
+        "low = -9223372036854775807 - 1 if s > 700 else -5\nn = 0\nfor k in range(0, low, -1):\n    n += 1\n    if n > 9: break\nreturn s + 1 + 0.25 * n"),
+    "a range of wide steps": program(
+        "low = -9223372036854775807 - 1 if s > 700 else -5\nn = 0\nfor k in range(0, low, -1 - int(self.N[0])):\n    n += 1\n    if n > 9: break\n"
+        "return s + 1 + 0.25 * n", **N),
     "the length of a wide range": program(
         "low = 2 if s < 700 else -9223372036854775807\nreturn s + 1 + len(range(low, 9223372036854775807)) % 4"),
     "sum": program("return s + 9007199254740993", start="2**62"),
@@ -245,6 +250,9 @@ REFUSED = {
     "not of a boolean": (program("flag = s > 3\nreturn s + 1 if ~flag else s + 2"), "True and False"),
     "sum of booleans": (program("a = np.array([True, True])\nreturn s + (a[0] + a[1])"), "True and False"),
     "flag and number": (program("k = 1 if s < 700 else s > 3\nreturn s + k"), "True or False and for numbers"),
+    "range with a star": (program(
+        "low = (0, -9223372036854775807 - 1, -1) if s > 700 else (0, -5, -1)\nn = 0\nfor k in range(*low):\n    n += 1\n    if n > 9: break\n"
+        "return s + 1 + 0.25 * n"), "a star"),
     "number, late a flag": (program("k = 1\nif s > 700: k = s > 3\nreturn s + k"), "True or False and for numbers"),
     "flag or number returned": (program("return s + g(s)", before="def g(s):\n    if s > 700: return True\n    return 2"), "True or False"),
     "minus a flag": (program("flag = s > 3\nreturn s + 1 + -flag"), "True and False"),

@@ -239,9 +239,13 @@ def _rewrite_arguments(func_ir: Any, block: Any, statement: Any) -> None:
         if isinstance(kind, ir.Global) and (named := _entry(NUMPY_TYPE, kind.value)):
             kind.value = named
     called = _global(func_ir, call.func)
-    if called is range and len(call.args) > 1:
-        # The difference is not used: it is an error where it leaves 64 bits, as the length of the range would.
-        _assigned(func_ir, block, statement, ir.Expr.binop(operator.sub, call.args[1], call.args[0], statement.loc))
+    if called is range and call.vararg is not None:
+        refuse("it calls range with a star: write its ends", statement.loc)
+    elif called is range and len(call.args) > 1:
+        # The differences are not used: they are errors where they leave 64 bits, as the length of the range would.
+        start, stop, *step = call.args
+        for first, last in [(stop, start), (start, stop)][: 1 + len(step)]:
+            _assigned(func_ir, block, statement, ir.Expr.binop(operator.sub, first, last, statement.loc))
     elif called is enumerate:
         call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()
     elif called is zip and call.kws:

@@ -159,7 +159,7 @@ def repeat(
             store = checkpoints_in(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
-            _do_all(experiment, training, runs, store, jobs, progress, stop, guard)
+            _do_all(experiment, training, runs, guard, store, jobs, progress, stop)
             if guard.stop_ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
@@ -273,33 +273,39 @@ def _configuration(
     return {label: settings | described(maker(environment), "agent") for label, maker in makers.items()}
 
 
-def _do_all(experiment: Experiment, training: dict[str, Any], runs: Runs, *how: Any) -> None:
-    """Do every run of the plan that is not among `runs` yet; where a process of joblib's is killed, go on.
+def _do_all(experiment: Experiment, training: dict[str, Any], runs: Runs, guard: SignalGuard, *how: Any) -> None:
+    """Do every run of the plan that is not among `runs` yet; where a process of joblib's is killed, go on with others.
 
     Raises:
-        BrokenProcessPool: it happens three times in a row, and no run ends between.
+        TerminatedWorkerError: three times in a row a process is killed before any run ends.
     """
-    from concurrent.futures.process import BrokenProcessPool
+    from joblib.externals.loky.process_executor import TerminatedWorkerError
 
     finished, attempts = len(runs), 3
     while True:
         try:
-            return _do_missing(experiment, training, runs, *how)
-        except BrokenProcessPool:
+            return _do_missing(experiment, training, runs, guard, *how)
+        except TerminatedWorkerError:
+            if guard.stop_ordered:  # Ctrl-C, which may have ended the process as well
+                raise KeyboardInterrupt from None
             finished, attempts = len(runs), 3 if len(runs) > finished else attempts - 1
             if not attempts:
                 raise
+            message = (
+                "a process of joblib's was killed, perhaps for lack of memory; what it did not finish is done again"
+            )
+            warnings.warn(message, RuntimeWarning, stacklevel=3)
 
 
 def _do_missing(
     experiment: Experiment,
     training: dict[str, Any],
     runs: Runs,
+    guard: SignalGuard,
     store: Checkpoints,
     jobs: int | None,
     progress: bool,
     event: threading.Event,
-    guard: SignalGuard,
 ) -> None:
     """Do every run of the plan that is not among `runs` yet, and add it there and to the checkpoints."""
     import joblib

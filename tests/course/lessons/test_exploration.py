@@ -44,13 +44,17 @@ def test_visits_by_hand() -> None:
     assert methods.best_return(30) == 1.0
 
 
-@pytest.mark.parametrize("height", [59, *range(60, 161)])
-def test_four_digits_are_enough(height: int) -> None:
-    """Of every wall that a student may have: the nearest number, the one below, and no other."""
-    right = 2 * (1 - 0.5 ** (1 / height))
-    for answer in (round(right, 4), math.floor(10_000 * right) / 10_000):
+@pytest.mark.parametrize("height", range(60, 161))
+def test_six_digits_are_enough(height: int) -> None:
+    """Of every wall that a student may have: the nearest number and the one below, but not those of other walls."""
+
+    def digits(number: float) -> tuple[float, float]:
+        return round(number, 6), math.floor(1_000_000 * number) / 1_000_000
+
+    for answer in digits(2 * (1 - 0.5 ** (1 / height))):
         assert "Right" in exercises.exercise_1(answer, 0, height)
-    for answer in (round(right, 4) - 0.0002, round(right, 4) + 0.0002):
+    others = [2 * (1 - 0.5 ** (1 / (height + more))) for more in (-1, 1)]
+    for answer in [*digits(2 * math.log(2) / height), *digits(others[0]), *digits(others[1])]:
         with pytest.raises(WrongAnswer):
             exercises.exercise_1(answer, 0, height)
 

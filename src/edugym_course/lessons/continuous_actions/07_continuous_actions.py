@@ -308,7 +308,7 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves in 2 000 updates.
 #
-# (With a baseline nearly all leave at some time in 20 000 updates, but come back; with a baseline and $\sigma$ at 0.2 or above 5 of 100 at most leave.)
+# (With a baseline nearly all leave at some time in 20 000 updates, but come back; with a baseline and $\sigma$ at 0.2 or above at most 5 of 100 leave.)
 #
 # With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. A baseline alone leaves 8
 # outside, and so does a $\sigma$ of 0.2 or above alone (of 1 000 more runs 12 % and 5 %), but nearly all leave at some
@@ -878,7 +878,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # last step backwards, you have another line, an earlier one: the arm comes to some cells several times in an episode, and then the
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
-# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we shrink $\delta$ by hand, to 60 % with each other visit to the cell. Steps to 3.5 (mean of 120 runs):
+# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we shrink $\delta$ by hand, to 60 % for every other visit to the cell, before it or after it. Steps to 3.5 (mean of 120 runs):
 #
 # | | steps |
 # |---|---|

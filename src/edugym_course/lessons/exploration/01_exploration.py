@@ -540,7 +540,7 @@ from edugym_course.lessons.exploration.exercises import CHALLENGE, exercise_1, e
 # ### Exercise 1: change a parameter
 # An ε-greedy climber knows the whole wall and keeps exploring: at every step it takes a random grip with probability
 # $\varepsilon$. On a wall of height 100 with two grips, at least half of its climbs should reach the top without a fall.
-# What is the largest possible $\varepsilon$? Set `epsilon` to that number, by a formula or with four digits after the
+# What is the largest possible $\varepsilon$? Set `epsilon` to that number, by a formula or with six digits after the
 # decimal point.
 #
 # <details><summary>Hint</summary>A random grip is the wrong one with probability 1/2, so a step goes wrong with

@@ -1,4 +1,4 @@
-"""Why the novelty reward stalls: the grip that an agent takes each time it stands at its frontier."""
+"""Why the novelty reward slows down: the grip that an agent takes each time it stands at its frontier."""
 
 from collections.abc import Iterable, Mapping
 from functools import partial

@@ -298,7 +298,7 @@ worst.measured(min(late, key=late.get))
 #
 # Why does the orange line rise later? After some forty tries of each action all four values are so near
 # to −1 that they count as equal (up to $10^{-12}$ here), and chance decides again. Two tests: where the first of equal actions is always taken, the line stays at −500; and with $\alpha = 1$ a
-# value is exactly −1 after one try, and this player is nearly as good as the one of −248: </details>
+# value is exactly −1 after one try, and this player is nearly as good as the one of −248 (the next cell). </details>
 
 # %%
 at_once = methods.play_and_learn(n_steps=20_000, learning_rate=1.0, repetitions=30).curves(methods.MYOPIC)

@@ -461,7 +461,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In 7 of 12. (One of these is the sixth: ten runs give 96 against 82, and in 1 900 runs the two are equal within a point.) In the others it ends below, in some of them far below. So "planning makes the last policy
+# **Measured.** In 7 of 12. (One of these is the sixth shop: ten runs give 96 against 82, and in 1 900 runs the two are equal within a point.) In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
 # has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
 # This is the same everywhere. Q-learning gets to know nearly all that a best plan needs in every shop, and in some it does not make a

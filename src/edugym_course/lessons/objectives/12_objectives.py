@@ -399,7 +399,7 @@ for label, settings in {
 # The table came out alike at concavity 0.25, and with a limit of 5. With -9 and a first price of 0 about half of the runs never come to rest, at concavity 0 and a limit of seven.
 #
 # First values of 100 have another trap. A limit of 20 or 30 steps forbids no treasure, and treasure 8 would be the best. But with 20 the late dives brought 8 to 27 on average, and 16 % of them took too long;
-# with 30 they brought 7.5, and 25 % took too long. The most that a dive can bring is 90. With first values of 89 all late dives brought that, and none took too long, in 20 of 20 runs at both limits. (But they are bad at a limit of seven: see below.)
+# with 30 they brought 7.5, and 25 % took too long. The most that a dive can bring is 90. With first values a little below 90 all late dives brought that, and none took too long, in 20 of 20 runs at both limits. (But they are bad at a limit of seven: see below.)
 # </details>
 #
 # <details><summary>Why do some runs never come to rest?</summary>

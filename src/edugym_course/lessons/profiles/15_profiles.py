@@ -175,7 +175,7 @@ for agent in tries.agents:
 figures.ladders(tries)
 
 # %% [markdown]
-# With ten tries it climbs higher on the rungs in the middle, and its score over the ladder is higher. (That one try costs most at a noise of 0.03 and 0.06, and nothing at 0.3, the equation did not tell.) On the first rung, where no hit misses, both score 1: without the
+# With ten tries it climbs higher on the rungs in the middle, and its score over the ladder is higher. (The equation did not tell that one try costs most at a noise of 0.03 and 0.06, and nothing at 0.3.) On the first rung, where no hit misses, both score 1: without the
 # noise one try is enough. So the reason passes two tests. They are weak ones: without noise Q-learning scores 1 too, and ten tries also change how R-max explores.
 #
 # (On the noisiest rung ten tries score less: what is seldom tried keeps its −100, and is feared too much. With −1 in its place the score is that of one try again, in 80 runs.)
@@ -220,7 +220,7 @@ slow.measured("stays about the same" if change > -0.15 else "falls by half" if c
 # With so small an $\alpha$ a value is nearly a sum of rewards, so what is taken most often leads; that is our guess.
 # </details>
 #
-# So "this setting is bad" is no sentence about an agent. It is a sentence about an agent with all its settings, and a challenge.
+# So "this setting is bad" is no sentence about an agent. It is a sentence about an agent with all its settings, a challenge and a number of steps.
 
 # %% [markdown]
 # ### The whole profile: one agent on all ladders

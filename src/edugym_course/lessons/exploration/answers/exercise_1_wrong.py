@@ -68,7 +68,7 @@ epsilon = [0.0138]
 epsilon = (1 - 0.0138 / 2) ** 100 == 0.5
 
 # %% rounded
-# says: , by a little: give four digits or more
+# says: , by a little: give six digits or more
 # says: half should, so ε must be
 epsilon = 0.014
 
@@ -126,7 +126,7 @@ epsilon = -0.5
 
 
 # %% three digits
-# says: half should, so ε must be larger, by a little: give four digits or more
+# says: half should, so ε must be larger, by a little: give six digits or more
 epsilon = 0.013
 
 

@@ -120,17 +120,15 @@ def exercise_1(answer: Any, seed: int, height: Height = 100) -> str:
     otherwise = "half should, so ε must be " + ("smaller" if found > right else "larger")
     if not 0 <= found <= 1:
         otherwise = "a probability lies between 0 and 1"
-    four_digits = round(right, 4), math.floor(10_000 * right) / 10_000
-    if not any(math.isclose(found, one) for one in four_digits):
-        compare(
-            "epsilon",
-            answer,
-            right,
-            mistakes,
-            tolerance=2e-5,
-            says=says,
-            otherwise=f"{otherwise}, by a little: give four digits or more" if close else otherwise,
-        )
+    compare(
+        "epsilon",
+        answer,
+        right,
+        mistakes,
+        tolerance=1e-6,
+        says=says,
+        otherwise=f"{otherwise}, by a little: give six digits or more" if close else otherwise,
+    )
     return (
         f"Right: ε = {100 * right:.3g} % is little, and yet one wrong grip in {2 / right:.0f} costs half of the climbs."
     )
