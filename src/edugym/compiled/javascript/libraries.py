@@ -84,7 +84,7 @@ def of_math(writer: Operations, node: ast.AST, name: str, given: Given) -> Code:
         "isnan": ("Number.isNaN({})", BOOL),
         "isfinite": ("Number.isFinite({})", BOOL),
         "isinf": ("(Math.abs({})===Infinity)", BOOL),
-        "copysign": ("signed(Math.abs({}),{})", FLOAT),
+        "copysign": ("copysign({},{})", FLOAT),
         "radians": ("({}*(Math.PI/180))", FLOAT),
         "degrees": ("({}*(180/Math.PI))", FLOAT),
     }

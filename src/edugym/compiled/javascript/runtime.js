@@ -49,6 +49,7 @@ const both = (a, b) => small(a) & small(b), either = (a, b) => small(a) | small(
 const finite = x => Number.isFinite(x) ? x : doubt('not a finite number')
 const divided = (a, b) => b === 0 ? doubt('division by zero') : a / b
 const signed = (size, like) => like < 0 || Object.is(like, -0) ? -size : size
+const copysign = (x, like) => like !== like ? doubt('NaN has no sign') : signed(Math.abs(x), like)
 const modulo = (a, b) => {
   if (b === 0) doubt('modulo by zero')
   const rest = finite(a) % finite(b)

@@ -113,7 +113,7 @@ def tamagotchi_claims(found: Profile) -> list[Claim]:
             on_first_rung(found, R_MAX_8000, "Tamagotchi"),
             Below(0.6),
         ),
-        Claim(BOTH, quantity, on_first_rung(found, R_MAX_BOTH, "Tamagotchi"), Above(0.9)),
+        Claim(BOTH, quantity, on_first_rung(found, R_MAX_BOTH, "Tamagotchi"), Above(0.8)),
     ]
 
 
