@@ -21,6 +21,7 @@ from edugym import EpsilonGreedy, QLearning, Results
 from edugym.experiments import checkpoints
 from edugym.experiments import repeat as repeating
 from edugym.system.files import write_whole
+from edugym.system.interrupts import SignalGuard
 from edugym.training.run import Run
 from edugym.training.train import train
 from tests.experiments import experiments
@@ -175,6 +176,19 @@ def test_kill_9_loses_no_finished_run(tmp_path: Path) -> None:
     assert killed.read_bytes() == whole.read_bytes()
     assert Path(f"{killed}.json").read_bytes() == Path(f"{whole}.json").read_bytes()
     assert not folder.exists()
+
+
+def test_ctrl_c_ends_what_a_killed_worker_has_left() -> None:
+    """A worker that dies while runs are told to stop is not replaced."""
+    guard, calls = SignalGuard(), []
+
+    def killed() -> None:
+        calls.append(1)
+        guard.stop_ordered = True
+        raise TerminatedWorkerError
+
+    repeating._again_if_killed(killed, {}, guard)
+    assert calls == [1]
 
 
 @pytest.mark.slow

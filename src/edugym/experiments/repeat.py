@@ -8,6 +8,7 @@ import threading
 import warnings
 from collections.abc import Callable, Collection, Generator, Mapping
 from contextlib import suppress
+from functools import partial
 from numbers import Integral
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -159,7 +160,8 @@ def repeat(
             store = checkpoints_in(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
-            _do_all(experiment, training, runs, guard, store, jobs, progress, stop)
+            missing = partial(_do_all, experiment, training, runs, store, jobs, progress, stop, guard)
+            _again_if_killed(missing, runs, guard)
             if guard.stop_ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
@@ -273,8 +275,8 @@ def _configuration(
     return {label: settings | described(maker(environment), "agent") for label, maker in makers.items()}
 
 
-def _do_all(experiment: Experiment, training: dict[str, Any], runs: Runs, guard: SignalGuard, *how: Any) -> None:
-    """Do every run of the plan that is not among `runs` yet; where a process of joblib's is killed, go on with others.
+def _again_if_killed(do: Callable[[], None], runs: Runs, guard: SignalGuard) -> None:
+    """Do what is missing among `runs`; where a process of joblib's is killed, do again what it did not finish.
 
     Raises:
         TerminatedWorkerError: three times in a row a process is killed before any run ends.
@@ -284,28 +286,26 @@ def _do_all(experiment: Experiment, training: dict[str, Any], runs: Runs, guard:
     finished, attempts = len(runs), 3
     while True:
         try:
-            return _do_missing(experiment, training, runs, guard, *how)
+            return do()
         except TerminatedWorkerError:
-            if guard.stop_ordered:  # Ctrl-C, which may have ended the process as well
-                raise KeyboardInterrupt from None
+            if guard.stop_ordered:  # by Ctrl-C, which may have ended the process as well
+                return None
             finished, attempts = len(runs), 3 if len(runs) > finished else attempts - 1
             if not attempts:
                 raise
-            message = (
-                "a process of joblib's was killed, perhaps for lack of memory; what it did not finish is done again"
-            )
-            warnings.warn(message, RuntimeWarning, stacklevel=3)
+            killed = "a process of joblib's was killed, perhaps for lack of memory: its runs are done again"
+            warnings.warn(killed, RuntimeWarning, stacklevel=3)
 
 
-def _do_missing(
+def _do_all(
     experiment: Experiment,
     training: dict[str, Any],
     runs: Runs,
-    guard: SignalGuard,
     store: Checkpoints,
     jobs: int | None,
     progress: bool,
     event: threading.Event,
+    guard: SignalGuard,
 ) -> None:
     """Do every run of the plan that is not among `runs` yet, and add it there and to the checkpoints."""
     import joblib

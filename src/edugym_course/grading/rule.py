@@ -262,8 +262,8 @@ class Rule:
         if -early > LATE if grows else falls:
             first, second = (right.among(half).found.sum() for half in (when < 0.5, when >= 0.5))
             raise WrongAnswer(
-                f"in small worlds {first:.0f} actions of {NAME} are not greedy in the"
-                f" first half of its runs, and {second:.0f} in the second. {GROWS if grows else FALLS}"
+                f"in small worlds {first:.0f} actions of {NAME} are not greedy in the first half"
+                f" of its runs, and {second:.0f} in the second. {GROWS if grows else FALLS}"
             )
 
     def _require_tries(self, runs: Sequence[Sequence[Step]], shape: tuple[int, int]) -> None:

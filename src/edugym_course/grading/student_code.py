@@ -96,9 +96,10 @@ HINTS = (
     ),
     ("'list' object has no attribute", "that is a list: np.array(...) makes an array of it"),
     (
-        "has no attribute",
+        r"'[A-Z]\w*' object has no attribute",
         "is the name spelt as in the exercise? (A NamedTuple takes no new names: use a plain variable.)",
     ),
+    ("has no attribute", "is the name spelt as in the exercise?"),
 )
 """What often lies behind an error, by what its message contains."""
 

@@ -297,16 +297,17 @@ def guarded_check(source: str, modules: Mapping[str, str]) -> str:
 
     Args:
         source: the cell. If it calls no check of a module, it stays as it is.
-        modules: of what the lesson imports, the modules.
+        modules: by the names that the lesson imports, their modules.
     """
-    calls = [call for _, call in check_calls(source) if ast.unparse(call.args[0]) in modules]
-    if not calls:
+    calls = [call for _, call in check_calls(source)]
+    module = modules.get(ast.unparse(calls[0].args[0])) if calls else None
+    if module is None:
         return source
     shown, hidden = (
         "".join(f", {given.arg}={ast.unparse(given.value)}" for given in call.keywords if given.arg != "quiet")
         for call in (calls[0], calls[-1])
     )
-    return _checked(source, modules[ast.unparse(calls[0].args[0])], shown, hidden)
+    return _checked(source, module, shown, hidden)
 
 
 def _checked(source: str, module: str, shown: str, hidden: str) -> str:

@@ -399,7 +399,7 @@ for label, settings in {
 # The table came out alike at concavity 0.25, and with a limit of 5. With -9 and a first price of 0 about half of the runs never come to rest, at concavity 0 and a limit of seven.
 #
 # First values of 100 have another trap. A limit of 20 or 30 steps forbids no treasure, and treasure 8 would be the best. But with 20 the late dives brought 8 to 27 on average, and 16 % of them took too long;
-# with 30 they brought 7.5, and 25 % took too long. The most that a dive can bring is 90. With first values a little below 90 all late dives brought that, and none took too long, in 20 of 20 runs at both limits. (But they are bad at a limit of seven: see below.)
+# with 30 they brought 7.5, and 25 % took too long. The most that a dive can bring is 90. With first values of 89 all late dives brought that, and none took too long, in 20 of 20 runs at both limits. (But they are bad at a limit of seven: see below.)
 # </details>
 #
 # <details><summary>Why do some runs never come to rest?</summary>
@@ -408,7 +408,7 @@ for label, settings in {
 # tried. At a new $\lambda$ another rest may be better, but a greedy agent never goes there to see it. We computed all vectors exactly for the last $\lambda$, by planning, and let the training go on: all 29 runs came to rest. When it just went on, none did.
 #
 # With a limit of 9, 11 or 13 this happens more often (12 to 25 of 60 runs never rested). A *faster* price helps: with $\eta = 0.02$ all 60 runs came to rest at a limit of seven, and all 40 at each of the others. With $\eta = 0.005$
-# and twice as many steps only 19 of 40 did. So here the usual advice, that the price should learn more slowly than the values, does harm. Higher first values help as well: with 110, 299 of 300 runs came to rest, with 90 some 60 %.
+# and twice as many steps only 19 of 40 did. So here the usual advice, that the price should learn more slowly than the values, does harm. Higher first values help as well: with 110, 299 of 300 runs came to rest, with 89 or 90 some 60 %.
 # </details>
 #
 # <details><summary>Why about 10, and not 100 / 5 = 20, with η five times as large?</summary>

@@ -93,30 +93,9 @@ def my_program(environment, n_steps, seed):
 
 # %% a value where the clock stops, after three rewards only
 # slow
-def my_program(environment, n_steps, seed):
-    Q = np.zeros((environment.observation_space.n, environment.action_space.n))
-    rng = np.random.default_rng(seed)
-    n = 3
-
-    def choose(values):
-        return rng.integers(len(values)) if rng.random() < 0.1 else rng.choice(np.flatnonzero(values == values.max()))
-
-    t, s = 0, environment.reset(seed=seed)[0]
-    while t < n_steps:
-        S, A, R, over = [s], [choose(Q[s])], [], False
-        while not over:
-            s, r, terminated, truncated, _ = environment.step(A[-1])
-            over = terminated or truncated
-            t += 1
-            S.append(s)
-            A.append(choose(Q[s]))
-            R.append(r)
-            for tau in range(len(R)) if over else [len(R) - n]:
-                if tau < 0 or (over and tau < len(R) - n):
-                    continue
-                G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
-                if tau + n < len(S) and not terminated:
-                    G += 0.8**n * Q[S[tau + n], A[tau + n]]
-                Q[S[tau], A[tau]] += 0.5 * (G - Q[S[tau], A[tau]])
-        s, _ = environment.reset()
-    return lambda s: int(Q[s].argmax())
+# in: a value also where the clock stops
+# - if not terminated:
+# -     last = min(tau + n, len(R))
+# -     G += 0.8 ** (last - tau) * Q[S[last], A[last]]
+# + if tau + n < len(S) and not terminated:
+# +     G += 0.8**n * Q[S[tau + n], A[tau + n]]
