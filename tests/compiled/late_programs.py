@@ -74,8 +74,8 @@ class Writer:
         a, b = self.whole(depth - 1), self.whole(depth - 1)
         return self.one(
             f"({a} + {b})", f"({a} - {b})", f"({a} * {b})", f"({a}) // ({b} or 1)", f"({a}) % 5", f"({a}) ** 2",
-            f"2 ** (5 - {a})", f"pow(2, 4 - {a})", f"max({a}, {b})", f"abs({a})", f"sum([{a}, {b}])",
-            f"int({self.real()})",            f"(1 << ({a}) % 70)", f"divmod({a}, 3)[1]", f"(2 ** 61 + {a})",
+            f"2 ** min(5 - {a}, 99)", f"pow(2, min(4 - {a}, 99))", f"max({a}, {b})", f"abs({a})",
+            f"sum([{a}, {b}])", f"int({self.real()})", f"(1 << ({a}) % 70)", f"divmod({a}, 3)[1]", f"(2 ** 61 + {a})",
             f"round({self.real()})", f"-({a})",
             "np.sum(self.N[:i])", "self.N.max()", f"abs(self.least + ({a}) % 2)", f"3 ** (({a}) % 50)",
         )  # fmt: skip
